@@ -1,0 +1,92 @@
+#include "tests/support/software_ways.h"
+
+#include <fmt/format.h>
+
+#include <cstddef>
+
+namespace csgsim::testing {
+
+namespace {
+
+using software::Pruning;
+using software::Shape;
+
+constexpr std::array shapes{Shape::written, Shape::left_deep, Shape::balanced};
+constexpr std::array prunings{Pruning::none, Pruning::cells, Pruning::inside};
+
+std::vector<Way> made_ways() {
+  std::vector<Way> ways;
+  for (const Shape shape : shapes) {
+    for (const software::MethodRow* const method : software::methods()) {
+      if (method->takes != software::Takes::events) {
+        ways.push_back({{method, nullptr}, Pruning::none, shape});
+        continue;
+      }
+      for (const software::CoherenceRow& coherence : software::coherences()) {
+        for (const Pruning pruning : prunings) ways.push_back({{method, &coherence}, pruning, shape});
+      }
+    }
+  }
+  return ways;
+}
+
+const char* name_of(Pruning pruning) {
+  switch (pruning) {
+    case Pruning::none: return "none";
+    case Pruning::cells: return "cells";
+    case Pruning::inside: return "inside";
+  }
+  return "?";
+}
+
+}  // namespace
+
+std::string to_text(const Way& way) {
+  return fmt::format("{} {} {}", software::name_of(way.choice), name_of(way.pruning),
+                     software::shapes()[static_cast<std::size_t>(way.shape)].name);
+}
+
+const std::vector<Way>& all_ways() {
+  static const std::vector<Way> ways = made_ways();
+  return ways;
+}
+
+Way way_of(const std::string& choice, Pruning pruning, Shape shape) {
+  return {software::choice_of(choice), pruning, shape};
+}
+
+SoftwareScene::SoftwareScene(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view)
+    : tree_(tree), geometry_(geometry), view_(view), rays_(tree, geometry, view) {
+  for (std::size_t i = 0; i < shapes.size(); ++i) trees_[i] = software::make_tree(tree, shapes[i]);
+}
+
+bool SoftwareScene::is_too_deep(const Way& way) const {
+  constexpr std::uint32_t most_levels = 20;
+  return way.choice.method->name.starts_with("bit-parallel") && tree(way.shape).depth() > most_levels;
+}
+
+std::unique_ptr<software::Method> SoftwareScene::make(const Way& way, bool counts) const {
+  const software::Subject subject{tree_, geometry_, view_, tree(way.shape), way.pruning};
+  const software::Coherent coherence =
+      way.choice.coherence == nullptr ? software::Coherent::all_points : way.choice.coherence->coherence;
+  return way.choice.method->make(coherence, subject, counts);
+}
+
+software::Picture SoftwareScene::draw(const Way& way, bool counts) const {
+  const std::unique_ptr<software::Method> method = make(way, counts);
+  return software::draw(rays_, *method);
+}
+
+std::string SoftwareScene::fault_of(const Way& way, const std::vector<Seen>& expected) const {
+  const software::Picture picture = draw(way);
+  if (picture.seen.size() != expected.size()) return to_text(way) + ": another number of pixels";
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const software::Seen& seen = picture.seen[i];
+    if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
+    return fmt::format("{}: pixel {}, {} is {} at {}, not {} at {}", to_text(way), i % picture.width, i / picture.width,
+                       seen.owner, seen.depth, expected[i].owner, expected[i].depth);
+  }
+  return "";
+}
+
+}  // namespace csgsim::testing

@@ -1,0 +1,157 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/read/read.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/support/drawing.h"
+#include "tests/support/software_ways.h"
+#include "tests/support/usual_cases.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using testing::all_ways;
+using testing::Scene;
+using testing::SoftwareScene;
+using testing::Way;
+
+namespace {
+
+/// What random scenes were.
+struct Tally {
+  std::uint64_t scenes = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t empty = 0;  ///< with nothing to see
+  std::uint64_t pixels = 0;
+  std::uint64_t covered = 0;
+  std::vector<std::uint64_t> drawn_by = std::vector<std::uint64_t>(all_ways().size());
+};
+
+void count(const std::vector<testing::Seen>& expected, Tally& tally) {
+  std::uint64_t covered = 0;
+  for (const testing::Seen& seen : expected) covered += seen.owner != 0xffffffffU ? 1U : 0U;
+  tally.pixels += expected.size();
+  tally.covered += covered;
+  tally.empty += covered == 0 ? 1U : 0U;
+}
+
+/// What is wrong with a scene by `ways` of all ways, others with each seed; empty if nothing is.
+std::string fault_of(std::uint64_t seed, std::size_t ways, Tally& tally) {
+  const std::optional<Scene> scene = testing::random_scene(seed);
+  ++tally.scenes;
+  tally.refused += scene ? 0U : 1U;
+  if (!scene) return "";
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene->tree, scene->geometry, scene->view);
+  count(expected, tally);
+  const SoftwareScene software(scene->tree, scene->geometry, scene->view);
+  for (std::size_t i = 0; i < ways; ++i) {
+    const std::size_t number = (seed * ways + i) % all_ways().size();
+    ++tally.drawn_by[number];
+    const std::string fault = software.fault_of(all_ways()[number], expected);
+    if (!fault.empty()) return "seed " + std::to_string(seed) + ", " + fault;
+  }
+  return "";
+}
+
+void check_all_ways(const Scene& scene) {
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  const SoftwareScene software(scene.tree, scene.geometry, scene.view);
+  for (const Way& way : all_ways()) {
+    if (!software.is_too_deep(way)) CHECK(software.fault_of(way, expected) == "");
+  }
+}
+
+view::Sampling picture_of(std::uint32_t width, std::uint32_t height) {
+  view::Sampling sampling;
+  sampling.width = width;
+  sampling.height = height;
+  return sampling;
+}
+
+Scene scene_of(const std::string& csg, const view::Camera& camera, const view::Sampling& sampling) {
+  return testing::make_scene(read::read_csg_text(csg, "test"), camera, sampling);
+}
+
+const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective};
+
+}  // namespace
+
+TEST_CASE("software draws random models as the rules say, by each method, coherence, pruning and shape") {
+  constexpr std::size_t scenes = 24;
+  constexpr std::size_t ways = 8;
+  Tally tally;
+  CHECK(rc::check([&] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    for (std::uint64_t i = 0; i < scenes; ++i) {
+      const std::string fault = fault_of(seed + i, ways, tally);
+      if (!fault.empty()) RC_FAIL(fault);
+    }
+  }));
+  MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.empty, " empty, ", tally.covered, " of ",
+          tally.pixels, " pixels covered");
+  if (!testing::draws_usual_cases()) return;
+  CHECK(tally.refused < tally.scenes / 10);
+  CHECK(tally.empty < tally.scenes / 2);
+  CHECK(tally.covered > tally.pixels / 20);
+  for (const std::uint64_t times : tally.drawn_by) CHECK(times > 20);
+}
+TEST_CASE("software draws some random models as the rules say in all ways") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 24; ++seed) CHECK(fault_of(seed, all_ways().size(), tally) == "");
+  CHECK(tally.covered > tally.pixels / 20);
+}
+TEST_CASE("software draws the thesis's objects as the rules say in all ways") {
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      check_all_ways(testing::thesis_scene(one, 45, 37));
+    }
+  }
+}
+TEST_CASE("software draws nothing of an empty model") {
+  for (const char* const csg : {"union(){}", "difference(){}"}) check_all_ways(scene_of(csg, aside, picture_of(20, 9)));
+}
+TEST_CASE("software draws nothing of what is behind the eye") {
+  const Scene scene = scene_of("cube(size=[4,4,4],center=true);",
+                               {{18, -25, 21}, {36, -50, 42}, view::Projection::perspective}, picture_of(20, 9));
+  check_all_ways(scene);
+}
+TEST_CASE("software draws a picture of one pixel") {
+  check_all_ways(
+      scene_of("difference(){cube(size=[4,4,4],center=true);sphere($fn=12,r=2.5);}", aside, picture_of(1, 1)));
+}
+TEST_CASE("software draws a primitive alone, and one of a union in cells that it has no pixels in") {
+  check_all_ways(scene_of("cube(size=[4,4,4],center=true);", aside, picture_of(70, 50)));
+  check_all_ways(
+      scene_of("multmatrix([[1,0,0,-6],[0,1,0,-6],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}"
+               "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
+               aside, picture_of(70, 50)));
+}
+TEST_CASE("a method that counts draws what it draws when it does not, and counts only then") {
+  std::size_t number = 0;
+  for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
+    const std::optional<Scene> scene = testing::random_scene(seed);
+    if (!scene) continue;
+    const SoftwareScene software(scene->tree, scene->geometry, scene->view);
+    for (int i = 0; i < 8; ++i, ++number) {
+      const Way& way = all_ways()[number % all_ways().size()];
+      CAPTURE(seed);
+      CAPTURE(testing::to_text(way));
+      const std::unique_ptr<software::Method> counts = software.make(way, true);
+      const std::unique_ptr<software::Method> plain = software.make(way, false);
+      CHECK((software::draw(software.rays(), *counts).seen == software::draw(software.rays(), *plain).seen));
+      software::Counts nothing;
+      nothing.words = counts->counts().words;
+      CHECK(plain->counts().words == nothing.words);
+      CHECK(plain->counts().operations == software::Operations{});
+      CHECK(plain->counts().points + plain->counts().evaluations + plain->counts().looked_up == 0);
+      CHECK(plain->counts().node_visits + plain->counts().list_steps + plain->counts().pruned_nodes == 0);
+    }
+  }
+}
