@@ -38,6 +38,7 @@ class IntervalArithmetic : public Method {
                     0,
                     subject_.farthest()};
       whole_.clear();
+      std::ranges::fill(known_, Known::out);  // what has no pixels there
       for (std::uint32_t primitive = 0; primitive < planes_.size(); ++primitive) {
         const bool touches = !view::common(subject_.view.extents[primitive].pixels, box.pixels).empty();
         if (touches && !planes_[primitive].nowhere) whole_.push_back({primitive, planes_[primitive]});

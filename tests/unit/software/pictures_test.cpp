@@ -133,6 +133,16 @@ TEST_CASE("software draws a primitive alone, and one of a union in cells that it
                "multmatrix([[1,0,0,4],[0,1,0,3],[0,0,1,0],[0,0,0,1]]){cube(size=[4,4,4],center=true);}",
                aside, picture_of(70, 50)));
 }
+TEST_CASE("what a cell of the picture is in is not in the cells beside it") {
+  view::Sampling sampling = picture_of(48, 48);
+  sampling.z_bits = 8;
+  sampling.fraction_bits = 0;
+  const view::Camera camera{{0, -12 / view::half_height_per_distance(), 0}, {0, 0, 0}, view::Projection::orthographic};
+  check_all_ways(scene_of(
+      "intersection(){multmatrix([[1,0,0,0],[0,1,0,-8],[0,0,1,-32],[0,0,0,1]]){cube(size=[16,32,48],center=false);}"
+      "multmatrix([[1,0,0,-24],[0,1,0,-4],[0,0,1,-32],[0,0,0,1]]){cube(size=[64,8,24],center=false);}}",
+      camera, sampling));
+}
 TEST_CASE("a method that counts draws what it draws when it does not, and counts only then") {
   std::size_t number = 0;
   for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
