@@ -143,6 +143,18 @@ TEST_CASE("what a cell of the picture is in is not in the cells beside it") {
       "multmatrix([[1,0,0,-24],[0,1,0,-4],[0,0,1,-32],[0,0,0,1]]){cube(size=[64,8,24],center=false);}}",
       camera, sampling));
 }
+TEST_CASE("the surface of a union within its other operand is seen where the back of what is taken away ends at it") {
+  const view::Camera camera{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
+  const Scene scene = scene_of(
+      "difference(){union(){multmatrix([[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=[16,16,16],center=true);}"
+      "multmatrix([[1,0,0,-4],[0,1,0,0],[0,0,1,-4],[0,0,0,1]]){cube(size=[8,4,8],center=false);}}"
+      "multmatrix([[1,0,0,-9],[0,1,0,-9],[0,0,1,-9],[0,0,0,1]]){cube(size=[18,9,18],center=false);}}",
+      camera, picture_of(21, 21));
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  CHECK(expected[21 * 10 + 10].owner == 1);
+  CHECK(expected[21 * 10 + 5].owner == 2);
+  check_all_ways(scene);
+}
 TEST_CASE("a method that counts draws what it draws when it does not, and counts only then") {
   std::size_t number = 0;
   for (std::uint64_t seed = 1001; seed <= 1100; ++seed) {
