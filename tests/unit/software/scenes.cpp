@@ -53,7 +53,7 @@ Scene curved_scene(Random& random) {
   CurvedScene curved = random_curves(random.below(1U << 30U), projection);
   if (random.below(2) == 0) draw_size(random, curved.sampling);
   if (random.below(2) == 0) draw_bits(random, curved.sampling);
-  return make_scene(read::read_csg_text(curved.csg, "test"), curved.camera, curved.sampling, true);
+  return make_scene(read::read_csg_text(curved.csg, "test"), curved.camera, curved.sampling, {.exact_curves = true});
 }
 
 /// Boxes whose sides are between pixels, at ends of cells and of their quarters.
@@ -106,10 +106,9 @@ Scene any_scene(std::uint64_t seed) {
 
 }  // namespace
 
-Scene make_scene(model::Tree tree, const view::Camera& camera, const view::Sampling& sampling, bool curves_stay) {
-  facet::Faceting faceting;
-  faceting.exact_curves = curves_stay;
-  if (curves_stay) {
+Scene make_scene(model::Tree tree, const view::Camera& camera, const view::Sampling& sampling,
+                 facet::Faceting faceting) {
+  if (faceting.exact_curves) {
     const facet::Geometry geometry = facet::make_geometry(tree, faceting);
     const view::View view = view::make_view(geometry, tree, camera, sampling);
     for (const facet::Convex& solid : geometry.solids) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "host/facet/faceting.h"
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
@@ -18,9 +19,9 @@ struct Scene {
   view::View view;
 };
 
-/// Curved surfaces stay curved where they fit the numbers of machines, if that is asked for.
+/// Curved surfaces that are to stay curved do where they fit the numbers of machines.
 Scene make_scene(model::Tree tree, const view::Camera& camera, const view::Sampling& sampling,
-                 bool curves_stay = false);
+                 facet::Faceting faceting = {});
 
 /// Random models of up to 27 primitives in a picture of few pixels and mostly of few bits, from afar, from within,
 /// along an axis or from behind; a third of them with curved surfaces, and a sixth of boxes with sides between pixels.

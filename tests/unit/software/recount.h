@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/software/methods/counts.h"
+#include "sim/software/rays/caster.h"
+#include "sim/software/survey.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/unit/software/plain_tree.h"
+
+namespace csgsim::testing {
+
+/// Events of a ray that are at one depth: from `begin` up to `end`.
+struct Point {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+};
+
+/// A ray, and the points that are classified until it gets into the solid.
+struct RecordedRay {
+  std::vector<software::Event> events;
+  std::vector<Point> points;
+  bool hits = false;
+
+  [[nodiscard]] std::vector<std::uint32_t> sequence(std::size_t end) const;
+  [[nodiscard]] std::size_t end() const { return points.empty() ? 0 : points.back().end; }
+};
+
+/// The rays of a picture in the order of pixels; `seen` is the picture by the rules.
+std::vector<RecordedRay> recorded(const software::RayCaster& rays, const std::vector<Seen>& seen,
+                                  software::RayCounts& counts);
+
+software::Survey surveyed(const std::vector<RecordedRay>& rays);
+
+/// An evaluation of the tree: behind the first `end` events of a ray.
+struct Evaluation {
+  std::size_t ray = 0;
+  std::size_t end = 0;
+  bool is_anew = true;  ///< what was taken in before is taken back
+};
+
+/// What a coherence leaves to be evaluated, in order, and what it counts itself.
+struct Coherence {
+  std::vector<Evaluation> evaluations;
+  std::uint64_t looked_up = 0;
+  std::uint64_t list_elements = 0;
+  std::uint64_t list_steps = 0;
+  bool looks_up_first = false;  ///< first points are in a table
+};
+
+/// By a coherence's name. `width` of the picture.
+Coherence coherence_of(const std::string& name, const std::vector<RecordedRay>& rays, std::size_t width);
+
+/// All counts but words and operations, by a traversal's name: standard, early-out, positional, status, bit-sequential
+/// or bit-parallel, on the tree as it is written.
+software::Counts recounted(const PlainTree& tree, std::size_t primitives, const std::string& traversal,
+                           const Coherence& coherence, const std::vector<RecordedRay>& rays);
+
+}  // namespace csgsim::testing

@@ -1,0 +1,158 @@
+#include "tests/unit/software/recount.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/support/drawing.h"
+#include "tests/support/software_ways.h"
+#include "tests/unit/software/plain_tree.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using software::Counts;
+using software::Pruning;
+using testing::RecordedRay;
+using testing::Scene;
+using testing::SoftwareScene;
+
+namespace {
+
+const std::vector<std::string> traversals{"standard", "early-out",      "positional",
+                                          "status",   "bit-sequential", "bit-parallel"};
+
+/// A scene as software counts it, and what it is counted from again.
+struct Counted {
+  SoftwareScene software;
+  std::vector<testing::Seen> seen;
+  software::RayCounts ray_counts;
+  std::vector<RecordedRay> rays;
+  testing::PlainTree tree;
+  std::size_t primitives;
+  std::size_t width;
+
+  explicit Counted(const Scene& scene)
+      : software(scene.tree, scene.geometry, scene.view),
+        seen(testing::draw_by_rules(scene.tree, scene.geometry, scene.view)),
+        rays(testing::recorded(software.rays(), seen, ray_counts)),
+        tree(scene.tree),
+        primitives(scene.tree.primitives.size()),
+        width(scene.view.sampling.width) {}
+
+  [[nodiscard]] Counts counts_of(const std::string& way, Pruning pruning = Pruning::none) const {
+    const std::unique_ptr<software::Method> method = software.make(testing::way_of(way, pruning), true);
+    software::draw(software.rays(), *method);
+    return method->counts();
+  }
+};
+
+void check_same(const Counts& found, const Counts& expected) {
+  CHECK(found.points == expected.points);
+  CHECK(found.evaluations == expected.evaluations);
+  CHECK(found.precomputed == expected.precomputed);
+  CHECK(found.looked_up == expected.looked_up);
+  CHECK(found.pruned_nodes == expected.pruned_nodes);
+  CHECK(found.node_visits == expected.node_visits);
+  CHECK(found.early_outs == expected.early_outs);
+  CHECK(found.list_steps == expected.list_steps);
+  CHECK(found.list_elements == expected.list_elements);
+  CHECK(found.ties == expected.ties);
+}
+
+void check_survey(const Counted& counted) {
+  const software::Picture picture = counted.software.draw(testing::way_of("standard"));
+  const software::Survey found = software::survey(counted.software.rays(), picture);
+  const software::Survey expected = testing::surveyed(counted.rays);
+  CHECK(found.rays == expected.rays);
+  CHECK(found.met == expected.met);
+  CHECK(found.hits == expected.hits);
+  CHECK(found.points == expected.points);
+  CHECK(found.sequences == expected.sequences);
+  CHECK(found.different_sequences == expected.different_sequences);
+  CHECK(found.most_points == expected.most_points);
+}
+
+/// Trees are pruned for each cell; within a primitive, once for each that is ever the first one of a ray's that hold a
+/// point.
+void check_pruned(const Counted& counted, std::size_t height) {
+  const std::size_t cells = (counted.width + 15) / 16 * ((height + 15) / 16);
+  std::set<std::uint32_t> outermost;
+  std::uint64_t points = 0;
+  for (const RecordedRay& ray : counted.rays) {
+    std::vector<std::uint32_t> entered;
+    for (const testing::Point& point : ray.points) {
+      for (std::size_t i = point.begin; i < point.end; ++i) {
+        const std::uint32_t primitive = ray.events[i].primitive();
+        if (std::erase(entered, primitive) == 0) entered.push_back(primitive);
+      }
+      if (!entered.empty()) outermost.insert(entered.front());
+    }
+    points += ray.points.size();
+  }
+  for (const std::string& traversal : traversals) {
+    if (counted.software.is_too_deep(testing::way_of(traversal))) continue;
+    CAPTURE(traversal);
+    const Counts by_cells = counted.counts_of(traversal, Pruning::cells);
+    CHECK(by_cells.pruned_nodes == cells * counted.tree.nodes());
+    CHECK(by_cells.evaluations + by_cells.looked_up == points);
+    CHECK(by_cells.points == points);
+    const Counts inside = counted.counts_of(traversal, Pruning::inside);
+    CHECK(inside.pruned_nodes == outermost.size() * counted.tree.nodes());
+    CHECK(inside.evaluations + inside.looked_up == points);
+    CHECK(inside.evaluations <= counted.counts_of(traversal).evaluations);
+  }
+}
+
+/// Returns the ties of a scene.
+std::uint64_t check_scene(const Scene& scene) {
+  const Counted counted(scene);
+  std::uint64_t ties = 0;
+  for (const software::CoherenceRow& row : software::coherences()) {
+    const std::string name(row.name);
+    CAPTURE(name);
+    const testing::Coherence coherence = testing::coherence_of(name, counted.rays, counted.width);
+    for (const std::string& traversal : traversals) {
+      if (counted.software.is_too_deep(testing::way_of(traversal))) continue;
+      CAPTURE(traversal);
+      const Counts expected = testing::recounted(counted.tree, counted.primitives, traversal, coherence, counted.rays);
+      check_same(counted.counts_of(traversal + "/" + name), expected);
+      ties = expected.ties;
+    }
+  }
+  check_survey(counted);
+  check_pruned(counted, scene.view.sampling.height);
+  std::uint64_t events = 0;
+  for (const RecordedRay& ray : counted.rays) events += ray.events.size();
+  CHECK(counted.ray_counts.events == events);
+  return ties;
+}
+
+}  // namespace
+
+TEST_CASE("what software counts on random scenes is what rays and trees give when they are counted plainly") {
+  std::uint64_t ties = 0;
+  std::uint64_t scenes = 0;
+  for (std::uint64_t seed = 5001; seed <= 5040; ++seed) {
+    const std::optional<Scene> scene = testing::random_scene(seed);
+    if (!scene) continue;
+    CAPTURE(seed);
+    ties += check_scene(*scene);
+    ++scenes;
+  }
+  CHECK(scenes > 30);
+  CHECK(ties > 1000);
+}
+TEST_CASE("what software counts on the thesis's objects is what rays and trees give when they are counted plainly") {
+  for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
+    CAPTURE(one.name);
+    check_scene(testing::thesis_scene(one, 64, 64));
+  }
+}
