@@ -6,14 +6,13 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "hw/base/error.h"
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/known.h"
 #include "sim/software/methods/method.h"
+#include "sim/software/traversals/levels.h"
 
 namespace csgsim::software {
 
@@ -23,11 +22,7 @@ class Evaluator {
  public:
   explicit Evaluator(Tree tree) : tree_(std::make_unique<Tree>(std::move(tree))) {
     if (tree_->is_constant()) return;
-    if (tree_->depth() > Traversal::most_levels) {
-      throw InputError("the tree has " + std::to_string(tree_->depth()) + " levels, of " +
-                       std::to_string(Traversal::most_levels) +
-                       " that this traversal goes down; take --shapes balanced");
-    }
+    refuse_deep(*tree_, Traversal::most_levels);
     traversal_.emplace(*tree_);
   }
 
@@ -53,7 +48,6 @@ class Evaluator {
       *place = in_.back();
       in_.pop_back();
     }
-    count(Operation::call);
     traversal_->flip(primitive, count);
   }
 
@@ -63,7 +57,6 @@ class Evaluator {
       return tree_->complemented;
     }
     count.evaluation();
-    count(Operation::call);
     return traversal_->evaluate(count) != tree_->complemented;
   }
 

@@ -3,12 +3,14 @@
 #include <memory>
 
 #include "sim/software/methods/rows.h"
+#include "sim/software/traversals/levels.h"
 
 namespace csgsim::software {
 
-/// A method that takes no coherence.
+/// A method that takes no coherence, and goes down the tree by calls.
 template <template <class> class Whole>
 std::unique_ptr<Method> whole(Coherent /*coherence*/, const Subject& subject, bool counts) {
+  refuse_deep(subject.tree, most_calls);
   if (counts) return std::make_unique<Whole<CountingMethod>>(subject);
   return std::make_unique<Whole<UncountedMethod>>(subject);
 }

@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "sim/software/cost/operations.h"
+#include "sim/software/traversals/levels.h"
 #include "sim/software/tree/tree.h"
 
 namespace csgsim::software {
-
-/// Levels of a tree that calls go down, which have the stack of a thread.
-inline constexpr std::uint32_t most_calls = 20'000;
-inline constexpr std::uint32_t any_levels = 0xffffffffU;
 
 /// Of each primitive whether a point is in it, a word each.
 template <class Count>
