@@ -12,7 +12,7 @@ case $source in
   *) cp "$source" "$folder/program.s" ;;
 esac
 m68k-linux-gnu-as -m68000 --register-prefix-optional -o "$folder/program.o" "$folder/program.s"
-m68k-linux-gnu-ld -Ttext 0x1000 -Tbss 0x8000 -e 0x1000 -o "$folder/program" "$folder/program.o"
+m68k-linux-gnu-ld -Ttext 0x1000 -Tbss 0x4000 -e 0x1000 -o "$folder/program" "$folder/program.o"
 m68k-linux-gnu-objcopy -O binary -j .text "$folder/program" "$folder/words"
 echo "// Made by tests/m68000/assemble.sh of $(basename "$source")${1:+ with $*}."
 m68k-linux-gnu-nm "$folder/program" | sort | awk '$3 ~ /^[a-z]/ && $2 ~ /^[tTbB]$/ { print "inline constexpr std::uint32_t " $3 "_at = 0x" $1 ";" }'

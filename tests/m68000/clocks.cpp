@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
+#include "tests/m68000/developed_tree.h"
 #include "tests/m68000/random_tree.h"
 #include "tests/m68000/traversal.h"
 
@@ -11,44 +10,57 @@ namespace {
 
 using namespace csgsim::m68000;
 
-constexpr std::uint32_t trees = 200;
+constexpr std::uint32_t seeds = 400;
+constexpr std::size_t most_primitives = 20;
 
 struct Named {
   Method method;
   const char* name;
 };
 
-constexpr Named methods[] = {
-    {Method::standard, "standard"}, {Method::early_out, "early out"}, {Method::status_tree, "status tree"}};
-constexpr Written forms[] = {Written::by_hand, Written::compiled_plainly, Written::compiled_optimised};
+constexpr Named methods[] = {{Method::standard, "standard"},
+                             {Method::early_out, "early out"},
+                             {Method::status_tree, "status tree"},
+                             {Method::bit_parallel, "bit-parallel"}};
 
-/// Of a surface on a ray, with its classification: mean over random trees, a node of the tree.
-double clocks_a_node(Method method, Written written) {
+struct Sum {
   double clocks = 0;
-  double nodes = 0;
-  for (std::uint32_t seed = 0; seed < trees; ++seed) {
-    const RandomTree random(seed);
+  double surfaces = 0;  ///< through each the ray goes, and the point there is classified
+  double nodes = 0;     ///< of the tree, at each of them
+};
+
+/// Over random trees of as many levels as bits of a long have room for.
+Sum sum_of(Method method, Written written) {
+  Sum sum;
+  for (std::uint32_t seed = 0; seed < seeds; ++seed) {
+    const RandomTree random(seed, most_primitives);
+    if (levels_of(random.tree()) > most_levels) continue;
     M68000Traversal traversal(method, written);
     traversal.load(random.tree());
     for (const std::uint16_t primitive : random.flips()) {
       traversal.flip(primitive);
       traversal.evaluate();
     }
-    clocks += static_cast<double>(traversal.clocks());
-    nodes += static_cast<double>(random.tree().nodes.size() * random.flips().size());
+    sum.clocks += static_cast<double>(traversal.clocks());
+    sum.surfaces += static_cast<double>(random.flips().size());
+    sum.nodes += static_cast<double>(random.flips().size() * random.tree().nodes.size());
   }
-  return clocks / nodes;
+  return sum;
 }
 
 }  // namespace
 
 int main() {
-  fmt::print("| method | by hand | GCC 12, -O0 | factor | GCC 12, -O1 | factor |\n|---|--:|--:|--:|--:|--:|\n");
+  fmt::print(
+      "| method | by hand | a node | in C, -O0 | factor | in C, -O1 | factor |\n|---|--:|--:|--:|--:|--:|--:|\n");
   for (const Named& one : methods) {
-    std::array<double, std::size(forms)> clocks{};
-    for (std::size_t form = 0; form < clocks.size(); ++form) clocks[form] = clocks_a_node(one.method, forms[form]);
-    fmt::print("| {} | {:.1f} | {:.1f} | {:.2f} | {:.1f} | {:.2f} |\n", one.name, clocks[0], clocks[1],
-               clocks[1] / clocks[0], clocks[2], clocks[2] / clocks[0]);
+    const Sum by_hand = sum_of(one.method, Written::by_hand);
+    fmt::print("| {} | {:.0f} | {:.1f} |", one.name, by_hand.clocks / by_hand.surfaces, by_hand.clocks / by_hand.nodes);
+    for (const Written form : {Written::compiled_plainly, Written::compiled_optimised}) {
+      const Sum compiled = sum_of(one.method, form);
+      fmt::print(" {:.0f} | {:.2f} |", compiled.clocks / compiled.surfaces, compiled.clocks / by_hand.clocks);
+    }
+    fmt::print("\n");
   }
   return 0;
 }

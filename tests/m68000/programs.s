@@ -100,3 +100,29 @@ flip_status:
 look:
         move.w  status(a0),d0
         rts
+
+| Bit-parallel: all nodes of a level at once, in a fully developed tree of 32 leaves at most, of which the first is the highest
+| bit. a1 points to a long, the status of all primitives; a0 to a word, the number of levels less 1, and behind it a long a
+| level, from the leaves up: the bits that are inverted before and after. d0 becomes the status of the root, its highest bit.
+| Takes a0, d1 to d4.
+bit_parallel:
+        move.l  (a1),d0
+        move.w  (a0)+,d1
+        moveq   #1,d2
+1:      move.l  (a0)+,d3
+        eor.l   d3,d0
+        move.l  d0,d4
+        lsl.l   d2,d4                   | the right one to the left one
+        and.l   d4,d0
+        eor.l   d3,d0
+        add.w   d2,d2
+        dbra    d1,1b
+        rts
+
+| The primitive, d0, changes its status, for that; a2 points to a table with a long a primitive, its bit.
+invert_bit:
+        add.w   d0,d0
+        add.w   d0,d0
+        move.l  0(a2,d0.w),d0
+        eor.l   d0,(a1)
+        rts

@@ -5,16 +5,16 @@
 #include <random>
 #include <vector>
 
-#include "tests/m68000/traversal.h"
+#include "tests/m68000/tree.h"
 
 namespace csgsim::m68000 {
 
-/// A tree of 1 to 60 primitives, balanced, to the left or of any form, and surfaces of them in some order, by a seed:
-/// the same on every machine.
+/// A tree of 1 to `most` primitives, balanced, to the left or of any form, and surfaces of them in some order, by a
+/// seed: the same on every machine.
 class RandomTree {
  public:
-  explicit RandomTree(std::uint32_t seed) : random_(seed) {
-    primitives_ = 1 + below(60);
+  explicit RandomTree(std::uint32_t seed, std::size_t most = 60) : random_(seed) {
+    primitives_ = 1 + below(most);
     const Form form = static_cast<Form>(below(3));
     tree_.root = grow(0, primitives_, form);
     for (std::size_t left = 2 * primitives_; left > 0; --left)

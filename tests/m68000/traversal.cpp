@@ -4,12 +4,16 @@
 #include <span>
 #include <stdexcept>
 
+#include "tests/m68000/developed_tree.h"
+
 namespace csgsim::m68000 {
 
 namespace by_hand {
 #include "tests/m68000/programs.inc"
-inline constexpr std::uint32_t statuses_at = 0x8000;
-inline constexpr std::uint32_t leaves_at = 0x9000;
+inline constexpr std::uint32_t statuses_at = 0x4000;
+inline constexpr std::uint32_t leaves_at = 0x4800;
+inline constexpr std::uint32_t status_bits_at = 0x5800;
+inline constexpr std::uint32_t bits_at = 0x5804;
 }  // namespace by_hand
 
 namespace compiled_plainly {
@@ -22,15 +26,18 @@ namespace compiled_optimised {
 
 struct Program {
   std::span<const std::uint16_t> words;
-  std::array<std::uint32_t, 3> evaluate;  ///< addresses of subroutines, by method
-  std::array<std::uint32_t, 3> flip;
+  std::array<std::uint32_t, 4> evaluate;  ///< addresses of subroutines, by method
+  std::array<std::uint32_t, 4> flip;
   std::uint32_t statuses;  ///< addresses of tables
   std::uint32_t leaves;
+  std::uint32_t status_bits;  ///< of a long
+  std::uint32_t bits;         ///< of a table
 };
 
 namespace {
 
 constexpr std::uint32_t program_at = 0x1000;
+constexpr std::uint32_t levels_at = 0x8000;
 constexpr std::uint32_t nodes_at = 0x10000;
 constexpr std::uint32_t memory_bytes = 0x80000;
 constexpr std::uint64_t most_instructions = 1'000'000;
@@ -47,20 +54,30 @@ constexpr std::uint32_t father_offset = 14;
 /// In the order of Written.
 const std::array programs{
     Program{by_hand::words,
-            {by_hand::standard_at, by_hand::early_out_at, by_hand::look_at},
-            {by_hand::invert_at, by_hand::invert_at, by_hand::flip_status_at},
+            {by_hand::standard_at, by_hand::early_out_at, by_hand::look_at, by_hand::bit_parallel_at},
+            {by_hand::invert_at, by_hand::invert_at, by_hand::flip_status_at, by_hand::invert_bit_at},
             by_hand::statuses_at,
-            by_hand::leaves_at},
+            by_hand::leaves_at,
+            by_hand::status_bits_at,
+            by_hand::bits_at},
     Program{compiled_plainly::words,
-            {compiled_plainly::standard_at, compiled_plainly::early_out_at, compiled_plainly::look_at},
-            {compiled_plainly::invert_at, compiled_plainly::invert_at, compiled_plainly::flip_status_at},
+            {compiled_plainly::standard_at, compiled_plainly::early_out_at, compiled_plainly::look_at,
+             compiled_plainly::bit_parallel_at},
+            {compiled_plainly::invert_at, compiled_plainly::invert_at, compiled_plainly::flip_status_at,
+             compiled_plainly::invert_bit_at},
             compiled_plainly::statuses_at,
-            compiled_plainly::leaves_at},
+            compiled_plainly::leaves_at,
+            compiled_plainly::status_bits_at,
+            compiled_plainly::bits_at},
     Program{compiled_optimised::words,
-            {compiled_optimised::standard_at, compiled_optimised::early_out_at, compiled_optimised::look_at},
-            {compiled_optimised::invert_at, compiled_optimised::invert_at, compiled_optimised::flip_status_at},
+            {compiled_optimised::standard_at, compiled_optimised::early_out_at, compiled_optimised::look_at,
+             compiled_optimised::bit_parallel_at},
+            {compiled_optimised::invert_at, compiled_optimised::invert_at, compiled_optimised::flip_status_at,
+             compiled_optimised::invert_bit_at},
             compiled_optimised::statuses_at,
-            compiled_optimised::leaves_at}};
+            compiled_optimised::leaves_at,
+            compiled_optimised::status_bits_at,
+            compiled_optimised::bits_at}};
 
 std::uint32_t address_of(std::size_t node) { return nodes_at + node_bytes * static_cast<std::uint32_t>(node); }
 
@@ -79,14 +96,24 @@ M68000Traversal::M68000Traversal(Method method, Written written)
 }
 
 void M68000Traversal::load(const Tree& tree) {
+  if (method_ == Method::bit_parallel) {
+    put_levels(tree);
+  } else {
+    put_nodes(tree);
+  }
+  clocks_ = 0;
+  last_clocks_ = 0;
+}
+
+void M68000Traversal::put_nodes(const Tree& tree) {
   if (tree.nodes.size() >= 2 * most_primitives) throw std::out_of_range("a tree of too many nodes");
   // Programs of assembly have numbers that are worked into offsets of words.
   const std::uint32_t number_scale = written_ == Written::by_hand ? 2 : 1;
   const auto put_long = [&](std::uint32_t address, std::uint32_t value) {
     processor_.write(address, Size::longword, value);
   };
-  root_ = address_of(tree.root);
-  put_long(root_ + father_offset, 0);
+  object_ = address_of(tree.root);
+  put_long(object_ + father_offset, 0);
   for (std::size_t index = 0; index < tree.nodes.size(); ++index) {
     const TreeNode& node = tree.nodes[index];
     const std::uint32_t at = address_of(index);
@@ -103,8 +130,22 @@ void M68000Traversal::load(const Tree& tree) {
     put_long(address_of(node.left) + father_offset, at);
     put_long(address_of(node.right) + father_offset, at);
   }
-  clocks_ = 0;
-  last_clocks_ = 0;
+}
+
+void M68000Traversal::put_levels(const Tree& tree) {
+  const DevelopedTree developed = develop(tree);
+  object_ = levels_at;
+  // Assembly counts down to -1.
+  const std::size_t count = developed.inverted.size() - (written_ == Written::by_hand ? 1 : 0);
+  processor_.write(levels_at, Size::word, static_cast<std::uint32_t>(count));
+  std::uint32_t at = levels_at + 2;
+  for (const std::uint32_t inverted : developed.inverted) {
+    processor_.write(at, Size::longword, inverted);
+    at += 4;
+  }
+  processor_.write(program_.status_bits, Size::longword, 0);
+  for (const auto& [primitive, bit] : developed.bits)
+    processor_.write(program_.bits + std::uint32_t{4} * primitive, Size::longword, bit);
 }
 
 void M68000Traversal::flip(std::uint16_t primitive) {
@@ -113,14 +154,18 @@ void M68000Traversal::flip(std::uint16_t primitive) {
 }
 
 bool M68000Traversal::evaluate() {
-  processor_.a[0] = root_;
-  call(program_.evaluate[static_cast<std::size_t>(method_)], root_);
-  return (processor_.d[0] & 0xffffU) != 0;
+  processor_.a[0] = object_;
+  call(program_.evaluate[static_cast<std::size_t>(method_)], object_);
+  const std::uint32_t result = processor_.d[0];
+  return method_ == Method::bit_parallel ? result >> 31U != 0 : (result & 0xffffU) != 0;
 }
 
 /// Assembly has its argument in a register, C on the stack.
 void M68000Traversal::call(std::uint32_t address, std::uint32_t argument) {
-  processor_.a[1] = method_ == Method::status_tree ? program_.leaves : program_.statuses;
+  processor_.a[1] = method_ == Method::status_tree    ? program_.leaves
+                    : method_ == Method::bit_parallel ? program_.status_bits
+                                                      : program_.statuses;
+  processor_.a[2] = program_.bits;
   processor_.a[7] = memory_bytes - 4;
   processor_.write(processor_.a[7], Size::longword, argument);
   const std::uint64_t before = processor_.clocks();

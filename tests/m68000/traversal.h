@@ -1,31 +1,14 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <vector>
 
 #include "tests/m68000/processor.h"
+#include "tests/m68000/tree.h"
 
 namespace csgsim::m68000 {
 
-/// What a node is; programs have the same numbers.
-enum class NodeKind : std::uint16_t { primitive, set_union, difference, intersection };
-
-struct TreeNode {
-  NodeKind kind = NodeKind::primitive;
-  std::uint16_t primitive = 0;  ///< number of a leaf's, from 0; every primitive has one leaf
-  std::size_t left = 0;         ///< index of the node, of one that is no leaf
-  std::size_t right = 0;
-};
-
-/// Of 1024 primitives at most.
-struct Tree {
-  std::vector<TreeNode> nodes;
-  std::size_t root = 0;
-};
-
-/// Methods of the thesis, section 4.3.
-enum class Method : std::uint8_t { standard, early_out, status_tree };
+/// Methods of the thesis, sections 4.3 and 4.4.
+enum class Method : std::uint8_t { standard, early_out, status_tree, bit_parallel };
 
 /// How the program of a method was written.
 enum class Written : std::uint8_t {
@@ -42,7 +25,8 @@ class M68000Traversal {
  public:
   explicit M68000Traversal(Method method, Written written = Written::by_hand);
 
-  /// Puts the tree into memory; the ray is out of every primitive.
+  /// Puts the tree into memory; the ray is out of every primitive. Throws std::out_of_range for a tree that is too
+  /// large for the method: of more than 1024 primitives, or, of bits, of more than five levels (developed_tree.h).
   void load(const Tree& tree);
 
   /// The ray goes through a surface of the primitive: its status is inverted, and a status tree is brought up to date.
@@ -59,6 +43,8 @@ class M68000Traversal {
   [[nodiscard]] std::uint64_t last_clocks() const { return last_clocks_; }
 
  private:
+  void put_nodes(const Tree& tree);
+  void put_levels(const Tree& tree);
   void call(std::uint32_t address, std::uint32_t argument);
 
   Method method_;
@@ -67,7 +53,7 @@ class M68000Traversal {
   Processor processor_;
   std::uint64_t clocks_ = 0;
   std::uint64_t last_clocks_ = 0;
-  std::uint32_t root_ = 0;  ///< address
+  std::uint32_t object_ = 0;  ///< address of the root, or of the levels
 };
 
 }  // namespace csgsim::m68000

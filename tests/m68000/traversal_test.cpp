@@ -3,16 +3,19 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
+#include <stdexcept>
+#include <utility>
 #include <vector>
 
+#include "tests/m68000/developed_tree.h"
 #include "tests/m68000/random_tree.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim::m68000;
 
 namespace {
 
-const std::vector<Method> methods{Method::standard, Method::early_out, Method::status_tree};
+const std::vector<Method> methods{Method::standard, Method::early_out, Method::status_tree, Method::bit_parallel};
 const std::vector<Written> written_in{Written::by_hand, Written::compiled_plainly, Written::compiled_optimised};
 
 bool value_of(const Tree& tree, std::size_t index, const std::vector<bool>& statuses) {
@@ -46,10 +49,14 @@ std::uint64_t clocks_of_last_flip(NodeKind kind, const std::vector<std::uint16_t
 }  // namespace
 
 TEST_CASE("programs of all methods, by hand and compiled, classify points of random trees as the tree says") {
-  rc::check([](std::uint32_t seed) {
-    const RandomTree random(seed);
+  unsigned of_bits = 0;
+  rc::check([&of_bits](std::uint32_t seed, bool is_small) {
+    const RandomTree random(seed, is_small ? 20 : 60);
     const std::size_t primitives = random.primitives();
+    const bool bits_fit = levels_of(random.tree()) <= most_levels;
+    of_bits += bits_fit ? 1 : 0;
     for (const Method method : methods) {
+      if (method == Method::bit_parallel && !bits_fit) continue;
       for (const Written written : written_in) {
         M68000Traversal traversal(method, written);
         traversal.load(random.tree());
@@ -67,6 +74,7 @@ TEST_CASE("programs of all methods, by hand and compiled, classify points of ran
       }
     }
   });
+  if (csgsim::testing::draws_usual_cases()) CHECK(of_bits > 20);
 }
 
 // Clocks of the instructions in the order of programs.s, by the tables of the MC68000 User's Manual.
@@ -110,6 +118,27 @@ TEST_CASE("a status tree takes a flip up to where nothing changes") {
   CHECK(clocks_of_last_flip(NodeKind::difference, {0, 1}) == leaf + up + subtracted + changed);
 }
 
+TEST_CASE("bits take the clocks of the tree's levels, of which each shifts twice as far as the one before") {
+  // Union of 0 and (1 minus 2), and a level more.
+  const Tree tree{{{NodeKind::primitive, 0, 0, 0},
+                   {NodeKind::primitive, 1, 0, 0},
+                   {NodeKind::primitive, 2, 0, 0},
+                   {NodeKind::difference, 0, 1, 2},
+                   {NodeKind::set_union, 0, 0, 3}},
+                  4};
+  const DevelopedTree developed = develop(tree);
+  CHECK(developed.inverted == std::vector<std::uint32_t>{0x5000'0000, 0xa000'0000});
+  CHECK(developed.bits ==
+        std::vector<std::pair<std::uint16_t, std::uint32_t>>{{0, 0x8000'0000}, {1, 0x2000'0000}, {2, 0x1000'0000}});
+  M68000Traversal traversal(Method::bit_parallel);
+  traversal.load(tree);
+  traversal.flip(1);
+  CHECK(traversal.last_clocks() == 4 + 4 + 18 + 20 + 16);
+  CHECK(traversal.evaluate());
+  const std::uint64_t level = 12 + 8 + 4 + 8 + 8 + 8 + 4;
+  CHECK(traversal.last_clocks() == 12 + 8 + 4 + (level + 2 + 10) + (level + 4 + 14) + 16);
+}
+
 TEST_CASE("what depends on the tree alone costs the same at every point, and a primitive alone has no node") {
   const RandomTree random(7);
   M68000Traversal traversal(Method::standard);
@@ -130,9 +159,21 @@ TEST_CASE("what depends on the tree alone costs the same at every point, and a p
   CHECK(one.last_clocks() == 12 + 16);
 }
 
-TEST_CASE("a tree of too many nodes is refused") {
+TEST_CASE("a tree of too many nodes or levels is refused") {
   M68000Traversal traversal(Method::standard);
   Tree tree;
   tree.nodes.resize(2048);
   CHECK_THROWS_AS(traversal.load(tree), std::out_of_range);
+  Tree chain = tree_of_two(NodeKind::set_union);
+  M68000Traversal bits(Method::bit_parallel);
+  for (std::uint16_t primitive = 2; primitive < 6; ++primitive) {
+    chain.nodes.push_back({NodeKind::primitive, primitive, 0, 0});
+    chain.nodes.push_back({NodeKind::set_union, 0, chain.root, chain.nodes.size() - 1});
+    chain.root = chain.nodes.size() - 1;
+  }
+  CHECK_NOTHROW(bits.load(chain));
+  chain.nodes.push_back({NodeKind::primitive, 6, 0, 0});
+  chain.nodes.push_back({NodeKind::set_union, 0, chain.root, chain.nodes.size() - 1});
+  chain.root = chain.nodes.size() - 1;
+  CHECK_THROWS_AS(bits.load(chain), std::out_of_range);
 }

@@ -13,6 +13,14 @@ struct node {
 short statuses[1024]; /* of primitives */
 struct node *leaves[1024];
 
+struct levels {
+  short count;
+  unsigned long inverted[5];
+};
+
+unsigned long status_bits;
+unsigned long bits[32]; /* of primitives */
+
 short standard(struct node *node) {
   short left, right;
   if (node->kind == primitive) return statuses[node->number];
@@ -70,3 +78,20 @@ void flip_status(short number) {
 }
 
 short look(struct node *node) { return node->status; }
+
+/* The status is the highest bit of the result. */
+unsigned long bit_parallel(struct levels *levels) {
+  unsigned long result;
+  short level, places;
+  result = status_bits;
+  places = 1;
+  for (level = 0; level < levels->count; level++) {
+    result ^= levels->inverted[level];
+    result &= result << places;
+    result ^= levels->inverted[level];
+    places += places;
+  }
+  return result;
+}
+
+void invert_bit(short number) { status_bits ^= bits[number]; }
