@@ -192,7 +192,7 @@ docs() {
   need $build_packages $test_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
     qflow-tech-osu050
   cmake --preset release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
-  cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module bench_division
+  cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module bench_division m68000_clocks
   python3 tests/docs/make.py build/release "$@" || failed=$?
   git --no-pager diff --stat -- README.md docs hw/machines/area_table.h
   return "${failed:-0}"

@@ -1,0 +1,25 @@
+"""docs/processors.md: what operations cost on the processors that come with csgsim, from their files."""
+
+import re
+import tomllib
+
+from figures import row
+from runs import ROOT
+
+NAMES = ("mc68000", "i486dx2")
+
+
+def instruction(figure):
+    """Of which instruction the price is."""
+    return figure["source"].partition(": ")[2]
+
+
+def prices(_):
+    described = [tomllib.loads((ROOT / f"sim/software/processors/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+    meanings = dict(re.findall(r'OperationRow\{"(\w+)", "([^"]+)"\}',
+                               (ROOT / "sim/software/cost/operations.h").read_text(encoding="utf-8")))
+    rows = [(f"`price.{kind}`", meanings[kind],
+             *(cell for one in described for cell in (one["price"][kind]["value"], instruction(one["price"][kind]))))
+            for kind in described[0]["price"]]
+    head = [row("figure", "an operation", "`mc68000`", "of", "`i486dx2`", "of"), "|---|---|--:|---|--:|---|"]
+    return "\n".join(head + [row(*cells) for cells in rows])
