@@ -178,6 +178,19 @@ TEST_CASE("sums and comparisons set the condition codes, and branches go by them
   }
 }
 
+TEST_CASE("a byte takes a word of the stack, and its own place elsewhere") {
+  Processor processor = before({0x1f03, 0x1103, 0x121f});  // move.b d3,-(sp); move.b d3,-(a0); move.b (sp)+,d1
+  processor.step();
+  CHECK(processor.a[7] == data_at - 2);
+  CHECK(processor.read(data_at - 2, Size::byte) == 1);
+  processor.step();
+  CHECK(processor.a[0] == data_at - 1);
+  processor.d[1] = 0xffff'ffff;
+  processor.step();
+  CHECK(processor.a[7] == data_at);
+  CHECK(processor.d[1] == 0xffff'ff01);
+}
+
 TEST_CASE("a subroutine comes back, and what is no instruction of the subset stops the processor") {
   Processor processor = before({0x7005, 0x4e75});  // moveq #5,d0; rts
   processor.call(program_at, 2);

@@ -77,6 +77,19 @@ TEST_CASE("programs of all methods, by hand and compiled, classify points of ran
   if (csgsim::testing::draws_usual_cases()) CHECK(of_bits > 20);
 }
 
+TEST_CASE("a tree that is loaded again begins out of every primitive, at no clocks") {
+  for (const Method method : methods) {
+    M68000Traversal traversal(method);
+    for (const NodeKind kind : {NodeKind::set_union, NodeKind::difference}) {
+      traversal.load(tree_of_two(kind));
+      CHECK(traversal.clocks() == 0);
+      CHECK(!traversal.evaluate());
+      traversal.flip(0);
+      CHECK(traversal.evaluate());
+    }
+  }
+}
+
 // Clocks of the instructions in the order of programs.s, by the tables of the MC68000 User's Manual.
 
 TEST_CASE("the standard traversal takes the clocks that its instructions add up to") {
