@@ -20,6 +20,7 @@ struct Named {
 
 constexpr Named methods[] = {{Method::standard, "standard"},
                              {Method::early_out, "early out"},
+                             {Method::positional, "positional coding"},
                              {Method::status_tree, "status tree"},
                              {Method::bit_parallel, "bit-parallel"}};
 

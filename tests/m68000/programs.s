@@ -5,6 +5,9 @@
         .equ    left, 6                 | a long: the address of a node
         .equ    right, 10
         .equ    father, 14              | of a status tree: 0 of the root
+        .equ    middle, 18              | words, of positional coding: the first code of the right side,
+        .equ    last, 20                | and the last of the node
+        .equ    no_code, 0x7fff         | behind the codes of a list, and more than each
 | a1 points to a table with a word a primitive, its status, 0 or -1; of a status tree to one with a long, its leaf.
         .text
 
@@ -126,3 +129,74 @@ invert_bit:
         move.l  0(a2,d0.w),d0
         eor.l   d0,(a1)
         rts
+
+| Positional coding: only sides with a primitive that is in. a0 is the root; a1 points to a list of words, the codes of the
+| primitives that are in, in their order, behind them no_code. d0 becomes the status of the root. Takes a0, a1, d2.
+positional:
+        move.w  (a1)+,d2                | the code that is searched for
+        cmp.w   last(a0),d2
+        bls.s   find
+        moveq   #0,d0
+        rts
+| Of a node that has the code.
+find:
+        tst.w   (a0)
+        beq.s   6f
+        cmp.w   middle(a0),d2
+        bcc.s   1f
+        move.l  a0,-(sp)
+        movea.l left(a0),a0
+        bsr.s   find
+        movea.l (sp)+,a0
+        tst.w   d0
+        beq.s   1f
+        cmpi.w  #2,(a0)                 | the left side is in
+        bcs.s   4f
+        bhi.s   2f
+        cmp.w   last(a0),d2             | difference
+        bhi.s   5f
+        movea.l right(a0),a0
+        bsr.s   find
+        not.w   d0
+5:      rts
+1:      cmpi.w  #2,(a0)                 | the left side is out
+        bcc.s   3f
+2:      cmp.w   last(a0),d2             | as the right side
+        bhi.s   7f
+        movea.l right(a0),a0
+        bsr.s   find
+        rts
+7:      moveq   #0,d0
+        rts
+3:      moveq   #0,d0                   | decided: what is left of the node's codes is skipped
+        bra.s   8f
+9:      move.w  (a1)+,d2
+8:      cmp.w   last(a0),d2
+        bls.s   9b
+        rts
+4:      moveq   #-1,d0
+        bra.s   8b
+6:      move.w  (a1)+,d2                | a leaf
+        moveq   #-1,d0
+        rts
+
+| The primitive, d0, changes its status, for that: its code comes into the list, or leaves it. a2 points to a table with a
+| word a primitive, its code.
+change_list:
+        add.w   d0,d0
+        move.w  0(a2,d0.w),d0
+1:      move.w  (a1)+,d1
+        cmp.w   d0,d1
+        bcs.s   1b
+        beq.s   3f
+2:      move.w  d0,-2(a1)
+        cmpi.w  #no_code,d0
+        beq.s   4f
+        move.w  d1,d0
+        move.w  (a1)+,d1
+        bra.s   2b
+3:      move.w  (a1)+,d1
+        move.w  d1,-4(a1)
+        cmpi.w  #no_code,d1
+        bne.s   3b
+4:      rts

@@ -14,6 +14,8 @@ inline constexpr std::uint32_t statuses_at = 0x4000;
 inline constexpr std::uint32_t leaves_at = 0x4800;
 inline constexpr std::uint32_t status_bits_at = 0x5800;
 inline constexpr std::uint32_t bits_at = 0x5804;
+inline constexpr std::uint32_t codes_at = 0x6000;
+inline constexpr std::uint32_t list_at = 0x7000;
 }  // namespace by_hand
 
 namespace compiled_plainly {
@@ -26,12 +28,14 @@ namespace compiled_optimised {
 
 struct Program {
   std::span<const std::uint16_t> words;
-  std::array<std::uint32_t, 4> evaluate;  ///< addresses of subroutines, by method
-  std::array<std::uint32_t, 4> flip;
+  std::array<std::uint32_t, 5> evaluate;  ///< addresses of subroutines, by method
+  std::array<std::uint32_t, 5> flip;
   std::uint32_t statuses;  ///< addresses of tables
   std::uint32_t leaves;
   std::uint32_t status_bits;  ///< of a long
   std::uint32_t bits;         ///< of a table
+  std::uint32_t codes;        ///< of a table
+  std::uint32_t list;
 };
 
 namespace {
@@ -44,40 +48,53 @@ constexpr std::uint64_t most_instructions = 1'000'000;
 constexpr std::size_t most_primitives = 1024;
 
 /// Of a node, in bytes; what is where.
-constexpr std::uint32_t node_bytes = 18;
+constexpr std::uint32_t node_bytes = 22;
 constexpr std::uint32_t number_offset = 2;
 constexpr std::uint32_t status_offset = 4;
 constexpr std::uint32_t left_offset = 6;
 constexpr std::uint32_t right_offset = 10;
 constexpr std::uint32_t father_offset = 14;
+constexpr std::uint32_t middle_offset = 18;
+constexpr std::uint32_t last_offset = 20;
+
+/// Behind the codes of a list.
+constexpr std::uint32_t no_code = 0x7fff;
 
 /// In the order of Written.
 const std::array programs{
     Program{by_hand::words,
-            {by_hand::standard_at, by_hand::early_out_at, by_hand::look_at, by_hand::bit_parallel_at},
-            {by_hand::invert_at, by_hand::invert_at, by_hand::flip_status_at, by_hand::invert_bit_at},
+            {by_hand::standard_at, by_hand::early_out_at, by_hand::look_at, by_hand::bit_parallel_at,
+             by_hand::positional_at},
+            {by_hand::invert_at, by_hand::invert_at, by_hand::flip_status_at, by_hand::invert_bit_at,
+             by_hand::change_list_at},
             by_hand::statuses_at,
             by_hand::leaves_at,
             by_hand::status_bits_at,
-            by_hand::bits_at},
+            by_hand::bits_at,
+            by_hand::codes_at,
+            by_hand::list_at},
     Program{compiled_plainly::words,
             {compiled_plainly::standard_at, compiled_plainly::early_out_at, compiled_plainly::look_at,
-             compiled_plainly::bit_parallel_at},
+             compiled_plainly::bit_parallel_at, compiled_plainly::positional_at},
             {compiled_plainly::invert_at, compiled_plainly::invert_at, compiled_plainly::flip_status_at,
-             compiled_plainly::invert_bit_at},
+             compiled_plainly::invert_bit_at, compiled_plainly::change_list_at},
             compiled_plainly::statuses_at,
             compiled_plainly::leaves_at,
             compiled_plainly::status_bits_at,
-            compiled_plainly::bits_at},
+            compiled_plainly::bits_at,
+            compiled_plainly::codes_at,
+            compiled_plainly::list_at},
     Program{compiled_optimised::words,
             {compiled_optimised::standard_at, compiled_optimised::early_out_at, compiled_optimised::look_at,
-             compiled_optimised::bit_parallel_at},
+             compiled_optimised::bit_parallel_at, compiled_optimised::positional_at},
             {compiled_optimised::invert_at, compiled_optimised::invert_at, compiled_optimised::flip_status_at,
-             compiled_optimised::invert_bit_at},
+             compiled_optimised::invert_bit_at, compiled_optimised::change_list_at},
             compiled_optimised::statuses_at,
             compiled_optimised::leaves_at,
             compiled_optimised::status_bits_at,
-            compiled_optimised::bits_at}};
+            compiled_optimised::bits_at,
+            compiled_optimised::codes_at,
+            compiled_optimised::list_at}};
 
 std::uint32_t address_of(std::size_t node) { return nodes_at + node_bytes * static_cast<std::uint32_t>(node); }
 
@@ -100,6 +117,8 @@ void M68000Traversal::load(const Tree& tree) {
     put_levels(tree);
   } else {
     put_nodes(tree);
+    put_codes(tree, tree.root, 0);
+    processor_.write(program_.list, Size::word, no_code);
   }
   clocks_ = 0;
   last_clocks_ = 0;
@@ -132,6 +151,20 @@ void M68000Traversal::put_nodes(const Tree& tree) {
   }
 }
 
+std::uint32_t M68000Traversal::put_codes(const Tree& tree, std::size_t index, std::uint32_t first) {
+  const TreeNode& node = tree.nodes[index];
+  std::uint32_t behind = first + 1;
+  if (node.kind == NodeKind::primitive) {
+    processor_.write(program_.codes + std::uint32_t{2} * node.primitive, Size::word, first);
+  } else {
+    const std::uint32_t middle = put_codes(tree, node.left, first);
+    processor_.write(address_of(index) + middle_offset, Size::word, middle);
+    behind = put_codes(tree, node.right, middle);
+  }
+  processor_.write(address_of(index) + last_offset, Size::word, behind - 1);
+  return behind;
+}
+
 void M68000Traversal::put_levels(const Tree& tree) {
   const DevelopedTree developed = develop(tree);
   object_ = levels_at;
@@ -162,10 +195,10 @@ bool M68000Traversal::evaluate() {
 
 /// Assembly has its argument in a register, C on the stack.
 void M68000Traversal::call(std::uint32_t address, std::uint32_t argument) {
-  processor_.a[1] = method_ == Method::status_tree    ? program_.leaves
-                    : method_ == Method::bit_parallel ? program_.status_bits
-                                                      : program_.statuses;
-  processor_.a[2] = program_.bits;
+  const std::uint32_t tables[] = {program_.statuses, program_.statuses, program_.leaves, program_.status_bits,
+                                  program_.list};
+  processor_.a[1] = tables[static_cast<std::size_t>(method_)];
+  processor_.a[2] = method_ == Method::positional ? program_.codes : program_.bits;
   processor_.a[7] = memory_bytes - 4;
   processor_.write(processor_.a[7], Size::longword, argument);
   const std::uint64_t before = processor_.clocks();

@@ -8,7 +8,7 @@
 namespace csgsim::m68000 {
 
 /// Methods of the thesis, sections 4.3 and 4.4.
-enum class Method : std::uint8_t { standard, early_out, status_tree, bit_parallel };
+enum class Method : std::uint8_t { standard, early_out, status_tree, bit_parallel, positional };
 
 /// How the program of a method was written.
 enum class Written : std::uint8_t {
@@ -44,6 +44,8 @@ class M68000Traversal {
 
  private:
   void put_nodes(const Tree& tree);
+  /// Codes in the order of the leaves, from that one on; returns the one behind the node's.
+  std::uint32_t put_codes(const Tree& tree, std::size_t index, std::uint32_t first);
   void put_levels(const Tree& tree);
   void call(std::uint32_t address, std::uint32_t argument);
 

@@ -15,7 +15,8 @@ using namespace csgsim::m68000;
 
 namespace {
 
-const std::vector<Method> methods{Method::standard, Method::early_out, Method::status_tree, Method::bit_parallel};
+const std::vector<Method> methods{Method::standard, Method::early_out, Method::status_tree, Method::bit_parallel,
+                                  Method::positional};
 const std::vector<Written> written_in{Written::by_hand, Written::compiled_plainly, Written::compiled_optimised};
 
 bool value_of(const Tree& tree, std::size_t index, const std::vector<bool>& statuses) {
@@ -150,6 +151,22 @@ TEST_CASE("bits take the clocks of the tree's levels, of which each shifts twice
   CHECK(traversal.evaluate());
   const std::uint64_t level = 12 + 8 + 4 + 8 + 8 + 8 + 4;
   CHECK(traversal.last_clocks() == 12 + 8 + 4 + (level + 2 + 10) + (level + 4 + 14) + 16);
+}
+
+TEST_CASE("positional coding takes what its list and the nodes on the way to a code add up to") {
+  M68000Traversal traversal(Method::positional);
+  traversal.load(tree_of_two(NodeKind::set_union));
+  CHECK(!traversal.evaluate());
+  CHECK(traversal.last_clocks() == 8 + 12 + 8 + 4 + 16);
+  traversal.flip(0);
+  const std::uint64_t moved = 12 + 8 + 8 + 4 + 8 + 10;
+  CHECK(traversal.last_clocks() == 4 + 14 + 8 + 4 + 8 + 8 + moved + 12 + 8 + 10 + 16);
+  CHECK(traversal.evaluate());
+  const std::uint64_t leaf = 8 + 10 + 8 + 4 + 16;
+  const std::uint64_t left = 8 + 8 + 12 + 8 + 12 + 16 + 18 + leaf + 12 + 4 + 8 + 12 + 10 + 4 + 10 + 12 + 8 + 16;
+  CHECK(traversal.last_clocks() == 8 + 12 + 10 + left);
+  traversal.flip(0);
+  CHECK(traversal.last_clocks() == 4 + 14 + 8 + 4 + 8 + 10 + 8 + 12 + 8 + 8 + 16);
 }
 
 TEST_CASE("what depends on the tree alone costs the same at every point, and a primitive alone has no node") {

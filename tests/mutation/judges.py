@@ -59,6 +59,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/shell": ["cli"],
     "sim/shell/manual": ["cli"],
     "sim/shell/settings": ["cli"],
+    "sim/software/cost": ["software"],
     "sim/studies": ["studies", "new_study", "cli"],
     "sim/studies/accuracy": ["studies", "cli"],
     "sim/studies/advise": ["studies", "cli"],

@@ -8,6 +8,8 @@ struct node {
   short status; /* of a status tree: 0 out, -1 in */
   struct node *left, *right;
   struct node *father; /* of a status tree: 0 of the root */
+  short middle;        /* of positional coding: the first code of the right side, */
+  short last;          /* and the last of the node */
 };
 
 short statuses[1024]; /* of primitives */
@@ -17,6 +19,10 @@ struct levels {
   short count;
   unsigned long inverted[5];
 };
+
+enum { no_code = 0x7fff };
+short list[1026]; /* codes of the primitives that are in, in their order; behind them no_code */
+short codes[1024]; /* of primitives */
 
 unsigned long status_bits;
 unsigned long bits[32]; /* of primitives */
@@ -95,3 +101,50 @@ unsigned long bit_parallel(struct levels *levels) {
 }
 
 void invert_bit(short number) { status_bits ^= bits[number]; }
+
+static short *next;
+static short code; /* that is searched for */
+
+/* Of a node that has the code. */
+static short find(struct node *node) {
+  short left, status;
+  if (node->kind == primitive) {
+    code = *next++;
+    return -1;
+  }
+  left = 0;
+  if (code < node->middle) left = find(node->left);
+  if (node->kind == set_union ? !left : left) {
+    status = code <= node->last ? find(node->right) : 0;
+    return node->kind == difference ? ~status : status;
+  }
+  while (code <= node->last) code = *next++;
+  return left;
+}
+
+short positional(struct node *node) {
+  next = list;
+  code = *next++;
+  if (code > node->last) return 0;
+  return find(node);
+}
+
+void change_list(short number) {
+  short *at;
+  short moved, other;
+  moved = codes[number];
+  at = list;
+  while (*at < moved) at++;
+  if (*at == moved) {
+    do {
+      at[0] = at[1];
+    } while (*at++ != no_code);
+    return;
+  }
+  while (moved != no_code) {
+    other = *at;
+    *at++ = moved;
+    moved = other;
+  }
+  *at = no_code;
+}
