@@ -57,7 +57,7 @@ struct Clocks {
 /// Evaluates after each flip, by both.
 template <template <class> class Traversal>
 Clocks clocks_of(const m68000::RandomTree& random, m68000::Method method) {
-  const software::Processor processor = software::load_processor("mc68000");
+  const software::Processor processor = software::load_processor("mc68000+compiler.factor=1000");
   const software::Tree tree = as_counted(random);
   software::CountingMethod count;
   Traversal<software::CountingMethod> traversal(tree);

@@ -48,6 +48,7 @@ class Evaluator {
       *place = in_.back();
       in_.pop_back();
     }
+    count(Operation::call);
     traversal_->flip(primitive, count);
   }
 
@@ -57,6 +58,7 @@ class Evaluator {
       return tree_->complemented;
     }
     count.evaluation();
+    count(Operation::call);
     return traversal_->evaluate(count) != tree_->complemented;
   }
 
