@@ -33,6 +33,7 @@ void tell(const software::Survey& survey, ClassifyRow& row) {
   row.hit_rays = survey.hits;
   row.sequences = survey.sequences;
   row.different_sequences = survey.different_sequences;
+  row.most_points = survey.most_points;
 }
 
 void draw(const Scene& scene, ClassifyRow& row) {

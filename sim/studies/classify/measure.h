@@ -44,6 +44,7 @@ struct ClassifyRow {
   std::uint64_t hit_rays = 0;
   std::uint64_t sequences = 0;
   std::uint64_t different_sequences = 0;
+  std::uint64_t most_points = 0;
   std::uint64_t points = 0;
   std::uint64_t evaluations = 0;
   std::uint64_t looked_up = 0;
@@ -77,6 +78,7 @@ struct ClassifyRow {
     visit("hit_rays", row.hit_rays);
     visit("sequences", row.sequences);
     visit("different_sequences", row.different_sequences);
+    visit("most_points", row.most_points);
     visit("points", row.points);
     visit("evaluations", row.evaluations);
     visit("looked_up", row.looked_up);

@@ -120,7 +120,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
     fmt::print("  {}\n", row.reason);
     return;
   }
-  fmt::print("{:>8}{:>13}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
+  fmt::print("{:>8}{:>15}{:>11.2f}{:>9.1f}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
              row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, row.frames_per_second,
              grouped(row.pixel_operations), grouped(row.processors), grouped(row.processor_clocks),
              grouped(row.machine_memory_bits), row.machine_transistors ? grouped(*row.machine_transistors) : "-",
@@ -148,7 +148,7 @@ void print_ideal_rows(Rows rows) {
 
 void print_rows(Rows rows) {
   const std::size_t width = name_width(rows);
-  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>13}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
+  fmt::print("{:<{}}{:>11}{:>7}{:>8}{:>15}{:>11}{:>9}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8}\n", "machine", width,
              "picture", "$fn", "halfsp.", "clocks", "ms", "frames/s", "pixel operations", "process.",
              "processor clocks", "memory bits", "transistors", "used %");
   for (const ComparisonRow& row : rows) print_row(row, width);
