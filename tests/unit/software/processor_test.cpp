@@ -150,6 +150,40 @@ TEST_CASE("errors of a processor's file say where, and what to write instead") {
   CHECK(message(text) != "no error");
 }
 
+TEST_CASE("figures take what they say they take, and are kept where they belong") {
+  struct Range {
+    std::string key;
+    std::uint64_t least;
+    std::uint64_t most;
+    std::uint64_t (*kept)(const Processor& processor);
+  };
+  const std::vector<Range> ranges{
+      {"clock.frequency", 1, 10'000'000'000, [](const Processor& one) { return one.clock_hz; }},
+      {"compiler.factor", 100, 100'000, [](const Processor& one) { return std::uint64_t{one.compiler_factor}; }},
+      {"memory.price", 1, 10'000'000, [](const Processor& one) { return std::uint64_t{one.memory_price}; }},
+      {"price.load", 0, 1'000'000, [](const Processor& one) { return std::uint64_t{one.prices.front()}; }},
+      {"price.come_back", 0, 1'000'000, [](const Processor& one) { return std::uint64_t{one.prices.back()}; }}};
+  for (const Range& range : ranges) {
+    CAPTURE(range.key);
+    const auto loaded = [&](std::uint64_t value) {
+      return load_processor(fmt::format("mc68000+{}={}", range.key, value));
+    };
+    CHECK(range.kept(loaded(range.least)) == range.least);
+    CHECK(range.kept(loaded(range.most)) == range.most);
+    CHECK_THROWS_AS(loaded(range.least - 1), machines::ChangeError);
+    CHECK_THROWS_AS(loaded(range.most + 1), machines::ChangeError);
+  }
+}
+
+TEST_CASE("what does not count does nothing") {
+  const software::Uncounted uncounted;
+  uncounted(Operation::load);
+  uncounted.shift(3);
+  CHECK(uncounted.done() == Operations{});
+  CHECK(software::Counting::counts);
+  CHECK(!software::Uncounted::counts);
+}
+
 TEST_CASE("a file that lacks an operation's price is refused") {
   for (const software::OperationRow& row : software::operation_rows) {
     std::string text = text_of("mc68000");
