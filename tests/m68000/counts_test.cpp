@@ -10,10 +10,13 @@
 #include <vector>
 
 #include "sim/software/cost/processor.h"
+#include "sim/software/traversals/bit_parallel.h"
 #include "sim/software/traversals/early_out.h"
+#include "sim/software/traversals/positional.h"
 #include "sim/software/traversals/standard.h"
 #include "sim/software/traversals/status.h"
 #include "sim/software/tree/builder.h"
+#include "tests/m68000/developed_tree.h"
 #include "tests/m68000/random_tree.h"
 #include "tests/m68000/traversal.h"
 
@@ -78,6 +81,7 @@ void check_clocks(m68000::Method method) {
   CHECK(rc::check([&](std::uint32_t seed) {
     const m68000::RandomTree random(seed);
     if (random.primitives() < 2) return;
+    if (method == m68000::Method::bit_parallel && m68000::levels_of(random.tree()) > m68000::most_levels) return;
     const Clocks clocks = clocks_of<Traversal>(random, method);
     const double ratio = clocks.counted / clocks.assembly;
     least = std::min(least, ratio);
@@ -100,4 +104,12 @@ TEST_CASE("counted and priced, early out takes the clocks of its assembly within
 
 TEST_CASE("counted and priced, the status tree takes the clocks of its assembly within a fifth") {
   check_clocks<software::StatusTree>(m68000::Method::status_tree);
+}
+
+TEST_CASE("counted and priced, positional coding takes the clocks of its assembly within a fifth") {
+  check_clocks<software::Positional>(m68000::Method::positional);
+}
+
+TEST_CASE("counted and priced, the bit-parallel method takes the clocks of its assembly within a fifth") {
+  check_clocks<software::BitParallel>(m68000::Method::bit_parallel);
 }
