@@ -17,7 +17,8 @@ class BitParallel {
  public:
   static constexpr std::uint32_t most_levels = most_developed_levels;
 
-  explicit BitParallel(const Tree& tree) : tree_(tree), states_(std::size_t{1} << tree.depth()), work_(tree_.words()) {}
+  explicit BitParallel(const Tree& tree)
+      : tree_(tree), states_(std::size_t{1} << tree.depth(), Kept::in_memory), work_(tree_.words()) {}
 
   void start(std::span<const std::uint32_t> in, Count& count) {
     for (const std::uint32_t primitive : in) flip(primitive, count);

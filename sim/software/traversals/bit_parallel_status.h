@@ -18,7 +18,9 @@ class BitParallelStatus {
   static constexpr std::uint32_t most_levels = most_developed_levels;
 
   explicit BitParallelStatus(const Tree& tree)
-      : tree_(tree), states_(std::size_t{1} << tree.depth()), held_(tree_.words() * (1 + levels_above())) {
+      : tree_(tree),
+        states_(std::size_t{1} << tree.depth(), Kept::in_memory),
+        held_(tree_.words() * (1 + levels_above())) {
     Count none;
     for (std::size_t word = 0; word < tree_.words(); ++word) held_[word] = tree_.within_word(0, word, none) & 1U;
     for (std::uint32_t above = 1; above <= levels_above(); ++above) {

@@ -18,7 +18,8 @@ class BitSequential {
  public:
   static constexpr std::uint32_t most_levels = any_levels;
 
-  explicit BitSequential(const Tree& tree) : states_(tree.leaf_of.size()), stack_(tree.depth() + std::size_t{1}) {
+  explicit BitSequential(const Tree& tree)
+      : states_(tree.leaf_of.size(), Kept::in_memory), stack_(tree.depth() + std::size_t{1}, Kept::in_register) {
     // Operands before their operator, left before right, whatever the order of nodes.
     struct Entry {
       std::uint32_t node;

@@ -12,11 +12,18 @@ namespace csgsim::software {
 /// Bits of a word of a string.
 inline constexpr std::size_t word_bits = 32;
 
-/// A string of bits, all 0 at first. One of a single word stays in a register.
+/// Where a string of bits is between two steps.
+enum class Kept : std::uint8_t {
+  in_memory,
+  in_register,  ///< if it is of one word
+};
+
+/// A string of bits, all 0 at first.
 template <class Count>
 class BitString {
  public:
-  explicit BitString(std::size_t bits) : words_((bits + word_bits - 1) / word_bits) {}
+  BitString(std::size_t bits, Kept kept)
+      : words_((bits + word_bits - 1) / word_bits), is_in_memory_(kept == Kept::in_memory || words_.size() > 1) {}
 
   void flip(std::size_t bit, Count& count) {
     reach(count);
@@ -45,13 +52,14 @@ class BitString {
 
  private:
   void reach(Count& count) const {
-    if (words_.size() > 1) count(Operation::load_long);
+    if (is_in_memory_) count(Operation::load_long);
   }
   void put_back(Count& count) const {
-    if (words_.size() > 1) count(Operation::store_long);
+    if (is_in_memory_) count(Operation::store_long);
   }
 
   std::vector<std::uint32_t> words_;
+  bool is_in_memory_;
 };
 
 }  // namespace csgsim::software
