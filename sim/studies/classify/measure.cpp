@@ -24,7 +24,7 @@ void tell(const software::Counts& counts, ClassifyRow& row) {
   row.list_elements = counts.list_elements;
   row.ties = counts.ties;
   row.words = counts.words;
-  row.operations = counts.operations;
+  row.operations = {counts.operations};
 }
 
 void tell(const software::Survey& survey, ClassifyRow& row) {
@@ -49,8 +49,8 @@ void draw(const Scene& scene, ClassifyRow& row) {
   tell(work.counts, row);
   tell(software::survey(rays, work.picture), row);
   row.halfspace_tests = work.rays.halfspace_tests;
-  row.ray_operations = work.rays.intersecting;
-  row.sort_operations = work.rays.sorting;
+  row.ray_operations = {work.rays.intersecting};
+  row.sort_operations = {work.rays.sorting};
   row.wall_seconds_rays = work.measured.rays;
   row.wall_seconds_classification = work.measured.classification;
   row.surfaces = software::hash_of(work.picture);
@@ -59,7 +59,7 @@ void draw(const Scene& scene, ClassifyRow& row) {
 }  // namespace
 
 software::PricedSeconds seconds_of(const ClassifyRow& row, const software::Priced& processor) {
-  return software::seconds_of(row.ray_operations, row.sort_operations, row.operations,
+  return software::seconds_of(row.ray_operations.operations, row.sort_operations.operations, row.operations.operations,
                               {row.wall_seconds_rays, row.wall_seconds_classification}, processor);
 }
 

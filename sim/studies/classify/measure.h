@@ -57,9 +57,9 @@ struct ClassifyRow {
   std::uint64_t ties = 0;
   std::uint64_t words = 0;
   std::uint64_t halfspace_tests = 0;
-  software::Operations ray_operations;     ///< of finding what rays meet
-  software::Operations sort_operations;    ///< of putting it in order
-  software::Operations operations;         ///< of classifying it
+  OperationsCell ray_operations;           ///< of finding what rays meet
+  OperationsCell sort_operations;          ///< of putting it in order
+  OperationsCell operations;               ///< of classifying it
   double wall_seconds_rays = 0;            ///< of this computer: what rays meet, in order
   double wall_seconds_classification = 0;  ///< of classifying it
   std::string surfaces;                    ///< hash of depth and owner of every pixel

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string_view>
@@ -11,37 +12,40 @@
 #include "hw/base/error.h"
 #include "sim/studies/csv.h"
 
-namespace csgsim::software {
+namespace csgsim::studies {
 
-std::string to_cell(const Operations& operations) {
-  std::string cell;
+using software::operation_kinds;
+using software::operation_rows;
+
+std::string to_cell(const OperationsCell& cell) {
+  std::string text;
   for (std::size_t kind = 0; kind < operation_kinds; ++kind) {
-    if (operations.counts[kind] == 0) continue;
-    cell += fmt::format("{}{}={}", cell.empty() ? "" : " ", operation_rows[kind].name, operations.counts[kind]);
+    const std::uint64_t count = cell.operations.counts[kind];
+    if (count > 0) text += fmt::format("{}{}={}", text.empty() ? "" : " ", operation_rows[kind].name, count);
   }
-  return studies::to_cell(cell);
+  return to_cell(text);
 }
 
-void from_cell(const std::string& cell, Operations& operations) {
-  operations = {};
-  std::istringstream words(cell);
+void from_cell(const std::string& text, OperationsCell& cell) {
+  cell = {};
+  std::istringstream words(text);
   for (std::string word; words >> word;) {
     const std::size_t equals = word.find('=');
     const std::string_view name = std::string_view(word).substr(0, equals);
     const auto* const row =
-        std::ranges::find_if(operation_rows, [&](const OperationRow& one) { return one.name == name; });
+        std::ranges::find_if(operation_rows, [&](const software::OperationRow& one) { return one.name == name; });
     if (equals == std::string::npos || row == operation_rows.end())
       throw InputError("'" + word + "' is not of the form operation=times");
-    studies::from_cell(word.substr(equals + 1),
-                       operations.counts[static_cast<std::size_t>(row - operation_rows.begin())]);
+    from_cell(word.substr(equals + 1), cell.operations.counts[static_cast<std::size_t>(row - operation_rows.begin())]);
   }
 }
 
-void set_json(nlohmann::ordered_json& row, const char* name, const Operations& operations) {
+void set_json(nlohmann::ordered_json& row, const char* name, const OperationsCell& cell) {
   row[name] = nlohmann::ordered_json::object();
   for (std::size_t kind = 0; kind < operation_kinds; ++kind) {
-    if (operations.counts[kind] > 0) row[name][operation_rows[kind].name] = operations.counts[kind];
+    const std::uint64_t count = cell.operations.counts[kind];
+    if (count > 0) row[name][operation_rows[kind].name] = count;
   }
 }
 
-}  // namespace csgsim::software
+}  // namespace csgsim::studies

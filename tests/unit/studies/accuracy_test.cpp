@@ -227,11 +227,12 @@ TEST_CASE("a line of a comparison has a cell for each thing that a point takes, 
   row.bound_by = "a part";
   row.dearest = {{"cube@1:1", 7}};
   row.picture = "a picture";
+  row.surfaces = "surfaces";
   row.reason = "a reason";
   std::vector<std::string> cells = studies::split_cells(studies::to_line(row));
   CHECK(studies::split_cells(studies::header_of<studies::ComparisonRow>()).size() == cells.size());
-  std::vector<std::string> expected{"a machine", "an ideal",  "a model",  "a hash",    "a build",
-                                    "a part",    "a picture", "a reason", "cube@1:1=7"};
+  std::vector<std::string> expected{"a machine", "an ideal",  "a model",  "a hash",   "a build",
+                                    "a part",    "a picture", "surfaces", "a reason", "cube@1:1=7"};
   for (std::uint64_t i = 1001; i < number; ++i) expected.push_back(std::to_string(i));
   std::ranges::sort(cells);
   std::ranges::sort(expected);
