@@ -14,6 +14,7 @@
 #include "sim/judges/truth.h"
 #include "tests/numerics/variants.h"
 #include "tests/oracle/pixel_oracle.h"
+#include "tests/support/software_ways.h"
 
 namespace csgsim::testing {
 
@@ -171,6 +172,7 @@ CurvedVerdict look_curved(const std::string& csg, const view::Camera& camera, co
   CHECK_MESSAGE(verdict.unexplained == 0, judges::to_text(errors_of(compiled, frame)));
   CHECK(verdict.against_rules == 0);
   check_variants(compiled, setup, how, frame);
+  CHECK(fault_of_software(csg, compiled.tree, compiled.scene, compiled.view, frame) == "");
   if (how.engines) compare_engines(csg, camera, how);
   return verdict;
 }

@@ -15,6 +15,7 @@
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/software_ways.h"
 
 namespace csgsim::testing {
 
@@ -61,9 +62,9 @@ void compare_engines(const std::string& csg, const view::Camera& camera, Look ho
   CHECK(same(frame, run(*cycle, compiled.program)));
 }
 
-judges::Errors errors_of(const Compiled& compiled) {
+judges::Errors errors_of(const Compiled& compiled, const observe::Frame& frame) {
   const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.view.camera, compiled.program);
-  return judges::judge(truth_of(compiled), draw(compiled.program), compiled.program, explainer);
+  return judges::judge(truth_of(compiled), frame, compiled.program, explainer);
 }
 
 /// Moved by a little that no pixel is a simple part of, so that nothing that is symmetric lies on pixel centres.
@@ -114,8 +115,11 @@ Verdict look(const std::string& csg, const view::Camera& camera, const Look& how
   CAPTURE(camera.eye.y);
   CAPTURE(camera.eye.z);
   CAPTURE((camera.projection == Projection::perspective));
-  const judges::Errors errors = errors_of(compile_text(csg, {camera, how.sampling, how.memory_bits}));
+  const Compiled compiled = compile_text(csg, {camera, how.sampling, how.memory_bits});
+  const observe::Frame frame = draw(compiled.program);
+  const judges::Errors errors = errors_of(compiled, frame);
   CHECK_MESSAGE(errors.unexplained == 0, judges::to_text(errors));
+  CHECK(fault_of_software(csg, compiled.tree, compiled.scene, compiled.view, frame) == "");
   if (how.engines) compare_engines(csg, camera, how);
   return {1, errors.covered, errors.wrong(), 0};
 }

@@ -89,4 +89,28 @@ std::string SoftwareScene::fault_of(const Way& way, const std::vector<Seen>& exp
   return "";
 }
 
+std::string SoftwareScene::fault_of_some(std::uint64_t number, std::size_t ways,
+                                         const std::vector<Seen>& expected) const {
+  for (std::size_t i = 0; i < ways; ++i) {
+    const Way& way = all_ways()[(number * ways + i) % all_ways().size()];
+    std::string fault = is_too_deep(way) ? "" : fault_of(way, expected);
+    if (!fault.empty()) return fault;
+  }
+  return "";
+}
+
+std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
+                              const view::View& view, const observe::Frame& frame) {
+  constexpr std::size_t ways = 6;
+  std::uint64_t number = 0;
+  for (const char letter : csg) number = 31 * number + static_cast<unsigned char>(letter);
+  std::vector<Seen> expected;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) expected.push_back({frame.depth[i], frame.owner[i]});
+  const SoftwareScene software(tree, geometry, view);
+  // Where rays meet hundreds of surfaces most methods take long, and all do where a surface has thousands of facets.
+  const bool is_large = tree.primitives.size() > 100 || view.planes.size() > 5000;
+  return is_large ? software.fault_of(way_of("status"), expected)
+                  : software.fault_of_some(number % all_ways().size(), ways, expected);
+}
+
 }  // namespace csgsim::testing

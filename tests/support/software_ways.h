@@ -9,6 +9,7 @@
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
 #include "host/view/projection.h"
+#include "sim/observe/frame.h"
 #include "sim/software/draw.h"
 #include "sim/software/methods/method.h"
 #include "sim/software/methods/rows.h"
@@ -50,6 +51,9 @@ class SoftwareScene {
   [[nodiscard]] software::Picture draw(const Way& way, bool counts = false) const;
   /// The first pixel at which the way's picture is not that, in words; empty if there is none.
   [[nodiscard]] std::string fault_of(const Way& way, const std::vector<Seen>& expected) const;
+  /// The same of so many of all ways, others with each number; those are left out that are too deep for their tree.
+  [[nodiscard]] std::string fault_of_some(std::uint64_t number, std::size_t ways,
+                                          const std::vector<Seen>& expected) const;
 
  private:
   const model::Tree& tree_;
@@ -58,5 +62,9 @@ class SoftwareScene {
   software::RayCaster rays_;
   std::array<software::Tree, 3> trees_;  ///< by shape
 };
+
+/// What some methods of software, others for each text, draw of a model that is not that picture; empty if all draw it.
+std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
+                              const view::View& view, const observe::Frame& frame);
 
 }  // namespace csgsim::testing
