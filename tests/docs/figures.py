@@ -46,6 +46,12 @@ class Figures:
         return self.runs.run(f"csgsim subdivide {self.model(model)} {options} --no-plots --progress none -o $OUT/subdivide"
                              ).json("subdivide/subdivide.json").points
 
+    def classify(self, model, options="", processors="mc68000,i486dx2"):
+        """The points of csgsim classify, in perspective unless the model is a file with a view of its own."""
+        view = PERSPECTIVE if model in MODELS else ""
+        return self.runs.run(f"csgsim classify {self.model(model)}{view} --processors {processors} {options} --no-plots --progress none "
+                             "-o $OUT/classify").json("classify/classify.json").points
+
     def effects(self, model, options=""):
         return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")
 
@@ -81,7 +87,7 @@ class Figures:
 
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "curved", "examples")
+        own = ("render", "clocks", "compare", "classify", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "curved", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

@@ -1,0 +1,365 @@
+"""docs/software.md: tables 4.9 and 4.10 of the thesis, whose own figures stand in italics, and software beside the machines."""
+
+import math
+import tomllib
+
+from figures import PERSPECTIVE, THESIS_MODELS, point, row, ruled
+from runs import ROOT
+
+TRAVERSALS = ("standard", "early-out", "positional", "status", "bit-sequential", "bit-parallel", "bit-parallel-status")
+COHERENCES = ("all-points", "first-point", "one-list", "list-structure", "joined-lists", "csg-buffer")
+OF_THESIS = COHERENCES[:4]
+WHOLE = ("interval-lists", "weave", "interval-arithmetic")
+PROCESSORS = ("mc68000", "i486dx2")
+MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "pixel-powers", "multi-processor")
+
+# Evaluations in the order of OF_THESIS.
+TABLE_4_9 = {
+    "carburettor": {"met": 219_451, "sequences": 19_227, "different": 218, "evaluations": (383_150, 163_719, 17_685, 393)},
+    "vehicle": {"met": 231_536, "sequences": 21_706, "different": 705, "evaluations": (316_579, 85_144, 19_385, 1_647)},
+    "house": {"met": 261_904, "sequences": 11_579, "different": 107, "evaluations": (276_579, 14_325, 1_322, 141)},
+}
+# Seconds in the order of OF_THESIS; a question mark where the scan that was read does not tell which cell it is.
+TABLE_4_10 = {
+    "carburettor": {"standard": ("774", "325", "99", "86"), "early-out": ("722", "305", "96", "86"), "positional": ("348", "202", "54", "52"),
+                    "status": ("349", "218", "56", "53"), "bit-parallel": ("311", "147", "47", "52"),
+                    "bit-parallel-status": ("243", "104", "43", "51")},
+    "vehicle": {"standard": ("2853", "1103", "294", "109"), "early-out": ("2654", "1030", "278", "108"),
+                "positional": ("343", "146", "65", "64?"), "status": ("399", "122", "60", "64?"),
+                "bit-parallel": ("1885", "501", "140", "75?"), "bit-parallel-status": ("352", "43?", "70", "62?")},
+    "house": {"standard": ("1383", "171", "60", "55"), "early-out": ("1292", "163", "59", "55"), "positional": ("241", "37", "24", "27"),
+              "status": ("353", "40", "26", "28"), "bit-parallel": ("1256?", "79", "29", "28"),
+              "bit-parallel-status": ("300?", "29", "24", "27")},
+}
+PRIMITIVES = {"carburettor": 22, "vehicle": 118, "house": 91}
+
+
+def of(points, method, coherence="none", **wanted):
+    return point(points, method=method, coherence=coherence, **wanted)
+
+
+def whole(number):
+    return f"{number:,}"
+
+
+def italic(text):
+    return f"*{text}*"
+
+
+def three_digits(value):
+    """Three digits, more before the point as they are."""
+    if value == 0:
+        return "0"
+    digits = max(0, 2 - math.floor(math.log10(value)))
+    return f"{value:,.{digits}f}"
+
+
+def beside(figures, rows):
+    """Ours and the thesis's, model by model; a row is a name, ours of a model's points, the thesis's of the model."""
+    head = [""]
+    for model in THESIS_MODELS:
+        head += [model, italic("thesis")]
+    lines = []
+    for name, ours, thesis in rows:
+        cells = []
+        for model in THESIS_MODELS:
+            cells += [ours(figures.classify(model)), italic(thesis(model)) if thesis else ""]
+        lines.append((name, *cells))
+    return ruled(head, lines)
+
+
+def evaluations(coherence):
+    place = OF_THESIS.index(coherence)
+    return (lambda points: of(points, "standard", coherence).evaluations), (lambda model: TABLE_4_9[model]["evaluations"][place])
+
+
+def table_4_9(figures):
+    first = lambda key: lambda points: whole(points[0][key])  # noqa: E731
+    thesis = lambda key: lambda model: whole(TABLE_4_9[model][key])  # noqa: E731
+    rows = [("primitives", first("primitives"), lambda model: PRIMITIVES[model]),
+            ("rays", first("rays"), lambda model: "262,144"),
+            ("rays with points", first("met_rays"), thesis("met")),
+            ("rays that hit the solid", first("hit_rays"), None),
+            ("sequences", first("sequences"), thesis("sequences")),
+            ("different sequences", first("different_sequences"), thesis("different"))]
+    for coherence in OF_THESIS:
+        ours, theirs = evaluations(coherence)
+        rows.append((f"evaluations, {coherence}", lambda points, get=ours: whole(get(points)), lambda model, get=theirs: whole(get(model))))
+    rows.append(("evaluations, joined-lists", lambda points: whole(of(points, "standard", "joined-lists").evaluations), None))
+    return beside(figures, rows)
+
+
+def share(part, all_of):
+    return f"{part / all_of:.2f}" if part / all_of >= 0.1 else f"{part / all_of:.2g}"
+
+
+def per_ray(figures):
+    rows = [("sequences", lambda points: share(points[0].sequences, points[0].met_rays),
+             lambda model: share(TABLE_4_9[model]["sequences"], TABLE_4_9[model]["met"]))]
+    for coherence in OF_THESIS:
+        ours, theirs = evaluations(coherence)
+        rows.append((f"evaluations, {coherence}", lambda points, get=ours: share(get(points), points[0].met_rays),
+                     lambda model, get=theirs: share(get(model), TABLE_4_9[model]["met"])))
+    return beside(figures, rows)
+
+
+def table_4_10(figures):
+    head = ["mc68000, s"]
+    for coherence in COHERENCES:
+        head += [coherence] + ([italic("thesis")] if coherence in OF_THESIS else [])
+    lines = [row(*head), "|---" + "|--:" * (len(head) - 1) + "|"]
+    for model in THESIS_MODELS:
+        points = figures.classify(model)
+        lines.append(row(f"**{model}**", *[""] * (len(head) - 1)))
+        for method in (*TRAVERSALS, *WHOLE):
+            cells = []
+            for coherence in COHERENCES:
+                if method in WHOLE:
+                    one = of(points, method) if coherence == "all-points" else None
+                else:
+                    one = of(points, method, coherence)
+                cells.append("–" if one and one.reason else three_digits(one.seconds.mc68000.classification) if one else "")
+                if coherence in OF_THESIS:
+                    thesis = TABLE_4_10[model].get(method)
+                    cells.append(italic(thesis[OF_THESIS.index(coherence)]) if thesis else "")
+            lines.append(row(method, *cells))
+    return "\n".join(lines)
+
+
+def visits(figures):
+    """What an evaluation and a node of the tree take, by the standard traversal."""
+    rows = []
+    for model in THESIS_MODELS:
+        standard = of(figures.classify(model), "standard", "all-points")
+        nodes = 2 * PRIMITIVES[model] - 1
+        thesis = TABLE_4_9[model]["evaluations"]
+        seconds = [float(each) for each in TABLE_4_10[model]["standard"]]
+        all_points, first_point = seconds[0] / thesis[0], seconds[1] / thesis[1]
+        rows.append((model, nodes, f"{standard.seconds.mc68000.classification / standard.evaluations * 1e3:.2f}",
+                     italic(f"{all_points * 1e3:.2f}"), italic(f"{first_point * 1e3:.2f}"),
+                     f"{standard.seconds.mc68000.classification / standard.node_visits * 1e6:.1f}",
+                     italic(f"{all_points / nodes * 1e6:.1f}"), italic(f"{first_point / nodes * 1e6:.1f}")))
+    return ruled(("", "nodes", "ms an evaluation", "*thesis, all points*", "*first point*", "µs a node", "*thesis, all points*",
+                  "*first point*"), rows)
+
+
+def joined(figures):
+    rows = []
+    for name, key in (("evaluations", "evaluations"), ("elements made", "list_elements"), ("elements or links looked at", "list_steps"),
+                      ("words", "words")):
+        cells = []
+        for model in THESIS_MODELS:
+            points = figures.classify(model)
+            cells += [whole(of(points, "status", coherence)[key]) for coherence in ("list-structure", "joined-lists")]
+        rows.append((name, *cells))
+    head = [""]
+    for model in THESIS_MODELS:
+        head += [f"{model}, list-structure", "joined-lists"]
+    return ruled(head, rows)
+
+
+SHAPES = ("written", "left-deep", "balanced")
+SHAPED = ("standard", "positional", "status", "bit-parallel", "bit-parallel-status")
+
+
+def shapes(figures):
+    rows = []
+    for model in THESIS_MODELS:
+        points = figures.classify(model, f"--methods {','.join(SHAPED)} --coherences all-points --shapes {','.join(SHAPES)}", "mc68000")
+        for shape in SHAPES:
+            own = [of(points, method, "all-points", shape=shape) for method in SHAPED]
+            rows.append((f"{model}, {shape}", own[0].tree_levels,
+                         *("refused" if each.reason else three_digits(each.seconds.mc68000.classification) for each in own),
+                         "refused" if own[3].reason else whole(own[3].words)))
+    return ruled(("mc68000, s", "levels", *SHAPED, "words, bit-parallel"), rows)
+
+
+def prunings(figures):
+    rows = []
+    for model in THESIS_MODELS:
+        points = figures.classify(model, "--methods standard,status --coherences all-points,list-structure --reduced none,cells,inside",
+                                  "mc68000")
+        for reduced in ("none", "cells", "inside"):
+            cells = []
+            for method in ("standard", "status"):
+                one = of(points, method, "all-points", reduced=reduced)
+                cells += [whole(one.node_visits), whole(one.pruned_nodes), three_digits(one.seconds.mc68000.classification)]
+            kept = of(points, "status", "list-structure", reduced=reduced)
+            rows.append((f"{model}, {reduced}", *cells, three_digits(kept.seconds.mc68000.classification)))
+    return ruled(("", "standard, all points: visits", "pruned nodes", "s", "status, all points: visits", "pruned nodes", "s",
+                  "status, list-structure: s"), rows)
+
+
+def priced(processor, operations):
+    """Seconds of operations, by the processor's file."""
+    file = tomllib.loads((ROOT / "sim/software/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
+    clocks = sum(count * file["price"][name]["value"] for name, count in operations.items())
+    return clocks * file["compiler"]["factor"]["value"] / 1000 / file["clock"]["frequency"]["value"]
+
+
+def parts(figures):
+    """Where the seconds of a picture go, by status/list-structure."""
+    rows = []
+    for processor in PROCESSORS:
+        for model in THESIS_MODELS:
+            one = of(figures.classify(model), "status", "list-structure")
+            seconds = [priced(processor, one[key]) for key in ("ray_operations", "sort_operations", "operations")]
+            rows.append((f"{processor}, {model}", three_digits(sum(seconds)), *(f"{100 * each / sum(seconds):.0f} %" for each in seconds)))
+    return ruled(("", "picture, s", "finding what rays meet", "sorting it", "classifying it"), rows)
+
+
+def best(points, processor):
+    """What takes fewest seconds for the whole picture."""
+    return min((each for each in points if not each.reason), key=lambda each: each.seconds[processor].all)
+
+
+def name_of(one):
+    return one.method if one.coherence == "none" else f"{one.method}/{one.coherence}"
+
+
+WITH = " --with " + ",".join(f"{processor}:status/list-structure" for processor in PROCESSORS)
+
+
+def compared(figures, model):
+    return figures.compare(model, PERSPECTIVE + WITH)
+
+
+def hardware(figures):
+    """Frames of the machines, and how many of them go into the best picture of each processor."""
+    rows = []
+    software = {(model, processor): best(figures.classify(model), processor) for model in THESIS_MODELS for processor in PROCESSORS}
+    for machine in MACHINES:
+        cells = []
+        for model in THESIS_MODELS:
+            seconds = point(compared(figures, model), machine=machine, width=512, fragments=0.0).simulated_seconds
+            cells += [three_digits(seconds * 1e3)]
+            cells += [three_digits(software[model, processor].seconds[processor].all / seconds) for processor in PROCESSORS]
+        rows.append((f"`{machine}`", *cells))
+    for processor in PROCESSORS:
+        cells = []
+        for model in THESIS_MODELS:
+            one = software[model, processor]
+            cells += [three_digits(one.seconds[processor].all * 1e3), name_of(one), ""]
+        rows.append((f"`{processor}`, best", *cells))
+    head = [""]
+    for model in THESIS_MODELS:
+        head += [f"{model}, ms", *PROCESSORS]
+    return ruled(head, rows)
+
+
+def line(points, machine, across):
+    """A machine's line of logarithms through its last two points: size and seconds of the last, the exponent between them."""
+    own = [each for each in points if each.machine == machine]
+    if across == "halfspaces":
+        sizes = sorted((each.halfspaces, each.simulated_seconds) for each in own if each.width == 512 and each.fragments > 0)
+    else:
+        sizes = sorted((each.width * each.height, each.simulated_seconds) for each in own if each.fragments == 0)
+    (size_before, before), (size, last) = sizes[-2:]
+    return size, last, math.log(last / before) / math.log(size / size_before)
+
+
+MOST_HALFSPACES, LEAST_PIXELS = 1e9, 64
+
+
+def meeting(of_machine, of_software, across):
+    """Where software would take no longer, by the lines."""
+    size, seconds, exponent = of_machine
+    _, other, other_exponent = of_software
+    if other < seconds:
+        return "is faster"
+    if (exponent > other_exponent) != (across == "halfspaces") or exponent == other_exponent:
+        return "never"
+    at = size * (other / seconds) ** (1 / (exponent - other_exponent))
+    if across == "halfspaces":
+        return f"{float(f'{at:.1e}'):,.0f}" if at < MOST_HALFSPACES else "never"
+    return f"{math.sqrt(at):.0f}²" if at >= LEAST_PIXELS else "never"
+
+
+def crossings(figures):
+    """Exponents, and the size at which software would take no longer."""
+    rows = []
+    for model in ("carburettor", "vehicle"):
+        points = compared(figures, model)
+        software = {(processor, across): line(points, f"{processor}:status/list-structure", across)
+                    for processor in PROCESSORS for across in ("halfspaces", "pixels")}
+        for processor in PROCESSORS:
+            rows.append((f"{model}: `{processor}`", f"{software[processor, 'halfspaces'][2]:.2f}", "", "",
+                         f"{software[processor, 'pixels'][2]:.2f}", "", ""))
+        for machine in (name for name in MACHINES if name != "pixel-powers"):
+            cells = []
+            for across in ("halfspaces", "pixels"):
+                own = line(points, machine, across)
+                cells += [f"{own[2]:.2f}", *(meeting(own, software[processor, across], across) for processor in PROCESSORS)]
+            rows.append((f"{model}: `{machine}`", *cells))
+    return ruled(("", "half-spaces: exponent", "mc68000", "i486dx2", "pixels: exponent", "mc68000", "i486dx2"), rows)
+
+
+def memory(figures):
+    """Bits, transistors and dollars of a picture of 512 x 512, the vehicle."""
+    points = compared(figures, "vehicle")
+    rows = []
+    for machine in MACHINES:
+        one = point(points, machine=machine, width=512, fragments=0.0)
+        rows.append((f"`{machine}`", whole(one.machine_memory_bits), whole(one.machine_transistors) if one.machine_transistors else "–", ""))
+    for processor in PROCESSORS:
+        one = point(points, machine=f"{processor}:status/list-structure", width=512, fragments=0.0)
+        file = tomllib.loads((ROOT / "sim/software/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
+        megabytes = one.machine_memory_bits / 8 / 2**20
+        rows.append((f"`{processor}`, status/list-structure", whole(one.machine_memory_bits), whole(one.machine_memory_bits),
+                     f"{megabytes * file['memory']['price']['value']:.0f}"))
+    return ruled(("", "bits of memory", "transistors", "dollars"), rows)
+
+
+TIMES = 5  # that something is measured, of which the least is told
+
+
+def wall(figures, model):
+    """The least wall time of the functional engine, in seconds."""
+    command = f"csgsim render {figures.model(model)}{PERSPECTIVE} --progress none --stats $OUT/$run.json -o $OUT/a.png"
+    done = figures.runs.run(f"for run in {' '.join(str(n) for n in range(TIMES))}; do {command}; done")
+    return min(done.json(f"{run}.json").wall_seconds for run in range(TIMES))
+
+
+def measured(figures):
+    """Software on this computer and the functional engine, in ms."""
+    rows = []
+    for model in THESIS_MODELS:
+        points = figures.classify(model, "--coherences all-points,list-structure", "this-computer")
+        rays = min(each.wall_seconds_rays for each in points if each.wall_seconds_rays > 0)
+        cells = [of(points, "standard", "all-points"), of(points, "status", "all-points"), of(points, "status", "list-structure"),
+                 of(points, "weave"), of(points, "interval-arithmetic")]
+        seconds = [each.wall_seconds_classification for each in cells]
+        rows.append((model, *(three_digits(each * 1e3) for each in (rays, *seconds, rays + seconds[2], wall(figures, model)))))
+    return ruled(("ms", "rays, in order", "standard, all points", "status, all points", "status, list-structure", "weave",
+                  "interval-arithmetic, rays and all", "the picture by status, list-structure", "functional engine, `pixel-planes-4`"), rows)
+
+
+GROWN = {"cubes": (17, 167, 1667, 16667), "drilled": (4, 42, 417, 4167)}
+
+
+def grown(figures, name):
+    """The points of a grid's sizes, made as the page shows."""
+    shown = figures.shown("docs/software.md", "grid()").split("csgsim classify")
+    rest = shown[1].split("cubes_17.csg")[1]
+    commands = [f"csgsim classify {name}_{n}.csg{rest} --no-plots --progress none -o {name}_{n}" for n in GROWN[name]]
+    done = figures.runs.run("\n".join(["cd $OUT", shown[0], *commands]))
+    return [done.json(f"{name}_{n}/classify.json").points for n in GROWN[name]]
+
+
+def growth(figures):
+    """Milliseconds against half-spaces, and from the least to the largest the exponent."""
+    rows = []
+    for name in GROWN:
+        columns = []
+        for points in grown(figures, name):
+            rays = min(each.wall_seconds_rays for each in points if each.wall_seconds_rays > 0)
+            cells = [of(points, "standard", "all-points"), of(points, "status", "all-points"), of(points, "status", "list-structure"),
+                     of(points, "interval-arithmetic")]
+            columns.append((points[0].halfspaces, points[0].primitives,
+                            [rays, *(each.wall_seconds_classification for each in cells)]))
+        for halfspaces, primitives, seconds in columns:
+            rows.append((name, whole(halfspaces), whole(primitives), *(three_digits(each * 1e3) for each in seconds)))
+        (before, _, first), (last, _, second) = columns[0], columns[-1]
+        rows.append((f"{name}: exponent", "", "", *(f"{math.log(b / a) / math.log(last / before):.2f}" for a, b in zip(first, second))))
+    return ruled(("ms", "half-spaces", "primitives", "rays, in order", "standard, all points", "status, all points",
+                  "status, list-structure", "interval-arithmetic, rays and all"), rows)
