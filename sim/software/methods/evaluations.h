@@ -12,6 +12,7 @@
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/known.h"
 #include "sim/software/methods/method.h"
+#include "sim/software/methods/pruned.h"
 #include "sim/software/traversals/levels.h"
 
 namespace csgsim::software {
@@ -84,8 +85,10 @@ class Evaluations {
     if (subject_.pruning != Pruning::cells) return;
     trees_.clear();
     std::uint64_t words = 0;
+    const Tree tree = pruned(subject_.tree, known_in(subject_.view, band, 0, band.width), count_);
     for (std::uint32_t first = 0; first < band.width; first += cell_columns) {
-      prune(trees_.emplace_back(), known_in_cell(subject_.view, band, first));
+      const std::vector<Known> known = known_in(subject_.view, band, first, cell_columns);
+      trees_.emplace_back(std::in_place, pruned(tree, known, count_));
       words += trees_.back()->words();
     }
     words_ = std::max(words_, words);
@@ -137,7 +140,7 @@ class Evaluations {
       return false;
     }
     Slot& slot = trees_[entered_.front()];
-    if (!slot) prune(slot, known_inside(subject_.view, entered_.front()));
+    if (!slot) slot.emplace(pruned(subject_.tree, known_inside(subject_.view, entered_.front()), count_));
     if (current_ == &*slot) {
       for (const Event& event : added) slot->flip(event.primitive(), count_);
     } else {
@@ -146,16 +149,6 @@ class Evaluations {
       for (const std::uint32_t primitive : entered_) slot->flip(primitive, count_);
     }
     return slot->evaluate(count_);
-  }
-
-  void prune(Slot& slot, const std::vector<Known>& known) {
-    const std::size_t nodes = subject_.tree.nodes.size();
-    count_.prune(nodes);
-    count_(Operation::load, 3 * nodes);
-    count_(Operation::compare, 2 * nodes);
-    count_(Operation::branch_taken, 2 * nodes);
-    count_(Operation::store_long, nodes);
-    slot.emplace(reduced(subject_.tree, known));
   }
 
   const Subject& subject_;

@@ -9,7 +9,9 @@
 
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/box_planes.h"
+#include "sim/software/methods/known.h"
 #include "sim/software/methods/method.h"
+#include "sim/software/methods/pruned.h"
 #include "sim/software/traversals/early_out.h"
 #include "sim/software/tree/owners.h"
 
@@ -31,6 +33,7 @@ class IntervalArithmetic : public Method {
   void classify(const RayBand& band, std::span<Seen> seen) override {
     band_ = {static_cast<std::int32_t>(band.width), static_cast<std::int32_t>(band.first_row), seen};
     std::ranges::fill(seen, Seen{subject_.farthest(), Seen::nothing_seen});
+    const Tree tree = pruned(subject_.tree, known_in(subject_.view, band, 0, band.width), count_);
     for (std::uint32_t x = 0; x < band.width; x += band_rows) {
       const Box box{{static_cast<std::int32_t>(x), band_.first_row,
                      static_cast<std::int32_t>(std::min(x + band_rows, band.width)) - 1,
@@ -43,7 +46,7 @@ class IntervalArithmetic : public Method {
         const bool touches = !view::common(subject_.view.extents[primitive].pixels, box.pixels).empty();
         if (touches && !planes_[primitive].nowhere) whole_.push_back({primitive, planes_[primitive]});
       }
-      if (!whole_.empty()) halve(box, whole_, subject_.tree);
+      if (!whole_.empty()) halve(box, whole_, tree);
     }
   }
 
@@ -90,7 +93,7 @@ class IntervalArithmetic : public Method {
       if (known_[one.primitive] != Known::nothing) left.pop_back();
     }
     count_.evaluation();
-    const Tree rest = pruned(tree);
+    const Tree rest = pruned(tree, known_, count_);
     std::uint64_t words = words_of(rest);
     for (const BoxPrimitive& one : left) words += 1 + one.planes.fronts.size() + one.planes.backs.size();
     most_words_ = std::max(most_words_, words);
@@ -104,16 +107,6 @@ class IntervalArithmetic : public Method {
     for (const bool is_far : {false, true}) {
       for (const Box& part : quarters(box, is_far)) halve(part, left, rest);
     }
-  }
-
-  Tree pruned(const Tree& tree) {
-    const std::size_t nodes = tree.nodes.size();
-    count_.prune(nodes);
-    count_(Operation::load, 3 * nodes);
-    count_(Operation::compare, 2 * nodes);
-    count_(Operation::branch_taken, 2 * nodes);
-    count_(Operation::store_long, nodes);
-    return reduced(tree, known_);
   }
 
   void set_all(const Box& box) {

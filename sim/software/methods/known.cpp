@@ -12,10 +12,11 @@ bool are_apart(const view::Extent& a, const view::Extent& b) {
 
 }  // namespace
 
-std::vector<Known> known_in_cell(const view::View& view, const RayBand& band, std::uint32_t first_column) {
+std::vector<Known> known_in(const view::View& view, const RayBand& band, std::uint32_t first_column,
+                            std::uint32_t columns) {
   const auto x0 = static_cast<std::int32_t>(first_column);
   const auto y0 = static_cast<std::int32_t>(band.first_row);
-  const view::PixelRect cell{x0, y0, x0 + static_cast<std::int32_t>(cell_columns) - 1,
+  const view::PixelRect cell{x0, y0, x0 + static_cast<std::int32_t>(columns) - 1,
                              y0 + static_cast<std::int32_t>(band.rows) - 1};
   std::vector<Known> known(view.extents.size(), Known::out);
   for (std::size_t i = 0; i < known.size(); ++i) {

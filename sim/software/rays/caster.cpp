@@ -52,14 +52,18 @@ struct RowDepths {
   std::array<std::int64_t, tile_columns> backs;
 };
 
-template <class Better>
+template <class Better, class Count>
 void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y, std::int64_t* extremes,
-           const Better& better) {
-  const std::int32_t count = span.last - span.first + 1;
+           const Better& better, Count& count) {
+  const std::int32_t columns = span.last - span.first + 1;
   for (const FixedLinear& plane : planes) {
     std::int64_t value = plane.a * span.first + plane.b * y + plane.c;
-    for (std::int32_t i = 0; i < count; ++i) {
-      extremes[i] = better(extremes[i], value);
+    for (std::int32_t i = 0; i < columns; ++i) {
+      const std::int64_t extreme = better(extremes[i], value);
+      if constexpr (Count::counts) {
+        if (extreme != extremes[i]) count(Operation::store_long);
+      }
+      extremes[i] = extreme;
       value += plane.a;
     }
   }
@@ -76,7 +80,8 @@ void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& 
   count(Operation::divide, edges);
   count(Operation::compare, edges);
   count(Operation::branch, edges);
-  // A plane: its row's value a row further, then at each pixel the next value, held against the extreme in memory.
+  // A plane: its row's value a row further, then at each pixel the next value, held against the extreme in memory,
+  // which it may replace.
   count(Operation::load_long, 2 * planes);
   count(Operation::add_long, planes);
   count(Operation::store_long, planes);
@@ -160,8 +165,12 @@ class BandCaster {
     halfspace_tests_ += columns * (left_.fronts.size() + left_.backs.size());
     std::fill_n(depths_.fronts.begin(), columns, std::numeric_limits<std::int64_t>::min());
     std::fill_n(depths_.backs.begin(), columns, std::numeric_limits<std::int64_t>::max());
-    sweep(left_.fronts, span, y, depths_.fronts.data(), [](std::int64_t a, std::int64_t b) { return a > b ? a : b; });
-    sweep(left_.backs, span, y, depths_.backs.data(), [](std::int64_t a, std::int64_t b) { return a < b ? a : b; });
+    sweep(
+        left_.fronts, span, y, depths_.fronts.data(), [](std::int64_t a, std::int64_t b) { return a > b ? a : b; },
+        count_);
+    sweep(
+        left_.backs, span, y, depths_.backs.data(), [](std::int64_t a, std::int64_t b) { return a < b ? a : b; },
+        count_);
     for (std::size_t i = 0; i < columns; ++i) add_pixel(primitive, span.first + static_cast<std::int32_t>(i), y, i);
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "sim/software/tree/builder.h"
 
@@ -26,9 +27,8 @@ std::size_t middle_of(const Builder& builder, std::span<const std::uint32_t> par
   double all = 0;
   for (const std::uint32_t part : parts) {
     constexpr std::uint32_t most_exponent = 500;  // of what a double holds the sum of
-    double weight = 1;
-    for (std::uint32_t i = std::min(builder.height(part), most_exponent); i > 0; --i) weight *= 2;
-    weights.push_back(all += weight);
+    all += std::ldexp(1.0, static_cast<int>(std::min(builder.height(part), most_exponent)));
+    weights.push_back(all);
   }
   const auto half = std::ranges::lower_bound(weights, all / 2);
   const auto before = static_cast<std::size_t>(half - weights.begin());

@@ -182,8 +182,11 @@ std::string difference_of(Rows rows) {
              other.point.fragments == row.point.fragments;
     });
     // Software works out no colours.
-    const bool have_colours = row.drawn() && !row.picture.empty() && !first->picture.empty();
-    if (row.drawn() && (have_colours ? first->picture != row.picture : first->surfaces != row.surfaces)) {
+    const auto differs = [&] {
+      const bool have_colours = !row.picture.empty() && !first->picture.empty();
+      return first->surfaces != row.surfaces || (have_colours && first->picture != row.picture);
+    };
+    if (row.drawn() && differs()) {
       return fmt::format("{} draws {}x{} pixels otherwise than {}", row.point.machine, row.point.width,
                          row.point.height, first->point.machine);
     }

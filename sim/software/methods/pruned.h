@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/tree/tree.h"
+
+namespace csgsim::software {
+
+/// The tree reduced by what is known of primitives, each node of it looked at.
+template <class Count>
+Tree pruned(const Tree& tree, std::span<const Known> known, Count& count) {
+  const std::size_t nodes = tree.nodes.size();
+  count.prune(nodes);
+  count(Operation::load, 3 * nodes);
+  count(Operation::compare, 2 * nodes);
+  count(Operation::branch_taken, 2 * nodes);
+  count(Operation::store_long, nodes);
+  return reduced(tree, known);
+}
+
+}  // namespace csgsim::software
