@@ -1,6 +1,9 @@
 #include "host/emit/comparison.h"
 
+#include <optional>
+
 #include "host/emit/halfspaces.h"
+#include "host/emit/stored.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -11,6 +14,10 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   if (shared.empty()) {
     out.nowhere();
     return;
+  }
+  if (context.stored != nullptr) {
+    if (const std::optional<StoredFields> fields = context.stored->of(primitive))
+      return emit_stored_comparison(context, out, primitive, *fields, of);
   }
   out.clip(shared, of.block.pixels);
   const csg::Block part{shared, of.block.z_low, of.block.z_high};

@@ -144,10 +144,7 @@ isa::Segment compile_segment(const Context& context, std::span<const Drawing* co
 /// Bits for the classifications of all drawings.
 ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Options& options) {
   ClassificationBits most;
-  for (const Drawing* const one : drawings) {
-    const ClassificationBits bits = classification_bits(*one->tree, one->plan, options);
-    most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
-  }
+  for (const Drawing* const one : drawings) most = most_of(most, classification_bits(*one, options));
   return most;
 }
 
@@ -275,6 +272,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
     add(Strategy::stack, options.stack_bits);
     add(Strategy::list, options.stack_bits);
     add(Strategy::parallel, options.stack_bits);
+    add(Strategy::stored, options.stack_bits);
     // Levels beyond the tree's change nothing, and many levels change little.
     const unsigned most = fewest_stack_bits + std::min(plan.depth(), most_levels_tried);
     for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);

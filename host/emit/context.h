@@ -18,6 +18,7 @@
 namespace csgsim::emit {
 
 class Effect;
+class StoredDepths;
 struct Drawing;
 struct EffectRow;
 struct Facet;
@@ -80,6 +81,7 @@ struct Context {
       nullptr;  ///< by primitive: whose surfaces are drawn; null: all but what effects draw
   const lighting::Lighting* lights = nullptr;  ///< in place of the look's
   const Paint* paint = nullptr;                ///< in place of colours
+  const StoredDepths* stored = nullptr;        ///< depths that are kept while surfaces are drawn; null: none
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

@@ -8,6 +8,7 @@
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/shading.h"
+#include "host/emit/stored.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
 
@@ -146,7 +147,11 @@ void emit_setup(const Context& context, Broadcast& out) {
   if (context.layout.owner.width > 0) out.plain(isa::Opcode::set_constant, context.layout.owner, {}, 0);
 }
 
-Kept emit_surfaces(const Context& context, Broadcast& out) {
+Kept emit_surfaces(const Context& outer, Broadcast& out) {
+  const StoredDepths stored(outer);
+  Context context = outer;
+  if (!stored.primitives().empty()) context.stored = &stored;
+  emit_stored_depths(context, out);
   Kept kept;
   for (const PlannedSurface& one : context.plan.surfaces) {
     if (!is_drawn(context, one)) continue;

@@ -6,10 +6,12 @@
 
 #include "host/csg/products.h"
 #include "host/csg/separation.h"
+#include "host/emit/drawing.h"
 #include "host/emit/early_out.h"
 #include "host/emit/labels.h"
 #include "host/emit/levels.h"
 #include "host/emit/parallel.h"
+#include "host/emit/stored.h"
 #include "host/emit/surface.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
@@ -90,7 +92,6 @@ void emit_base_early_out(const Context& context, Broadcast& out, const PlannedSu
 template <class Classify>
 void emit_visible(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface,
                   const Classify& classify) {
-  out.counts.rendered += planned.set.size();
   ++out.counts.depth_tests;
   emit_admission(context, out, planned);
   emit_depth_test(context, out, planned);
@@ -148,7 +149,6 @@ void emit_nothing_elsewhere(const Context& context, Broadcast& out, const Planne
 
 /// One product after another of a surface that stays in Z1.
 void emit_kept_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
-  out.counts.rendered += planned.set.size();
   emit_admission(context, out, planned);
   emit_nothing_elsewhere(context, out, planned);
   const csg::RootedTree rooted = csg::with_root(planned.active);
@@ -185,26 +185,35 @@ void emit_products(const Context& context, Broadcast& out, const PlannedSurface&
   emit_visible(context, out, planned, surface, [&] { return emit_by_levels(context, out, product, all_levels); });
 }
 
+/// Bits that working out one active tree takes.
+ClassificationBits bits_of_surface(const PlannedSurface& planned, const Options& options) {
+  ClassificationBits bits;
+  switch (options.strategy) {
+    case Strategy::stack:
+    case Strategy::stored: return bits_for_levels(planned.active, all_levels);
+    case Strategy::list: bits.label = label_bits(planned.active); break;
+    case Strategy::bits:
+      return merges_each_product(options) ? bits : bits_for_levels(planned.active, stack_levels(options));
+    case Strategy::products: break;
+    case Strategy::parallel: bits.stack = string_bits(planned.active); break;
+    case Strategy::automatic: throw std::logic_error("no strategy was chosen");
+  }
+  return bits;
+}
+
 }  // namespace
 
-ClassificationBits classification_bits(const model::Tree& tree, const Plan& plan, const Options& options) {
-  check_products(tree, plan, options);
+ClassificationBits classification_bits(const Drawing& drawing, const Options& options) {
+  check_products(*drawing.tree, drawing.plan, options);
   ClassificationBits most;
-  for (const SegmentPlan& segment : plan.segments) {
-    for (const PlannedSurface& one : segment.surfaces) {
-      ClassificationBits bits;
-      switch (options.strategy) {
-        case Strategy::stack: bits = bits_for_levels(one.active, all_levels); break;
-        case Strategy::list: bits.label = label_bits(one.active); break;
-        case Strategy::bits:
-          if (!merges_each_product(options)) bits = bits_for_levels(one.active, stack_levels(options));
-          break;
-        case Strategy::products: break;
-        case Strategy::parallel: bits.stack = string_bits(one.active); break;
-        case Strategy::automatic: throw std::logic_error("no strategy was chosen");
-      }
-      most = {std::max(most.stack, bits.stack), std::max(most.product, bits.product), std::max(most.label, bits.label)};
+  for (const SegmentPlan& segment : drawing.plan.segments) {
+    ClassificationBits bits;
+    for (const PlannedSurface& one : segment.surfaces) bits = most_of(bits, bits_of_surface(one, options));
+    if (options.strategy == Strategy::stored) {
+      const auto compared = static_cast<unsigned>(compared_primitives(segment, drawing.view).size());
+      bits.stored = compared * 2 * drawing.view.sampling.z_bits;
     }
+    most = most_of(most, bits);
   }
   return most;
 }
@@ -216,12 +225,14 @@ void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface
     return renders_each ? emit_rendered_products(context, out, planned, sides)
                         : emit_products(context, out, planned, sides);
   }
-  const Surface surface = emit_surface(context, out, planned, sides);
+  const Surface surface = has_stored_surface(context, planned) ? emit_stored_surface(context, out, planned, sides)
+                                                               : emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
   emit_visible(context, out, planned, surface, [&]() -> std::uint64_t {
     if (planned.active.operands.empty()) return 0;
     switch (options.strategy) {
-      case Strategy::stack: return emit_by_levels(context, out, planned, all_levels);
+      case Strategy::stack:
+      case Strategy::stored: return emit_by_levels(context, out, planned, all_levels);
       case Strategy::list: return emit_list(context, out, planned);
       case Strategy::bits: return emit_by_levels(context, out, planned, stack_levels(options));
       case Strategy::parallel: return emit_parallel(context, out, planned);

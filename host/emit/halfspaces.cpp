@@ -198,6 +198,15 @@ view::FixedLinear plane_of(const Context& context, const Facet& facet) {
   return facet.at != At::plane ? view::FixedLinear{} : context.linear_of(facet.halfspace);
 }
 
+bool has_edges(const Context& context, std::uint32_t primitive, const csg::Block& block) {
+  const auto cuts = [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, block); };
+  const auto cuts_too = [&](const QuadricBound& bound) {
+    return bound.role == view::QuadricRole::edge && known_of(context, bound, block) != csg::Known::in;
+  };
+  return std::ranges::any_of(context.geometry.solids[primitive].halfspaces, cuts) ||
+         std::ranges::any_of(quadric_bounds(context, primitive), cuts_too);
+}
+
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block) {
   for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
     if (!is_edge_test(context, halfspace, block)) continue;

@@ -68,6 +68,9 @@ struct Sides {
 
 Sides deciding_sides(const Context& context, const PlannedSurface& planned);
 
+/// Whether emit_edges broadcasts anything.
+bool has_edges(const Context& context, std::uint32_t primitive, const csg::Block& block);
+
 /// Edge tests of a primitive that cut the block, of its quadrics too: E stays 1 inside them.
 void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive, const csg::Block& block);
 

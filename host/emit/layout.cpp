@@ -1,6 +1,7 @@
 #include "host/emit/layout.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,10 @@ namespace {
 constexpr std::string_view fewer_bits = "work with fewer bits by --strategy list or auto";
 constexpr std::string_view no_quadrics = "draw curved surfaces as facets by --curves facets";
 constexpr std::string_view one_buffer = "take a machine whose scan_out.buffers is 1";
+
+// Depths of primitives.
+constexpr std::array<std::string_view, 2> stored_names{"front", "back"};
+constexpr std::string_view stored_depth = "stored depth";
 
 // Fields of quadrics.
 constexpr std::string_view sum_name = "sum";
@@ -37,6 +42,10 @@ std::vector<FieldRequest> requests_of(const Needs& needs) {
   all.push_back({"label", FieldRole::label, needs.classification.label, "label", fewer_bits});
   for (unsigned i = 0; i < needs.classification.stack; ++i)
     all.push_back({"stack" + std::to_string(i), FieldRole::stack, 1, "stack", fewer_bits});
+  for (unsigned i = 0; i < needs.classification.stored / (2 * needs.z_bits); ++i) {
+    for (const std::string_view end : stored_names)
+      all.push_back({std::string(end) + std::to_string(i), FieldRole::stored, needs.z_bits, stored_depth, fewer_bits});
+  }
   all.push_back({"owner", FieldRole::owner, needs.owner_bits, "owner"});
   const FieldRequest sum{std::string(sum_name), FieldRole::scratch, needs.quadrics.sum, "sum", no_quadrics};
   const bool is_below_candidate = needs.quadrics.root_in_candidate;
@@ -127,7 +136,8 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
     });
     if (!without.empty() && saved >= missing) text += std::string(without) + ", or ";
   }
-  const unsigned depths = fields_of_width(needs, "depth", needs.z_bits);
+  const unsigned depths =
+      fields_of_width(needs, "depth", needs.z_bits) + fields_of_width(needs, stored_depth, needs.z_bits);
   const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + depths - 1) / depths);
   if (z_bits >= view::fewest_z_bits) text += "give up depth with --z-bits " + std::to_string(z_bits) + ", or ";
   const unsigned colours = fields_of_width(needs, "colour", needs.colour_bits) + (needs.shown.width > 0 ? 1 : 0);
@@ -135,7 +145,9 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   if (colour_bits >= isa::fewest_colour_bits)
     text += "colours with --colour-bits " + std::to_string(colour_bits) + ", or ";
   if (needs.shown.width >= missing) text += std::string(one_buffer) + ", or ";
-  return text + "take --memory-bits " + std::to_string(total_bits(needs));
+  if (total_bits(needs) <= isa::max_memory_bits)
+    return text + "take --memory-bits " + std::to_string(total_bits(needs));
+  return text + "take a smaller model: no machine has more than " + std::to_string(isa::max_memory_bits);
 }
 
 /// The member of the layout that keeps the place of a request, where quadrics have one for it.
@@ -156,6 +168,7 @@ void put(Layout& layout, const FieldRequest& request, isa::Field field) {
     case isa::FieldRole::stack: layout.stack.push_back(field); return;
     case isa::FieldRole::product: layout.product = field; return;
     case isa::FieldRole::label: layout.label = field; return;
+    case isa::FieldRole::stored: layout.stored.push_back(field); return;
     case isa::FieldRole::owner: layout.owner = field; return;
     case isa::FieldRole::scratch:
     case isa::FieldRole::shown:
@@ -219,6 +232,11 @@ isa::Field Layout::of(std::string_view effect, std::string_view name) const {
   return found->field;
 }
 
+ClassificationBits most_of(const ClassificationBits& a, const ClassificationBits& b) {
+  return {std::max(a.stack, b.stack), std::max(a.product, b.product), std::max(a.label, b.label),
+          std::max(a.stored, b.stored)};
+}
+
 unsigned total_bits(const Needs& needs) { return plan(needs).bits + needs.shown.width; }
 
 Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
@@ -247,6 +265,8 @@ std::vector<isa::NamedField> named_fields(const Layout& layout) {
   for (std::size_t i = 0; i < layout.stack.size(); ++i) {
     add("stack" + std::to_string(i), layout.stack[i], isa::FieldRole::stack);
   }
+  for (std::size_t i = 0; i < layout.stored.size(); ++i)
+    add(std::string(stored_names.at(i % 2)) + std::to_string(i / 2), layout.stored[i], isa::FieldRole::stored);
   add("owner", layout.owner, isa::FieldRole::owner);
   add_in_parts(fields, sum_name, layout.sum);
   if (!layout.root.overlaps(layout.candidate)) add(std::string(root_name), layout.root, isa::FieldRole::scratch);

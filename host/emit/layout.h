@@ -14,9 +14,13 @@ struct ClassificationBits {
   unsigned stack = 0;    ///< pending results
   unsigned product = 0;  ///< the product being worked out: 0 or 1
   unsigned label = 0;    ///< of the leaf that a pixel waits for
+  unsigned stored = 0;   ///< depths of primitives that others are compared with, a front and a back each
 
-  [[nodiscard]] unsigned total() const { return stack + product + label; }
+  [[nodiscard]] unsigned total() const { return stack + product + label + stored; }
 };
+
+/// Of each the more.
+ClassificationBits most_of(const ClassificationBits& a, const ClassificationBits& b);
 
 /// Bits of pixel memory that somebody asks for.
 struct FieldRequest {
@@ -59,16 +63,17 @@ struct Needs {
 
 /// Which bits of pixel memory hold what. Fields that are not needed have no width.
 struct Layout {
-  isa::Field depth;               ///< Z2: the nearest surface so far
-  isa::Field candidate;           ///< Z1: the surface being classified
-  isa::Field colour;              ///< of Z2
-  isa::Field candidate_colour;    ///< of Z1
-  isa::Field mask;                ///< 1 where Z1 holds a surface that is still visible
-  isa::Field product;             ///< 1 where Z1 is in the product so far
-  isa::Field label;               ///< the leaf that a pixel waits for
-  std::vector<isa::Field> stack;  ///< results of the classification, one bit each
-  isa::Field owner;               ///< number of the surface that Z2 is of, 0 for none
-  isa::Field sum;                 ///< a depth of a quadric, or the low part of its discriminant while the root is taken
+  isa::Field depth;                ///< Z2: the nearest surface so far
+  isa::Field candidate;            ///< Z1: the surface being classified
+  isa::Field colour;               ///< of Z2
+  isa::Field candidate_colour;     ///< of Z1
+  isa::Field mask;                 ///< 1 where Z1 holds a surface that is still visible
+  isa::Field product;              ///< 1 where Z1 is in the product so far
+  isa::Field label;                ///< the leaf that a pixel waits for
+  std::vector<isa::Field> stack;   ///< results of the classification, one bit each
+  std::vector<isa::Field> stored;  ///< depths of primitives, of each the front and then the back
+  isa::Field owner;                ///< number of the surface that Z2 is of, 0 for none
+  isa::Field sum;      ///< a depth of a quadric, or the low part of its discriminant while the root is taken
   isa::Field root;     ///< of a quadric, right above the sum, with that the discriminant; it may be a part of Z1
   isa::Field light;    ///< where light on quadrics is worked out: the sum; or Z1, which Z2 is a copy of then
   isa::Field squares;  ///< of the pixel's place, throughout; see fast_spheres.h

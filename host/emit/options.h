@@ -19,11 +19,12 @@ enum class Strategy : std::uint8_t {
   bits,       ///< thesis 6.4: the first levels by a stack, subtrees below by repeated traversal
   products,   ///< thesis 6.3: sum of products, a primitive rendered once for each
   parallel,   ///< thesis 4.4.2: one bit a leaf, all nodes of a level at once
+  stored,     ///< thesis 6.1: as stack, but depths of primitives that are compared are kept, rendered once each
   automatic,  ///< whichever takes the fewest clocks and fits
 };
 
-inline constexpr std::array strategies{Strategy::stack,    Strategy::list,     Strategy::bits,
-                                       Strategy::products, Strategy::parallel, Strategy::automatic};
+inline constexpr std::array strategies{Strategy::stack,    Strategy::list,   Strategy::bits,     Strategy::products,
+                                       Strategy::parallel, Strategy::stored, Strategy::automatic};
 
 /// The strategy's name on the command line and in the stats.
 std::string_view name_of(Strategy strategy);

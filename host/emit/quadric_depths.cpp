@@ -84,29 +84,9 @@ bool draws_alone(const Plan& plan, const Fits& fits) {
   });
 }
 
-/// What of a bound matters to points of a block.
-struct Matters {
-  bool outline = true;
-  bool near = true;
-  bool far = true;
-};
-
 Matters all_of(QuadricRole role) {
   return {role != QuadricRole::until, role == QuadricRole::between || role == QuadricRole::until,
           role == QuadricRole::between || role == QuadricRole::from};
-}
-
-Matters what_matters(const Context& context, const QuadricBound& bound, const csg::Block& block) {
-  Matters matters = all_of(bound.role);
-  if (!context.options.pruning.halfspaces) return matters;
-  const RootRanges ranges = ranges_of(context, bound, block.pixels);
-  const bool ends_at_near = bound.role == QuadricRole::until;
-  if (ends_at_near && ranges.discriminant.high < 0) return {false, false, false};
-  matters.outline = matters.outline && ranges.discriminant.low < 0;
-  matters.near = matters.near && !(ends_at_near ? ranges.near.low > block.z_high : ranges.near.high <= block.z_low);
-  matters.far = matters.far &&
-                !(bound.role == QuadricRole::from ? ranges.far.high <= block.z_low : ranges.far.low > block.z_high);
-  return matters;
 }
 
 /// Whether no point of the block is within the bound.
@@ -138,6 +118,19 @@ std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t p
     bounds.push_back({primitive, side, view::role_of(quadric, side)});
   }
   return bounds;
+}
+
+Matters what_matters(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+  Matters matters = all_of(bound.role);
+  if (!context.options.pruning.halfspaces) return matters;
+  const RootRanges ranges = ranges_of(context, bound, block.pixels);
+  const bool ends_at_near = bound.role == QuadricRole::until;
+  if (ends_at_near && ranges.discriminant.high < 0) return {false, false, false};
+  matters.outline = matters.outline && ranges.discriminant.low < 0;
+  matters.near = matters.near && !(ends_at_near ? ranges.near.low > block.z_high : ranges.near.high <= block.z_low);
+  matters.far = matters.far &&
+                !(bound.role == QuadricRole::from ? ranges.far.high <= block.z_low : ranges.far.low > block.z_high);
+  return matters;
 }
 
 Known known_of(const Context& context, const QuadricBound& bound, const csg::Block& block) {

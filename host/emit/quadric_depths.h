@@ -22,6 +22,15 @@ std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t p
 /// Whether every point of the block, or none, is within the bound, if such pruning is asked for.
 csg::Known known_of(const Context& context, const QuadricBound& bound, const csg::Block& block);
 
+/// What of a bound matters to points of a block.
+struct Matters {
+  bool outline = true;  ///< whether the ray meets it
+  bool near = true;
+  bool far = true;
+};
+
+Matters what_matters(const Context& context, const QuadricBound& bound, const csg::Block& block);
+
 /// Whether the nearer (farther) of its depths, if that is what is seen of it, may be 0 or before it in those pixels.
 bool may_reach_near(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels);
 

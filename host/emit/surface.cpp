@@ -17,12 +17,6 @@ namespace {
 
 using isa::Opcode;
 
-/// Whether the facet fits Z1 wherever it is, before the other bound of the depth range too.
-bool fits(const Context& context, const Facet& facet, const csg::Block& block, bool farthest_front) {
-  const view::Range range = context.range_of(facet.halfspace, block.pixels);
-  return farthest_front ? range.low >= 0 : range.high <= context.farthest();
-}
-
 /// The extreme of the facets into Z1: the farthest of the fronts, or the nearest of the backs of a complemented
 /// primitive. Starts from depth 0 if it may be there, else from a facet that fits Z1, else from the bound of the depth
 /// range.
@@ -84,7 +78,7 @@ class Extreme {
     const Facet* first = find([](const Facet& facet) { return facet.at != At::plane && !is_curved(facet.at); });
     if (first == nullptr) {
       first = find([&](const Facet& facet) {
-        return facet.at == At::plane && fits(context_, facet, surface_.block, farthest_front_);
+        return facet.at == At::plane && fits_depth(context_, facet, surface_.block, farthest_front_);
       });
     }
     return first != nullptr ? first : find([](const Facet& facet) { return is_curved(facet.at); });
@@ -222,6 +216,11 @@ bool may_be_at_near(const Context& context, const PlannedSurface& planned, const
 
 }  // namespace
 
+bool fits_depth(const Context& context, const Facet& facet, const csg::Block& block, bool is_front) {
+  const view::Range range = context.range_of(facet.halfspace, block.pixels);
+  return is_front ? range.low >= 0 : range.high <= context.farthest();
+}
+
 isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
                             const view::PixelRect& enabled, isa::Field into) {
   const QuadricBound bound{facet.primitive, facet.quadric,
@@ -266,6 +265,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   }
   emit_other_sides(context, out, planned, sides, surface, extreme.rooted());
   if (complemented) emit_near_test(context, out, surface);
+  out.counts.rendered += planned.set.size();
   return surface;
 }
 

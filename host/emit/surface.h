@@ -17,6 +17,9 @@ struct Surface {
   std::size_t begin = 0;  ///< instructions in the segment when E was left to the block's pixels, if it was emitted
 };
 
+/// Whether the facet's plane is nowhere before the range of depths, for a front, or nowhere behind it, for a back.
+bool fits_depth(const Context& context, const Facet& facet, const csg::Block& block, bool is_front);
+
 /// The depth of a curved facet where E is 1, in the field that it returns: `into`, if one is given that may be written,
 /// or another. E stays 1 where the ray meets the quadric; before, it has to be 0 outside `enabled`, as for emit_root.
 isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,

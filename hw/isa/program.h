@@ -67,7 +67,7 @@ struct Segment {
 /// What a field of pixel memory holds, for pictures, stats and waves.
 // While surfaces are drawn; then all.
 #define CSGSIM_SURFACE_ROLES(R) \
-  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label)
+  R(scratch) R(candidate_depth) R(depth) R(colour) R(candidate_colour) R(mask) R(stack) R(product) R(label) R(stored)
 #define CSGSIM_FIELD_ROLES(R) CSGSIM_SURFACE_ROLES(R) R(shown) R(owner) R(effect)
 
 enum class FieldRole : std::uint8_t {

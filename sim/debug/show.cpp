@@ -51,7 +51,7 @@ FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
   if (named == program.facts.fields.end()) return {};
   const bool is_colour = named->role == colour || named->role == candidate_colour || named->role == shown;
   return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
-          named->role == depth || named->role == candidate_depth};
+          named->role == depth || named->role == candidate_depth || named->role == stored};
 }
 
 std::string value_text(isa::Field field, std::uint32_t value, const isa::Program& program) {

@@ -22,6 +22,7 @@ bool goes_on(const Event& event, std::uint32_t primitive, std::uint32_t segment)
     case What::shade: return origin.primitive == primitive || origin.node == primitive;
     case What::setup:
     case What::surface:
+    case What::stored:
     case What::effect: return false;
   }
   return false;

@@ -18,6 +18,9 @@ using isa::Purpose;
 
 bool compares_fields(Opcode opcode) { return opcode == Opcode::field_lt || opcode == Opcode::field_le; }
 
+/// Whether what is classified is compared with nothing yet: its depths are stored.
+bool stores(const isa::Origin& origin) { return origin.purpose == Purpose::classify && origin.node == isa::no_node; }
+
 bool adds_to_expression(Opcode opcode) { return opcode == Opcode::linear_plus || opcode == Opcode::linear_minus; }
 
 /// Whether the instruction may make the depth of a surface, of its own or of a quadric's.
@@ -80,8 +83,16 @@ class Narrator {
   [[nodiscard]] bool uses_quadric(const isa::Instruction& instruction) const {
     const Purpose purpose = instruction.origin.purpose;
     if (purpose != Purpose::render && purpose != Purpose::classify) return false;
+    if (uses_stored_depth(instruction)) return false;
     return compares_fields(instruction.opcode) || instruction.opcode == Opcode::copy ||
            adds_to_expression(instruction.opcode);
+  }
+
+  /// Whether it is about a depth that was stored before.
+  [[nodiscard]] bool uses_stored_depth(const isa::Instruction& instruction) const {
+    if (stores(instruction.origin)) return false;
+    return std::ranges::any_of(instruction.fields,
+                               [&](isa::Field field) { return has_role(field, FieldRole::stored); });
   }
 
   [[nodiscard]] bool has_role(isa::Field field, FieldRole role) const {
@@ -111,7 +122,7 @@ class Narrator {
     switch (origin.purpose) {
       case Purpose::setup: return What::setup;
       case Purpose::render: return What::surface;
-      case Purpose::classify: return origin.node != isa::no_node ? What::comparison : What::bits;
+      case Purpose::classify: return stores(origin) ? What::stored : What::comparison;
       case Purpose::stack: return What::bits;
       case Purpose::shade: return What::shade;
       case Purpose::effect: return What::effect;
@@ -272,6 +283,7 @@ class Narrator {
     const bool differs = std::any_of(changes.begin(), changes.end(), [](const Change& one) { return one.differs(); });
     switch (open.event.what) {
       case What::setup:
+      case What::stored:
       case What::shade: return !changes.empty();
       case What::surface: return open.is_met;
       case What::merge: return !changes.empty();

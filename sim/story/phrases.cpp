@@ -17,8 +17,8 @@ namespace csgsim::story {
 
 namespace {
 
-constexpr std::array<std::string_view, 9> what_names{"setup", "surface", "depth_test", "comparison", "bits",
-                                                     "merge", "shade",   "effect",     "skip"};
+constexpr std::array<std::string_view, 10> what_names{"setup", "surface", "depth_test", "comparison", "bits",
+                                                      "merge", "shade",   "effect",     "skip",       "stored"};
 constexpr std::array<std::string_view, 8> fate_names{"outside",    "no_depth", "refused", "behind",
                                                      "classified", "covered",  "blended", "seen"};
 constexpr std::array<std::string_view, 3> quadric_names{"ellipsoid", "cylinder", "cone"};
@@ -68,6 +68,7 @@ std::string value_text(const isa::Program& program, isa::Field field, std::uint6
   const auto low = static_cast<std::uint32_t>(value);
   switch (role_of(program, field)) {
     case isa::FieldRole::depth:
+    case isa::FieldRole::stored:
     case isa::FieldRole::candidate_depth: return depth_text(program, low);
     case isa::FieldRole::colour:
     case isa::FieldRole::candidate_colour:

@@ -24,6 +24,7 @@ enum class What : std::uint8_t {
   shade,       ///< colour
   effect,      ///< what an effect does that no surface asks for
   skip,        ///< instructions that a skip_if_none leaves out
+  stored,      ///< a primitive's depths into fields of their own
 };
 
 /// A field that was written. Of several writes the value before the first and that after the last.

@@ -28,7 +28,9 @@ Json depth_json(const isa::Program& program, std::uint32_t steps) {
   return {{"steps", steps}, {"distance", distance ? Json(*distance) : Json(nullptr)}};
 }
 
-bool is_depth(isa::FieldRole role) { return role == isa::FieldRole::depth || role == isa::FieldRole::candidate_depth; }
+bool is_depth(isa::FieldRole role) {
+  return role == isa::FieldRole::depth || role == isa::FieldRole::candidate_depth || role == isa::FieldRole::stored;
+}
 
 Json change_json(const isa::Program& program, const Change& change) {
   const isa::FieldRole role = role_of(program, change.field);

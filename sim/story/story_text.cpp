@@ -51,8 +51,8 @@ std::string indented(std::string_view text, std::size_t indent) {
 }
 
 /// Titles of events, indexed by What.
-constexpr std::array<std::string_view, 9> titles{"setup", "surface", "depth test", "classify", "bits",
-                                                 "merge", "shade",   "effect",     "skipped"};
+constexpr std::array<std::string_view, 10> titles{"setup", "surface", "depth test", "classify", "bits",
+                                                  "merge", "shade",   "effect",     "skipped",  "store"};
 
 class Writer {
  public:
@@ -142,6 +142,7 @@ class Writer {
   [[nodiscard]] std::string text_of_event(const Event& event) const {
     switch (event.what) {
       case What::surface: return surface_text(event);
+      case What::stored: return primitive_text(program_, event.origin.primitive) + ": " + changes_text(event);
       case What::depth_test: return depth_test_text(event);
       case What::comparison:
         return fmt::format("against {}: {}", primitive_text(program_, event.origin.node),
@@ -166,10 +167,14 @@ class Writer {
     return fmt::format("[{}] ", printable(effects[event.origin.effect]));
   }
 
+  /// Whether the primitive whose depths are stored is at the pixel: those that it has none of are set last.
+  static bool is_here(const Event& stored) { return !stored.enabled_after; }
+
   /// Which events are worth a line: not those of surfaces beside the pixel, nor what is skipped of others.
   [[nodiscard]] std::vector<bool> told() const {
     std::vector<bool> told;
-    for (const Event& event : story_.events) told.push_back(event.what != What::skip);
+    for (const Event& event : story_.events)
+      told.push_back(event.what != What::skip && (event.what != What::stored || is_here(event)));
     for (const Attempt& attempt : story_.attempts) {
       for (std::size_t i = attempt.first_event; i <= attempt.last_event; ++i) told[i] = attempt.fate != Fate::outside;
     }

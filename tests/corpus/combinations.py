@@ -5,10 +5,10 @@ from collections import defaultdict
 from drawn import render
 
 MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor")
-STRATEGIES = ("stack", "list", "bits", "products", "parallel")
+STRATEGIES = ("stack", "list", "bits", "products", "parallel", "stored")
 FIRST = (MACHINES[0], STRATEGIES[0])
 # What a machine may refuse, by words of its message, and what it draws the model with then.
-HOST_DIVIDES, MORE_BITS = "+divider.kind=host", ("--memory-bits", "512")
+HOST_DIVIDES, MORE_BITS = "+divider.kind=host", ("--memory-bits", "4096")
 REFUSALS = (("divides the model itself", HOST_DIVIDES), ("memory bits a pixel", MORE_BITS), ("multiplies out", None), ("the divider keeps", None))
 
 

@@ -68,7 +68,8 @@ bool may_refuse(std::string_view machine, emit::Strategy strategy, const std::st
   const auto says = [&](std::string_view words) { return said.find(words) != said.npos; };
   if (!knows(machine, strategy)) return says("divides the model itself");
   if (strategy == emit::Strategy::products) return says("products");
-  return strategy == emit::Strategy::parallel && says("memory bits a pixel");
+  const bool may_take_much = strategy == emit::Strategy::parallel || strategy == emit::Strategy::stored;
+  return may_take_much && says("memory bits a pixel");
 }
 
 void compare(const Seen& seen, const observe::Frame& first, std::string_view machine, emit::Strategy strategy) {

@@ -20,7 +20,7 @@ namespace csgsim::testing {
 
 namespace {
 
-constexpr std::uint32_t memory_bits = 400;
+constexpr std::uint32_t memory_bits = 1600;
 constexpr std::uint32_t engines_width = 24;
 constexpr std::uint32_t engines_height = 20;
 

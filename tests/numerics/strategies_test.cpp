@@ -18,7 +18,7 @@ testing::Setup setup(const view::Camera& camera, std::uint32_t width, std::uint3
   made.camera = camera;
   made.sampling.width = width;
   made.sampling.height = height;
-  made.memory_bits = 160;
+  made.memory_bits = 4096;
   return made;
 }
 

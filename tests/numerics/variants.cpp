@@ -18,11 +18,12 @@ emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit:
 
 std::vector<emit::Options> all_options() {
   using emit::Strategy;
-  std::vector<emit::Options> all{with_strategy(Strategy::stack), with_strategy(Strategy::list),
+  std::vector<emit::Options> all{with_strategy(Strategy::stack),    with_strategy(Strategy::list),
                                  with_strategy(Strategy::products), with_strategy(Strategy::parallel),
-                                 with_strategy(Strategy::automatic)};
+                                 with_strategy(Strategy::stored),   with_strategy(Strategy::automatic)};
   for (const unsigned bits : {3U, 4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
-  for (const emit::Strategy strategy : {Strategy::stack, Strategy::list, Strategy::bits, Strategy::parallel}) {
+  for (const emit::Strategy strategy :
+       {Strategy::stack, Strategy::list, Strategy::bits, Strategy::parallel, Strategy::stored}) {
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::automatic}) {
       all.push_back(with_strategy(strategy, 5));
       all.back().colouring = colouring;
@@ -30,7 +31,7 @@ std::vector<emit::Options> all_options() {
     all.push_back(with_strategy(strategy, 4));
     all.back().pruning = csg::Pruning::none();
   }
-  for (const emit::Strategy strategy : {Strategy::list, Strategy::bits, Strategy::products}) {
+  for (const emit::Strategy strategy : {Strategy::list, Strategy::bits, Strategy::products, Strategy::stored}) {
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
       all.push_back(with_strategy(strategy));
       all.back().colouring = colouring;
@@ -40,8 +41,10 @@ std::vector<emit::Options> all_options() {
   for (bool csg::Pruning::*const switched : {&csg::Pruning::space, &csg::Pruning::picture, &csg::Pruning::separation,
                                              &csg::Pruning::halfspaces, &csg::Pruning::hidden, &csg::Pruning::sets,
                                              &csg::Pruning::early_out, &csg::Pruning::near, &csg::Pruning::pixels}) {
-    all.push_back(with_strategy(Strategy::stack));
-    all.back().pruning.*switched = false;
+    for (const Strategy strategy : {Strategy::stack, Strategy::stored}) {
+      all.push_back(with_strategy(strategy));
+      all.back().pruning.*switched = false;
+    }
     all.push_back(with_strategy(Strategy::stack));
     all.back().pruning = csg::Pruning::none();
     all.back().pruning.*switched = true;
@@ -67,6 +70,11 @@ std::vector<Setup> in_parts(Setup how) {
     how.options.colouring = emit::Colouring::field;
     all.push_back(how);
   }
+  how.options = with_strategy(emit::Strategy::stored);
+  all.push_back(how);
+  all.push_back(how);
+  all.back().kind = &scan_line::kind;
+  all.back().square = {};
   how.options = with_strategy(emit::Strategy::bits, 4);
   how.options.pruning = csg::Pruning::none();
   all.push_back(how);
@@ -79,6 +87,9 @@ std::vector<Setup> on_quadratic_machines(Setup how) {
     how.machine = machine;
     all.push_back(how);
   }
+  how.machine = "pixel-powers+array.memory_bits=2048";
+  how.options = with_strategy(emit::Strategy::stored);
+  all.push_back(how);
   return all;
 }
 

@@ -13,10 +13,11 @@ namespace csgsim::studies {
 MemoryMap memory_map(const isa::Program& program) {
   MemoryMap map;
   for (const isa::NamedField& field : program.facts.fields) {
-    const bool is_stack = field.role == isa::FieldRole::stack;
-    MemoryPart part{is_stack ? "stack" : field.name, field.field.base, field.field.width};
-    const bool goes_on =
-        is_stack && !map.empty() && map.back().name == part.name && map.back().base + map.back().width == part.base;
+    const bool is_one_of_many = field.role == isa::FieldRole::stack || field.role == isa::FieldRole::stored;
+    MemoryPart part{is_one_of_many ? std::string(isa::name_of(field.role)) : field.name, field.field.base,
+                    field.field.width};
+    const bool goes_on = is_one_of_many && !map.empty() && map.back().name == part.name &&
+                         map.back().base + map.back().width == part.base;
     if (goes_on) {
       map.back().width += part.width;
     } else {

@@ -9,7 +9,7 @@
 
 namespace csgsim::studies {
 
-/// Bits of a pixel's memory that hold one thing. The bits of a stack are one such part.
+/// Bits of a pixel's memory that hold one thing. The bits of a stack are one such part, and so are stored depths.
 struct MemoryPart {
   std::string name;
   std::uint32_t base = 0;

@@ -58,7 +58,7 @@ plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model
   plots::Bars plot{model + ": which bits hold what",
                    {"bit of pixel memory"},
                    {},
-                   {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "shown"},
+                   {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "stored", "shown"},
                    "sweep.csv"};
   std::uint32_t most = 0;
   for (const Layout& layout : layouts_of(rows)) {

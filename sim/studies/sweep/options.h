@@ -16,7 +16,7 @@ struct SweepOptions {
   std::string machines = "pixel-planes-4";
   std::string memory_bits;
   std::string z_bits = "20";
-  std::string strategies = "stack,list,bits,products,parallel";
+  std::string strategies = "stack,list,bits,products,parallel,stored";
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast";
   std::string prunings = "all";

@@ -57,6 +57,20 @@ def strategies(figures):
     return ruled(("", "stack", "list", "bits 3", "bits 4", "bits 5", "products", "parallel"), rows)
 
 
+def stored(figures):
+    """What keeping depths takes and saves, with facets and without, with all prunings and with none."""
+    rows = []
+    for model in MODELS:
+        for how, options in ((model, ""), (f"{model}, without prunings", " --pruning none"),
+                             (f"{model} on `pixel-powers`, without facets", " --machine pixel-powers")):
+            stack, kept = (figures.render(model, f"{PERSPECTIVE}{options} --memory-bits 4096 --strategy {strategy}")
+                           for strategy in ("stack", "stored"))
+            rows.append((how, kept.memory.classification_bits, kept.memory.used_bits, kept.scan_conversions.rendered,
+                         stack.scan_conversions.rendered + stack.scan_conversions.classified, f"{kept.clocks:,}", f"{stack.clocks:,}",
+                         f"{100 * (kept.clocks / stack.clocks - 1):+.1f} %".replace("-", "−")))
+    return ruled(("", "bits used", "bits in all", "scan-conversions", "of `stack`", "clocks", "of `stack`", ""), rows)
+
+
 def widths(figures):
     rows = []
     for model in ("vehicle", "carburettor"):

@@ -106,6 +106,24 @@ TEST_CASE("auto takes what fits where the fastest does not") {
   CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
 }
 
+TEST_CASE("auto takes stored depths where there is memory for them, and they take the fewest clocks") {
+  testing::Setup how = setup(emit::Strategy::automatic);
+  how.options.colouring = emit::Colouring::automatic;
+  how.memory_bits = 1024;
+  const std::string path = testing::model_path("old_example002");
+  const isa::Program best = testing::compile_file(path, how).program;
+  CHECK(best.facts.compile.strategy == "stored");
+  for (const emit::Strategy strategy : emit::strategies) {
+    if (strategy == emit::Strategy::automatic) continue;
+    for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
+      CAPTURE(emit::name_of(strategy));
+      how.options.strategy = strategy;
+      how.options.colouring = colouring;
+      CHECK(clocks_of(best) <= clocks_of(testing::compile_file(path, how).program));
+    }
+  }
+}
+
 TEST_CASE("fifty subtracted intersections compile with every strategy that multiplies nothing out") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::automatic}) {
     CHECK(compiled(dimpled(50), setup(strategy)).facts.compile.rendered > 50);

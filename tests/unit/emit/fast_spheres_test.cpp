@@ -83,7 +83,7 @@ struct Drawn {
 machines::Machine machine_of(const std::string& name, const view::Sampling& sampling) {
   machines::Machine machine = kinds::load(name);
   machines::set_picture_size(machine, {sampling.width, sampling.height});
-  machine.array.memory_bits = 256;
+  machine.array.memory_bits = 1024;
   return machine;
 }
 

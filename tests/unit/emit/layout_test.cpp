@@ -27,10 +27,12 @@ bool says(const std::string& text, const std::string& part) { return text.find(p
 
 TEST_CASE("fields of a layout lie beside each other without gaps, and take what was said that they take") {
   CHECK(rc::check([] {
-    const emit::Needs needs{*rc::gen::inRange(4U, 31U),
+    const unsigned z_bits = *rc::gen::inRange(4U, 31U);
+    const emit::Needs needs{z_bits,
                             *rc::gen::inRange(3U, 25U),
                             *rc::gen::arbitrary<bool>(),
-                            {*rc::gen::inRange(0U, 9U), *rc::gen::inRange(0U, 2U), *rc::gen::inRange(0U, 5U)}};
+                            {*rc::gen::inRange(0U, 9U), *rc::gen::inRange(0U, 2U), *rc::gen::inRange(0U, 5U),
+                             2 * z_bits * *rc::gen::inRange(0U, 7U)}};
     const unsigned total = emit::total_bits(needs);
     unsigned next = 0;
     for (const isa::NamedField& named : emit::named_fields(emit::plan_layout(needs, total))) {

@@ -33,6 +33,11 @@ constexpr std::uint32_t height = 20;
 constexpr unsigned models = 9;   // a row
 constexpr unsigned pixels = 36;  // a model
 
+/// Room for the depths of all primitives of a model.
+std::string with_more_memory(const std::string& machine) {
+  return machine + (machine.starts_with("scan-line") ? "+cells.words=24" : "+array.memory_bits=768");
+}
+
 /// Every strategy on every machine whose host divides, and the strategy of the dividers on those that have one.
 std::vector<Row> rows() {
   using emit::Colouring;
@@ -47,6 +52,7 @@ std::vector<Row> rows() {
     all.push_back({machine, Strategy::stack, Colouring::field});
     all.push_back({machine, Strategy::bits, Colouring::field, 3});
     all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 3});
+    all.push_back({with_more_memory(machine), Strategy::stored, Colouring::rebroadcast});
     all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 5});
   }
   for (const std::string machine :
@@ -90,9 +96,22 @@ const isa::Instruction& instruction(const isa::Program& program, std::uint64_t n
   return program.segments[segment].instructions[number];
 }
 
+/// What was stored in that field in the end.
+std::int64_t stored_depth(const isa::Program& program, const story::Story& story, isa::Field field) {
+  std::int64_t depth = -1;
+  for (const story::Event& event : story.events) {
+    if (event.what != story::What::stored) continue;
+    for (const story::Change& change : event.changes)
+      if (change.field == field) depth = static_cast<std::int64_t>(change.after);
+  }
+  CHECK(isa::field_of(program, isa::FieldRole::stored).width == field.width);
+  return depth;
+}
+
 /// The depth at which the instruction that is said to have put the owner's surface there puts it.
 std::int64_t depth_by(const isa::Program& program, const story::Story& story, std::uint64_t number) {
   const isa::Instruction& put = instruction(program, number);
+  if (put.opcode == isa::Opcode::copy) return stored_depth(program, story, put.fields[1]);
   if (put.linear.width == 0) return static_cast<std::int64_t>(put.constant);
   const isa::Region& region = program.segments[story.segments.at(0).segment].region;
   const std::int64_t x = story.x - region.x;

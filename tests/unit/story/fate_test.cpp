@@ -163,6 +163,7 @@ TEST_CASE("what became of each surface, and each comparison on the way, is what 
   for (const auto& chosen : {std::pair(Strategy::stack, 3U),
                              {Strategy::list, 3U},
                              {Strategy::parallel, 3U},
+                             {Strategy::stored, 3U},
                              {Strategy::bits, 3U},
                              {Strategy::bits, 4U},
                              {Strategy::bits, 5U},
@@ -173,7 +174,7 @@ TEST_CASE("what became of each surface, and each comparison on the way, is what 
       CAPTURE(emit::name_of(strategy));
       CAPTURE(bits);
       CAPTURE(seed);
-      testing::Setup setup{{{9, -13.5, 10.5}, {0, 0, 0}, view::Projection::perspective}, {}, 200};
+      testing::Setup setup{{{9, -13.5, 10.5}, {0, 0, 0}, view::Projection::perspective}, {}, 800};
       setup.sampling.width = side;
       setup.sampling.height = side;
       setup.options.strategy = strategy;

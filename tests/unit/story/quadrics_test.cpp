@@ -114,6 +114,7 @@ TEST_CASE(
   const std::vector<Row> rows{
       {"pixel-powers+array.memory_bits=200"},
       {"pixel-powers+array.memory_bits=200", emit::Strategy::products},
+      {"pixel-powers+array.memory_bits=800", emit::Strategy::stored},
       {"pixel-powers+array.memory_bits=200", emit::Strategy::parallel, emit::Colouring::field},
       {"pixel-square+evaluator.degree=2+array.memory_bits=200+divider.kind=host", emit::Strategy::list},
       {"scan-line+evaluator.degree=2+cells.words=8", emit::Strategy::stack, emit::Colouring::field}};

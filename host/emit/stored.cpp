@@ -1,0 +1,237 @@
+#include "host/emit/stored.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+
+#include "host/emit/drawing.h"
+#include "host/emit/early_out.h"
+#include "host/emit/halfspaces.h"
+#include "host/emit/quadric_depths.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using isa::Opcode;
+using view::QuadricRole;
+using view::Side;
+
+/// The primitive's pixels within the segment.
+view::PixelRect pixels_of(const Context& context, std::uint32_t primitive) {
+  return common(context.view.extents[primitive].pixels, context.plan.pixels());
+}
+
+bool has_pixels_in_common(const PlannedSurface& surface, std::uint32_t primitive, const view::View& view) {
+  return !common(surface.block.pixels, view.extents[primitive].pixels).empty();
+}
+
+void add_compared(const PlannedSurface& surface, const view::View& view, std::vector<std::uint32_t>& all) {
+  const auto add = [&](std::uint32_t primitive) {
+    if (has_pixels_in_common(surface, primitive, view)) all.push_back(primitive);
+  };
+  for (const csg::ActiveNode& node : surface.active.nodes) {
+    if (!node.is_leaf) continue;
+    add(node.primitive);
+    for (const std::uint32_t other : node.others) add(other);
+  }
+}
+
+void sort_out(std::vector<std::uint32_t>& all) {
+  std::ranges::sort(all);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+}
+
+/// One end of a primitive into its field: the farthest of the fronts, or the nearest of the backs.
+class End {
+ public:
+  End(const Context& context, Broadcast& out, const csg::Block& column, Side side, isa::Field field)
+      : context_(context), out_(out), column_(column), is_front_(side == Side::front), field_(field) {}
+
+  /// E stays 1 where the extreme of the planes is a depth, or before the first one if it is a front, or behind the last
+  /// if it is a back.
+  void begin(const std::vector<Facet>& facets, bool quadrics_follow) {
+    const auto first = std::ranges::find_if(
+        facets, [&](const Facet& facet) { return fits_depth(context_, facet, column_, is_front_); });
+    is_set_ = !facets.empty() || !quadrics_follow;
+    if (!is_set_) return;
+    if (first != facets.end()) {
+      out_.surface(Opcode::load_linear, field_, context_.linear_of(first->halfspace), column_.pixels);
+    } else {
+      out_.constant(field_, is_front_ ? 0 : static_cast<std::uint64_t>(context_.farthest()));
+    }
+    for (auto facet = facets.begin(); facet != facets.end(); ++facet) {
+      if (facet == first) continue;
+      out_.surface(is_front_ ? Opcode::keep_max : Opcode::keep_min, field_, context_.linear_of(facet->halfspace),
+                   column_.pixels);
+    }
+  }
+
+  /// The depth of a quadric, where E is 1.
+  void add(isa::Field depth) {
+    if (!is_set_) {
+      out_.plain(Opcode::copy, field_, depth);
+      is_set_ = true;
+      return;
+    }
+    out_.plain(Opcode::enable_store, context_.layout.kept);
+    is_front_ ? out_.plain(Opcode::field_lt, field_, depth) : out_.plain(Opcode::field_lt, depth, field_);
+    out_.plain(Opcode::copy, field_, depth);
+    out_.plain(Opcode::enable_load, context_.layout.kept);
+  }
+
+ private:
+  const Context& context_;
+  Broadcast& out_;
+  const csg::Block& column_;
+  bool is_front_;
+  isa::Field field_;
+  bool is_set_ = false;
+};
+
+bool has_front(QuadricRole role) { return role == QuadricRole::between || role == QuadricRole::from; }
+bool has_back(QuadricRole role) { return role == QuadricRole::between || role == QuadricRole::until; }
+
+/// Quadrics that bound the column, and are no edge tests.
+std::vector<QuadricBound> bounds_of(const Context& context, std::uint32_t primitive, const csg::Block& column) {
+  std::vector<QuadricBound> bounds = quadric_bounds(context, primitive);
+  std::erase_if(bounds, [&](const QuadricBound& bound) {
+    return bound.role == QuadricRole::edge || known_of(context, bound, column) == csg::Known::in;
+  });
+  return bounds;
+}
+
+void emit_depths(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields) {
+  out.origin = {isa::Purpose::classify, primitive, isa::no_node};
+  const csg::Block column{pixels_of(context, primitive), 0, context.farthest()};
+  enable_drawing(context, out);
+  out.clip(column.pixels, context.plan.pixels());
+  const std::size_t begin = out.size();
+  emit_edges(context, out, primitive, column);
+  const std::vector<QuadricBound> bounds = bounds_of(context, primitive, column);
+  const auto any = [&](bool (*has)(QuadricRole)) {
+    return std::ranges::any_of(bounds, [&](const QuadricBound& bound) { return has(bound.role); });
+  };
+  End front(context, out, column, Side::front, fields.front);
+  End back(context, out, column, Side::back, fields.back);
+  front.begin(deciding(context, {&primitive, 1}, Side::front, column).facets, any(has_front));
+  back.begin(deciding(context, {&primitive, 1}, Side::back, column).facets, any(has_back));
+  for (const QuadricBound& bound : bounds) {
+    emit_root(context, out, bound, column.pixels, column.pixels);
+    if (bound.role != QuadricRole::from) {
+      const isa::Field near = emit_depth(context, out, bound, Root::near, column.pixels);
+      has_front(bound.role) ? front.add(near) : back.add(near);
+    }
+    if (bound.role != QuadricRole::until) {
+      const isa::Field far = emit_depth(context, out, bound, Root::far, column.pixels);
+      has_back(bound.role) ? back.add(far) : front.add(far);
+    }
+  }
+  // A drawing that is made at some pixels only may have none of the primitive's.
+  if (context.base.width > 0) emit_early_out(context, out, begin, out.origin);
+  // The primitive is nowhere else.
+  out.plain(Opcode::enable_invert);
+  out.constant(fields.front, static_cast<std::uint64_t>(context.farthest()));
+  out.constant(fields.back, 0);
+  ++out.counts.rendered;
+}
+
+/// What of a primitive decides whether points of a block are in it.
+struct Decides {
+  bool front = false;
+  bool back = false;
+  bool outline = false;  ///< it is nowhere at some of the pixels
+};
+
+Decides what_decides(const Context& context, std::uint32_t primitive, const csg::Block& part) {
+  const auto any = [&](Side side) { return !undecided(context, {&primitive, 1}, side, part).facets.empty(); };
+  Decides decides{any(Side::front), any(Side::back), has_edges(context, primitive, part)};
+  for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
+    if (bound.role == QuadricRole::edge) continue;
+    const bool is_out = known_of(context, bound, part) == csg::Known::out;
+    const Matters matters = what_matters(context, bound, part);
+    const bool is_front = has_front(bound.role);
+    const bool is_back = has_back(bound.role);
+    decides.front = decides.front || (is_front && (is_out || (is_back ? matters.near : matters.far)));
+    decides.back = decides.back || (is_back && (is_out || (is_front ? matters.far : matters.near)));
+    decides.outline = decides.outline || matters.outline;
+  }
+  return decides;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> compared_primitives(const SegmentPlan& segment, const view::View& view) {
+  std::vector<std::uint32_t> all;
+  for (const PlannedSurface& one : segment.surfaces) add_compared(one, view, all);
+  sort_out(all);
+  return all;
+}
+
+StoredDepths::StoredDepths(const Context& context) : layout_(context.layout) {
+  if (layout_.stored.empty()) return;
+  for (const PlannedSurface& one : context.plan.surfaces)
+    if (is_drawn(context, one)) add_compared(one, context.view, primitives_);
+  sort_out(primitives_);
+}
+
+std::optional<StoredFields> StoredDepths::of(std::uint32_t primitive) const {
+  const auto found = std::ranges::lower_bound(primitives_, primitive);
+  if (found == primitives_.end() || *found != primitive) return std::nullopt;
+  const auto place = 2 * static_cast<std::size_t>(found - primitives_.begin());
+  return StoredFields{layout_.stored.at(place), layout_.stored.at(place + 1)};
+}
+
+void emit_stored_depths(const Context& context, Broadcast& out) {
+  if (context.stored == nullptr) return;
+  for (const std::uint32_t primitive : context.stored->primitives())
+    emit_depths(context, out, primitive, *context.stored->of(primitive));
+}
+
+void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
+                            const PlannedSurface& of) {
+  const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
+  const Decides decides = what_decides(context, primitive, {shared, of.block.z_low, of.block.z_high});
+  const bool is_nowhere_at_some = decides.outline || shared != of.block.pixels;
+  const isa::Field z1 = context.layout.candidate;
+  if (decides.front) out.plain(Opcode::field_le, fields.front, z1);
+  // Where the primitive is nowhere, either end says so.
+  if (decides.back || (!decides.front && is_nowhere_at_some)) out.plain(Opcode::field_lt, z1, fields.back);
+}
+
+bool has_stored_surface(const Context& context, const PlannedSurface& planned) {
+  if (context.stored == nullptr || context.layout.candidate_colour.width > 0) return false;
+  return std::ranges::all_of(planned.set,
+                             [&](std::uint32_t primitive) { return context.stored->of(primitive).has_value(); });
+}
+
+Surface emit_stored_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+  Surface surface = surface_of(context, planned, sides);
+  if (surface.nothing) return surface;
+  out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
+  enable_drawing(context, out);
+  const StoredFields first = *context.stored->of(planned.primitive());
+  // Beside its own pixels the primitive is nowhere.
+  out.plain(Opcode::field_lt, first.front, first.back);
+  out.clip(planned.block.pixels, pixels_of(context, planned.primitive()));
+  surface.begin = out.size();
+  const bool complemented = context.complemented(planned.primitive());
+  const isa::Field z1 = context.layout.candidate;
+  out.plain(Opcode::copy, z1, complemented ? first.back : first.front);
+  if (planned.set.size() == 1) return surface;
+  for (const std::uint32_t primitive : std::span(planned.set).subspan(1)) {
+    const StoredFields other = *context.stored->of(primitive);
+    out.plain(Opcode::enable_store, context.layout.mask);
+    complemented ? out.plain(Opcode::field_lt, other.back, z1) : out.plain(Opcode::field_lt, z1, other.front);
+    out.plain(Opcode::copy, z1, complemented ? other.back : other.front);
+    out.plain(Opcode::enable_load, context.layout.mask);
+  }
+  for (const std::uint32_t primitive : planned.set) {
+    const StoredFields one = *context.stored->of(primitive);
+    complemented ? out.plain(Opcode::field_lt, one.front, z1) : out.plain(Opcode::field_lt, z1, one.back);
+  }
+  return surface;
+}
+
+}  // namespace csgsim::emit
