@@ -115,8 +115,8 @@ TEST_CASE("bash completes commands, options, words, machines and files") {
   CHECK(shells.bash({"csgsim", "ren"}) == Words{"render"});
   CHECK(shells.bash({"csgsim", "--ver"}) == Words{"--version"});
   CHECK(shells.bash({"csgsim", "render", "--strat"}) == Words{"--strategy"});
-  CHECK(shells.bash({"csgsim", "render", "--strategy", "st"}) == Words{"stack"});
-  CHECK(shells.bash({"csgsim", "render", "--strategy", "=", "st"}) == Words{"stack"});
+  CHECK(shells.bash({"csgsim", "render", "--strategy", "st"}) == Words{"stack", "stored"});
+  CHECK(shells.bash({"csgsim", "render", "--strategy", "=", "sta"}) == Words{"stack"});
   CHECK(shells.bash({"csgsim", "render", "one.csg", "--machine", "pixel-p"}) == machines_that_begin("pixel-p"));
   CHECK(shells.bash({"csgsim", "compare", "--machines", "scan-line,multi"}) == Words{"scan-line,multi-processor"});
   CHECK(shells.bash({"csgsim", "render", "--colour-scheme", "Tom"}) == Words{"Tomorrow", "Tomorrow Night"});
@@ -132,7 +132,7 @@ TEST_CASE("fish completes commands, options, words, machines and files") {
   const Shells shells;
   CHECK(shells.fish("csgsim ren") == Words{"render"});
   CHECK(shells.fish("csgsim render --strat") == Words{"--strategy"});
-  CHECK(shells.fish("csgsim render --strategy st") == Words{"stack"});
+  CHECK(shells.fish("csgsim render --strategy st") == Words{"stack", "stored"});
   CHECK(shells.fish("csgsim render --colour-scheme Tom") == Words{"Tomorrow", "Tomorrow Night"});
   CHECK(shells.fish("csgsim render one.csg --machine pixel-p") == machines_that_begin("pixel-p"));
   CHECK(shells.fish("csgsim render o") == Words{"one.csg"});
@@ -143,7 +143,7 @@ TEST_CASE("zsh completes what is typed before the tabulator: commands, options, 
   const Shells shells;
   CHECK(shells.zsh("csgsim ren") == "render");
   CHECK(shells.zsh("csgsim render --strat") == "render --strategy");
-  CHECK(shells.zsh("csgsim render --strategy=st") == "render --strategy=stack");
+  CHECK(shells.zsh("csgsim render --strategy=sta") == "render --strategy=stack");
   CHECK(shells.zsh("csgsim render one.csg --machine scan") == "render one.csg --machine scan-line");
   CHECK(shells.zsh("csgsim render --colour-scheme=Tomorrow\\ ") == "render --colour-scheme=Tomorrow Night");
   CHECK(shells.zsh("csgsim compare --machines multi") == "compare --machines multi-processor");

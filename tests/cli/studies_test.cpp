@@ -104,7 +104,7 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
     }
   }
   const nlohmann::json points = json(folder / "s/sweep.json")["points"];
-  REQUIRE(points.size() == 2 * 7);
+  REQUIRE(points.size() == 2 * 8);
   CHECK(points[2]["strategy"] == "bits");
   CHECK(points[2]["stack_bits"] == 3);
   CHECK(points[0]["clocks"] > 0);
