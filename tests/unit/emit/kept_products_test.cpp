@@ -1,14 +1,12 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
-#include "hw/machines/clocks.h"
-#include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "tests/support/drawing.h"
 
