@@ -1,6 +1,7 @@
 #include "tests/unit/software/recount.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -123,7 +124,7 @@ std::uint64_t check_scene(const Scene& scene) {
       if (counted.software.is_too_deep(testing::way_of(traversal))) continue;
       CAPTURE(traversal);
       const Counts expected = testing::recounted(counted.tree, counted.primitives, traversal, coherence, counted.rays);
-      check_same(counted.counts_of(traversal + "/" + name), expected);
+      check_same(counted.counts_of(fmt::format("{}/{}", traversal, name)), expected);
       ties = expected.ties;
     }
   }
