@@ -30,6 +30,7 @@ struct Span {
   std::int32_t last = -1;
 
   [[nodiscard]] bool empty() const { return first > last; }
+  [[nodiscard]] std::int32_t columns() const { return last - first + 1; }
 };
 
 /// Leaves the columns of a row where a x + rest >= 0, or, if not `positive`, < 0.
@@ -55,7 +56,7 @@ struct RowDepths {
 template <class Better, class Count>
 void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y, std::int64_t* extremes,
            const Better& better, Count& count) {
-  const std::int32_t columns = span.last - span.first + 1;
+  const std::int32_t columns = span.columns();
   for (const FixedLinear& plane : planes) {
     std::int64_t value = plane.a * span.first + plane.b * y + plane.c;
     for (std::int32_t i = 0; i < columns; ++i) {
@@ -73,7 +74,7 @@ void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y
 template <class Count>
 void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& span) {
   if constexpr (!Count::counts) return;
-  const auto columns = static_cast<std::uint64_t>(std::max(0, span.last - span.first + 1));
+  const auto columns = static_cast<std::uint64_t>(std::max(0, span.columns()));
   // An edge test: its row's value a row further, the quotient, a limit that moves or stays.
   count(Operation::load_long, 3 * edges);
   count(Operation::add_long, edges);
@@ -161,7 +162,7 @@ class BandCaster {
     }
     count_row(count_, left_.fronts.size() + left_.backs.size(), edges.size(), span);
     if (span.empty()) return;
-    const auto columns = static_cast<std::size_t>(span.last - span.first + 1);
+    const auto columns = static_cast<std::size_t>(span.columns());
     halfspace_tests_ += columns * (left_.fronts.size() + left_.backs.size());
     std::fill_n(depths_.fronts.begin(), columns, std::numeric_limits<std::int64_t>::min());
     std::fill_n(depths_.backs.begin(), columns, std::numeric_limits<std::int64_t>::max());

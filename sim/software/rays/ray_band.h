@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,7 +23,10 @@ struct Event {
 
   [[nodiscard]] std::uint32_t primitive() const { return crossing / 2; }
   [[nodiscard]] bool leaves() const { return crossing % 2 != 0; }
-  auto operator<=>(const Event&) const = default;
+  bool operator==(const Event&) const = default;
+  bool operator<(const Event& other) const {
+    return depth != other.depth ? depth < other.depth : crossing < other.crossing;
+  }
 };
 
 /// The rays of some rows of a picture, row by row from the top: what each meets between the near plane and depth

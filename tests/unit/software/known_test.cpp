@@ -31,7 +31,7 @@ std::uint64_t wrongly_apart(std::span<const Interval> intervals, const std::vect
 
 /// Whether cells know of what has pixels in them nothing, and that all else is out.
 std::uint64_t wrong_in_cell(const view::View& view, const software::RayBand& band, std::uint32_t first_column) {
-  const std::vector<Known> known = software::known_in_cell(view, band, first_column);
+  const std::vector<Known> known = software::known_in(view, band, first_column, software::cell_columns);
   std::uint64_t wrong = 0;
   for (std::size_t i = 0; i < known.size(); ++i) {
     const view::PixelRect& pixels = view.extents[i].pixels;
