@@ -190,9 +190,13 @@ def prunings(figures):
                   "status, list-structure: s"), rows)
 
 
+def file_of(processor):
+    return tomllib.loads((ROOT / "sim/software/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
+
+
 def priced(processor, operations):
     """Seconds of operations, by the processor's file."""
-    file = tomllib.loads((ROOT / "sim/software/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
+    file = file_of(processor)
     clocks = sum(count * file["price"][name]["value"] for name, count in operations.items())
     return clocks * file["compiler"]["factor"]["value"] / 1000 / file["clock"]["frequency"]["value"]
 
@@ -294,19 +298,27 @@ def crossings(figures):
     return ruled(("", "half-spaces: exponent", "mc68000", "i486dx2", "pixels: exponent", "mc68000", "i486dx2"), rows)
 
 
+WITH_FRAME_BUFFER = ("pixel-square", "pixel-planes-5")
+
+
+def dollars(processor, bits):
+    """Of ordinary memory, at the price of its time."""
+    return f"{bits / 8 / 2**20 * file_of(processor)['memory']['price']['value']:,.0f}"
+
+
 def memory(figures):
     """Bits, transistors and dollars of a picture of 512 x 512, the vehicle."""
     points = compared(figures, "vehicle")
     rows = []
     for machine in MACHINES:
         one = point(points, machine=machine, width=512, fragments=0.0)
-        rows.append((f"`{machine}`", whole(one.machine_memory_bits), whole(one.machine_transistors) if one.machine_transistors else "–", ""))
+        beside = 24 * one.width * one.height if machine in WITH_FRAME_BUFFER else 0
+        transistors = one.machine_transistors + beside if one.machine_transistors else 0
+        rows.append((f"`{machine}`", whole(one.machine_memory_bits), whole(transistors) if transistors else "–",
+                     dollars(PROCESSORS[0], transistors) if transistors else "–"))
     for processor in PROCESSORS:
-        one = point(points, machine=f"{processor}:status/list-structure", width=512, fragments=0.0)
-        file = tomllib.loads((ROOT / "sim/software/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
-        megabytes = one.machine_memory_bits / 8 / 2**20
-        rows.append((f"`{processor}`, status/list-structure", whole(one.machine_memory_bits), whole(one.machine_memory_bits),
-                     f"{megabytes * file['memory']['price']['value']:.0f}"))
+        bits = point(points, machine=f"{processor}:status/list-structure", width=512, fragments=0.0).machine_memory_bits
+        rows.append((f"`{processor}`, status/list-structure", whole(bits), whole(bits), dollars(processor, bits)))
     return ruled(("", "bits of memory", "transistors", "dollars"), rows)
 
 
@@ -320,15 +332,23 @@ def wall(figures, model):
     return min(done.json(f"{run}.json").wall_seconds for run in range(TIMES))
 
 
+def least(runs, columns):
+    """Seconds of what rays meet, and of the classification of each column, the least of all runs that have it."""
+    rays = min(each.wall_seconds_rays for points in runs for each in points if each.wall_seconds_rays > 0)
+    return [rays, *(min(each.wall_seconds_classification for points in runs for each in points
+                        if (each.method, each.coherence) == column) for column in columns)]
+
+
 def measured(figures):
     """Software on this computer and the functional engine, in ms."""
     rows = []
     for model in THESIS_MODELS:
-        points = figures.classify(model, "--coherences all-points,list-structure", "this-computer")
-        rays = min(each.wall_seconds_rays for each in points if each.wall_seconds_rays > 0)
-        cells = [of(points, "standard", "all-points"), of(points, "status", "all-points"), of(points, "status", "list-structure"),
-                 of(points, "weave"), of(points, "interval-arithmetic")]
-        seconds = [each.wall_seconds_classification for each in cells]
+        command = (f"csgsim classify {figures.model(model)}{PERSPECTIVE} --methods standard,status,weave,interval-arithmetic"
+                   " --coherences all-points,list-structure --processors this-computer --no-plots --progress none -o $OUT")
+        done = figures.runs.run("\n".join(f"{command}/{run}" for run in range(TIMES)))
+        rays, *seconds = least([done.json(f"{run}/classify.json").points for run in range(TIMES)],
+                               (("standard", "all-points"), ("status", "all-points"), ("status", "list-structure"), ("weave", "none"),
+                                ("interval-arithmetic", "none")))
         rows.append((model, *(three_digits(each * 1e3) for each in (rays, *seconds, rays + seconds[2], wall(figures, model)))))
     return ruled(("ms", "rays, in order", "standard, all points", "status, all points", "status, list-structure", "weave",
                   "interval-arithmetic, rays and all", "the picture by status, list-structure", "functional engine, `pixel-planes-4`"), rows)
@@ -338,12 +358,16 @@ GROWN = {"cubes": (17, 167, 1667, 16667), "drilled": (4, 42, 417, 4167)}
 
 
 def grown(figures, name):
-    """The points of a grid's sizes, made as the page shows."""
+    """The points of runs of a grid's sizes, made as the page shows; what takes long is run once."""
     shown = figures.shown("docs/software.md", "grid()").split("csgsim classify")
     rest = shown[1].split("cubes_17.csg")[1]
-    commands = [f"csgsim classify {name}_{n}.csg{rest} --no-plots --progress none -o {name}_{n}" for n in GROWN[name]]
+    command = rest + " --no-plots --progress none -o "
+    commands = []
+    for n in GROWN[name]:
+        quick = command.replace("standard,status,interval-arithmetic", "status")
+        commands += [f"csgsim classify {name}_{n}.csg{command if run == 0 else quick}{name}_{n}_{run}" for run in range(TIMES)]
     done = figures.runs.run("\n".join(["cd $OUT", shown[0], *commands]))
-    return [done.json(f"{name}_{n}/classify.json").points for n in GROWN[name]]
+    return [[done.json(f"{name}_{n}_{run}/classify.json").points for run in range(TIMES)] for n in GROWN[name]]
 
 
 def growth(figures):
@@ -351,12 +375,10 @@ def growth(figures):
     rows = []
     for name in GROWN:
         columns = []
-        for points in grown(figures, name):
-            rays = min(each.wall_seconds_rays for each in points if each.wall_seconds_rays > 0)
-            cells = [of(points, "standard", "all-points"), of(points, "status", "all-points"), of(points, "status", "list-structure"),
-                     of(points, "interval-arithmetic")]
-            columns.append((points[0].halfspaces, points[0].primitives,
-                            [rays, *(each.wall_seconds_classification for each in cells)]))
+        for runs in grown(figures, name):
+            columns.append((runs[0][0].halfspaces, runs[0][0].primitives,
+                            least(runs, (("standard", "all-points"), ("status", "all-points"), ("status", "list-structure"),
+                                         ("interval-arithmetic", "none")))))
         for halfspaces, primitives, seconds in columns:
             rows.append((name, whole(halfspaces), whole(primitives), *(three_digits(each * 1e3) for each in seconds)))
         (before, _, first), (last, _, second) = columns[0], columns[-1]
