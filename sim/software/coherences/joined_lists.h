@@ -18,7 +18,7 @@ namespace csgsim::software {
 template <class Count>
 class JoinedLists {
  public:
-  JoinedLists(const Tree& tree, Count& count) : alone_(tree, count) {
+  JoinedLists(const Tree& tree, Count& count) : alone_(tree, count), roots_(tree.leaf_of.size(), none) {
     elements_.push_back({{}, none, Class::out});
     found_.emplace(0, 0);
   }
@@ -42,10 +42,10 @@ class JoinedLists {
     return elements_[at_].kept == Class::in;
   }
 
-  /// An element has a pointer to its links, its class, and its set, half a word a primitive; a link two pointers and a
-  /// primitive; the table of sets a pointer an element.
+  /// The empty set has an array of links, by primitive. An element has a pointer to its links, its class, and its set,
+  /// half a word a primitive; a link two pointers and a primitive; the table of sets a pointer an element.
   [[nodiscard]] std::uint64_t words() const {
-    std::uint64_t words = alone_.words() + 3 * links_.size() + 3 * elements_.size();
+    std::uint64_t words = alone_.words() + roots_.size() + 3 * links_.size() + 3 * elements_.size();
     for (const Element& element : elements_) words += element.active.size() / 2;
     return words;
   }
@@ -66,6 +66,7 @@ class JoinedLists {
 
   std::uint32_t after(std::uint32_t from, std::uint32_t primitive, Count& count) {
     count(Operation::load_long);
+    if (from == 0) return first_element(primitive, count);
     for (std::uint32_t at = elements_[from].first_link; at != none; at = links_[at].next) {
       count.list_step();
       count(Operation::load);
@@ -85,6 +86,18 @@ class JoinedLists {
     count(Operation::store);
     count(Operation::store_long, 3);
     return to;
+  }
+
+  std::uint32_t first_element(std::uint32_t primitive, Count& count) {
+    count.list_step();
+    count(Operation::add);
+    count(Operation::compare_long);
+    count(Operation::branch);
+    if (roots_[primitive] == none) {
+      roots_[primitive] = element_of({primitive}, count);
+      count(Operation::store_long);
+    }
+    return roots_[primitive];
   }
 
   static std::vector<std::uint32_t> with_flipped(std::vector<std::uint32_t> set, std::uint32_t primitive,
@@ -135,6 +148,7 @@ class JoinedLists {
   }
 
   Alone<Count> alone_;
+  std::vector<std::uint32_t> roots_;  ///< of each primitive, the element of its set alone
   std::vector<Element> elements_;
   std::vector<Link> links_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> found_;  ///< elements by what their sets hash to

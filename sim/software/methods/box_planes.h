@@ -12,6 +12,7 @@
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/method.h"
 #include "sim/software/rays/caster.h"
+#include "sim/software/rays/longs.h"
 #include "sim/software/rays/quadric_depths.h"
 #include "sim/software/rays/tile_planes.h"
 
@@ -48,14 +49,14 @@ inline std::vector<Box> quarters(const Box& box, bool is_far) {
   return parts;
 }
 
-/// Bounds of a plane over pixels: of two corners, by the signs of its slopes.
+/// Bounds of a plane over pixels, whose values have so many longs: of two corners, by the signs of its slopes.
 template <class Count>
-view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels, Count& count) {
+view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels, std::uint64_t longs, Count& count) {
   count.visit();
-  count(Operation::load_long, 3);
-  count(Operation::multiply, 4);
-  count(Operation::add_long, 4);
-  count(Operation::compare_long, 2);
+  count(Operation::load_long, 3 * longs);
+  count(Operation::multiply, 4 * longs);
+  count(Operation::add_long, 4 * longs);
+  count(Operation::compare_long, 2 * longs);
   count(Operation::branch, 2);
   return view::range_over(plane, pixels);
 }
@@ -64,13 +65,13 @@ view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels
 /// bounds of that.
 template <class Count>
 view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::PixelRect& pixels, bool greatest,
-                          std::vector<view::FixedLinear>& kept, Count& count) {
+                          std::uint64_t longs, std::vector<view::FixedLinear>& kept, Count& count) {
   constexpr view::Range none{std::numeric_limits<std::int64_t>::min(), std::numeric_limits<std::int64_t>::min()};
   view::Range extreme = greatest ? none : view::Range{-(none.low + 1), -(none.low + 1)};
   std::vector<view::Range> ranges;
   ranges.reserve(all.size());
   for (const view::FixedLinear& plane : all) {
-    const view::Range range = ranges.emplace_back(bounds(plane, pixels, count));
+    const view::Range range = ranges.emplace_back(bounds(plane, pixels, longs, count));
     if (greatest) {
       extreme = {std::max(extreme.low, range.low), std::max(extreme.high, range.high)};
     } else {
@@ -81,7 +82,7 @@ view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::Pi
     const bool never = greatest ? ranges[i].high < extreme.low : ranges[i].low > extreme.high;
     if (!never) kept.push_back(all[i]);
   }
-  count(Operation::compare_long, 3 * all.size());
+  count(Operation::compare_long, 3 * longs * all.size());
   count(Operation::branch_taken, 3 * all.size());
   return extreme;
 }
@@ -92,16 +93,17 @@ template <class Count>
 Known narrow(const Subject& subject, const Box& box, const BoxPrimitive& one, BoxPrimitive& narrowed, Count& count) {
   const view::PixelRect pixels = view::common(box.pixels, subject.view.extents[one.primitive].pixels);
   if (pixels.empty()) return Known::out;
+  const std::uint64_t longs = longs_of(subject.view.sampling);
   for (const TilePlanes::Edge& edge : one.planes.edges) {
-    const view::Range range = bounds(edge.linear, pixels, count);
+    const view::Range range = bounds(edge.linear, pixels, longs, count);
     const bool is_in = edge.positive ? range.low >= 0 : range.high < 0;
     const bool is_out = edge.positive ? range.high < 0 : range.low >= 0;
     if (is_out) return Known::out;
     if (!is_in) narrowed.planes.edges.push_back(edge);
   }
   const unsigned shift = subject.view.sampling.fraction_bits;
-  view::Range front = keep_bounding(one.planes.fronts, pixels, true, narrowed.planes.fronts, count);
-  view::Range back = keep_bounding(one.planes.backs, pixels, false, narrowed.planes.backs, count);
+  view::Range front = keep_bounding(one.planes.fronts, pixels, true, longs, narrowed.planes.fronts, count);
+  view::Range back = keep_bounding(one.planes.backs, pixels, false, longs, narrowed.planes.backs, count);
   front = {front.low >> shift, front.high >> shift};
   back = {back.low >> shift, back.high >> shift};
   count(Operation::compare_long, 5);
@@ -119,10 +121,11 @@ std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& 
   const view::PixelRect& pixels = subject.view.extents[one.primitive].pixels;
   if (x < pixels.x0 || x > pixels.x1 || y < pixels.y0 || y > pixels.y1) return std::nullopt;
   const std::size_t planes = one.planes.edges.size() + one.planes.fronts.size() + one.planes.backs.size();
-  count(Operation::load_long, 3 * planes);
-  count(Operation::multiply, 4 * planes);
-  count(Operation::add_long, 4 * planes);
-  count(Operation::compare_long, planes);
+  const std::uint64_t values = longs_of(subject.view.sampling) * planes;
+  count(Operation::load_long, 3 * values);
+  count(Operation::multiply, 4 * values);
+  count(Operation::add_long, 4 * values);
+  count(Operation::compare_long, values);
   count(Operation::branch_taken, planes);
   const auto at = [&](const view::FixedLinear& plane) { return plane.a * x + plane.b * y + plane.c; };
   for (const TilePlanes::Edge& edge : one.planes.edges) {
@@ -132,8 +135,10 @@ std::optional<Interval> interval_at(const Subject& subject, const BoxPrimitive& 
   Depths depths{0, subject.farthest()};
   for (const view::FixedLinear& plane : one.planes.fronts) depths.front = std::max(depths.front, at(plane) >> shift);
   for (const view::FixedLinear& plane : one.planes.backs) depths.back = std::min(depths.back, at(plane) >> shift);
-  for (const facet::QuadricSide side : subject.geometry.solids[one.primitive].quadrics)
+  for (const facet::QuadricSide side : subject.geometry.solids[one.primitive].quadrics) {
+    count_quadric(subject.view.quadrics[side.quadric], count);
     depths = within(depths, subject.view, side, x, y);
+  }
   if (depths.front >= depths.back) return std::nullopt;
   return Interval{one.primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)};
 }

@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
+#include "hw/base/error.h"
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/known.h"
 #include "sim/software/methods/method.h"
@@ -71,13 +73,26 @@ class Evaluator {
   std::vector<std::uint32_t> in_;  ///< primitives
 };
 
+/// Each primitive has a tree of its own, each of which knows of every primitive.
+inline constexpr std::size_t most_inside = 4'096;
+
+/// Of a picture whose trees are reduced inside primitives. Throws InputError for more than most_inside.
+inline std::size_t primitives_inside(const Subject& subject) {
+  const std::size_t primitives = subject.model.primitives.size();
+  if (primitives > most_inside) {
+    throw InputError("the model has " + std::to_string(primitives) + " primitives, of " + std::to_string(most_inside) +
+                     " that trees are reduced inside of; take --reduced cells or none");
+  }
+  return primitives;
+}
+
 /// Evaluates the tree after the first events of a ray, by a traversal, on the tree as it is or pruned.
 template <class Traversal, class Count>
 class Evaluations {
  public:
   Evaluations(const Subject& subject, Count& count) : subject_(subject), count_(count) {
     if (subject.pruning == Pruning::none) trees_.emplace_back(std::in_place, subject.tree);
-    if (subject.pruning == Pruning::inside) trees_.resize(subject.model.primitives.size());
+    if (subject.pruning == Pruning::inside) trees_.resize(primitives_inside(subject));
   }
 
   void begin_band(const RayBand& band) {

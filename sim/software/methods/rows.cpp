@@ -87,7 +87,7 @@ std::unique_ptr<Method> made(const Choice& choice, const Subject& subject, bool 
 
 std::span<const PruningRow> prunings() { return pruning_rows; }
 
-Pruning pruning_of(const std::string& name) { return found(pruning_rows, "way to reduce trees", name).pruning; }
+Pruning pruning_of(const std::string& name) { return found(pruning_rows, "reduction", name).pruning; }
 Shape shape_of(const std::string& name) { return found(shapes(), "shape", name).shape; }
 
 }  // namespace csgsim::software

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "sim/software/rays/longs.h"
 #include "sim/software/rays/quadric_depths.h"
 #include "sim/software/rays/sort_events.h"
 
@@ -55,14 +56,14 @@ struct RowDepths {
 
 template <class Better, class Count>
 void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y, std::int64_t* extremes,
-           const Better& better, Count& count) {
+           const Better& better, std::uint64_t longs, Count& count) {
   const std::int32_t columns = span.columns();
   for (const FixedLinear& plane : planes) {
     std::int64_t value = plane.a * span.first + plane.b * y + plane.c;
     for (std::int32_t i = 0; i < columns; ++i) {
       const std::int64_t extreme = better(extremes[i], value);
       if constexpr (Count::counts) {
-        if (extreme != extremes[i]) count(Operation::store_long);
+        if (extreme != extremes[i]) count(Operation::store_long, longs);
       }
       extremes[i] = extreme;
       value += plane.a;
@@ -70,26 +71,29 @@ void sweep(std::span<const FixedLinear> planes, const Span& span, std::int64_t y
   }
 }
 
-/// What the planes of a primitive take of a row, as a processor does it.
+/// What the planes of a primitive take of a row, as a processor does it. A plane's value has so many longs.
 template <class Count>
-void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& span) {
+void count_row(Count& count, std::size_t planes, std::size_t edges, const Span& span, std::uint64_t longs) {
   if constexpr (!Count::counts) return;
   const auto columns = static_cast<std::uint64_t>(std::max(0, span.columns()));
-  // An edge test: its row's value a row further, the quotient, a limit that moves or stays.
-  count(Operation::load_long, 3 * edges);
-  count(Operation::add_long, edges);
-  count(Operation::divide, edges);
+  // An edge test: its row's value a row further, the quotient, digit by digit of a word, a limit that moves or stays.
+  constexpr std::uint64_t digits = 2;
+  count(Operation::load_long, 3 * longs * edges);
+  count(Operation::add_long, longs * edges);
+  count(Operation::divide, digits * edges);
+  count(Operation::multiply, digits * edges);
+  count(Operation::add_long, digits * edges);
   count(Operation::compare, edges);
   count(Operation::branch, edges);
   // A plane: its row's value a row further, then at each pixel the next value, held against the extreme in memory,
   // which it may replace.
-  count(Operation::load_long, 2 * planes);
-  count(Operation::add_long, planes);
-  count(Operation::store_long, planes);
+  count(Operation::load_long, 2 * longs * planes);
+  count(Operation::add_long, longs * planes);
+  count(Operation::store_long, longs * planes);
   const std::uint64_t tests = planes * columns;
-  count(Operation::load_long, tests);
-  count(Operation::compare_long, tests);
-  count(Operation::add_long, tests);
+  count(Operation::load_long, longs * tests);
+  count(Operation::compare_long, longs * tests);
+  count(Operation::add_long, longs * tests);
   count(Operation::branch, tests);
   count(Operation::branch_taken, tests);
 }
@@ -105,7 +109,7 @@ template <class Count>
 class BandCaster {
  public:
   BandCaster(const facet::Geometry& geometry, const view::View& view, const RayBand& band)
-      : geometry_(geometry), view_(view), band_(band), rows_(band.rows) {}
+      : geometry_(geometry), view_(view), band_(band), rows_(band.rows), longs_(longs_of(view.sampling)) {}
 
   void add(std::uint32_t primitive, const TilePlanes& planes) {
     if (planes.nowhere) return;
@@ -144,15 +148,26 @@ class BandCaster {
   }
 
  private:
+  /// An interval is put where its ray has its own: counted, then copied to a place that was found by adding up.
+  void count_gathered() {
+    count_(Operation::load, 3);
+    count_(Operation::load_long, 4);
+    count_(Operation::add_long, 4);
+    count_(Operation::store, 1);
+    count_(Operation::store_long, 4);
+    count_(Operation::branch_taken, 2);
+  }
+
   /// Four values of a plane, three by additions, and each held against the greatest so far and the leaders.
   void count_tile(std::uint64_t tested) {
     constexpr std::uint64_t corners = 4;
-    count_(Operation::multiply, 2 * tested);
-    count_(Operation::load_long, (3 + 2 * corners) * tested);
-    count_(Operation::add_long, (2 + corners) * tested);
-    count_(Operation::compare_long, 2 * corners * tested);
+    const std::uint64_t values = longs_ * tested;
+    count_(Operation::multiply, 2 * values);
+    count_(Operation::load_long, (3 + 2 * corners) * values);
+    count_(Operation::add_long, (2 + corners) * values);
+    count_(Operation::compare_long, 2 * corners * values);
     count_(Operation::branch, 2 * corners * tested);
-    count_(Operation::store_long, corners * tested);
+    count_(Operation::store_long, corners * values);
   }
 
   void add_row(std::uint32_t primitive, std::span<const TilePlanes::Edge> edges, Span span, std::int32_t y) {
@@ -160,7 +175,7 @@ class BandCaster {
       if (span.empty()) break;
       clip(span, edge.linear.a, edge.linear.b * y + edge.linear.c, edge.positive);
     }
-    count_row(count_, left_.fronts.size() + left_.backs.size(), edges.size(), span);
+    count_row(count_, left_.fronts.size() + left_.backs.size(), edges.size(), span, longs_);
     if (span.empty()) return;
     const auto columns = static_cast<std::size_t>(span.columns());
     halfspace_tests_ += columns * (left_.fronts.size() + left_.backs.size());
@@ -168,10 +183,10 @@ class BandCaster {
     std::fill_n(depths_.backs.begin(), columns, std::numeric_limits<std::int64_t>::max());
     sweep(
         left_.fronts, span, y, depths_.fronts.data(), [](std::int64_t a, std::int64_t b) { return a > b ? a : b; },
-        count_);
+        longs_, count_);
     sweep(
         left_.backs, span, y, depths_.backs.data(), [](std::int64_t a, std::int64_t b) { return a < b ? a : b; },
-        count_);
+        longs_, count_);
     for (std::size_t i = 0; i < columns; ++i) add_pixel(primitive, span.first + static_cast<std::int32_t>(i), y, i);
   }
 
@@ -179,15 +194,18 @@ class BandCaster {
     const unsigned shift = view_.sampling.fraction_bits;
     const std::int64_t farthest = (std::int64_t{1} << view_.sampling.z_bits) - 1;
     Depths depths{std::max<std::int64_t>(0, depths_.fronts[i] >> shift), std::min(farthest, depths_.backs[i] >> shift)};
-    for (const facet::QuadricSide side : geometry_.solids[primitive].quadrics)
+    for (const facet::QuadricSide side : geometry_.solids[primitive].quadrics) {
+      count_quadric(view_.quadrics[side.quadric], count_);
       depths = within(depths, view_, side, x, y);
-    count_.shift(2 * shift);
-    count_(Operation::load_long, 2);
+    }
+    for (std::uint64_t i = 0; i < 2 * longs_; ++i) count_.shift(shift);
+    count_(Operation::load_long, 2 * longs_);
     count_(Operation::compare_long, 3);
     count_(Operation::branch, 3);
     if (depths.front >= depths.back) return;
     count_(Operation::store_long, 2);
     count_(Operation::store);
+    count_gathered();
     rows_[static_cast<std::uint32_t>(y) - band_.first_row].push_back(
         {static_cast<std::uint32_t>(x),
          {primitive, static_cast<std::uint32_t>(depths.front), static_cast<std::uint32_t>(depths.back)}});
@@ -197,6 +215,7 @@ class BandCaster {
   const view::View& view_;
   const RayBand& band_;
   std::vector<std::vector<Found>> rows_;
+  std::uint64_t longs_;  ///< of a plane's value
   TilePlanes left_;
   RowDepths depths_{};
   Count count_;

@@ -4,6 +4,7 @@
 
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
+#include "sim/software/cost/operations.h"
 
 namespace csgsim::software {
 
@@ -15,5 +16,31 @@ struct Depths {
 
 /// What is left of them within a quadric, at a pixel.
 Depths within(Depths depths, const view::View& view, facet::QuadricSide side, std::int32_t x, std::int32_t y);
+
+/// What a quadric takes at a pixel, whose values are of two longs: the discriminant and the middle by differences;
+/// where there is one, a root of 31 bits, each of which is tried.
+template <class Count>
+void count_quadric(const view::ScreenQuadric& quadric, Count& count) {
+  count(Operation::load_long, 8);
+  count(Operation::add_long, 6);
+  count(Operation::store_long, 4);
+  count(Operation::compare_long, 4);
+  count(Operation::branch, 3);
+  if (quadric.kind == view::ScreenQuadricKind::edge) return;
+  count.shift(quadric.discriminant_shift);
+  if (quadric.kind == view::ScreenQuadricKind::paraboloid) {
+    count.shift(quadric.factor.fraction());
+    count(Operation::add_long, 6);
+    return;
+  }
+  constexpr std::uint64_t root_bits = 31;
+  count(Operation::compare_long, 2 * root_bits);
+  count(Operation::branch, root_bits);
+  count(Operation::add_long, 4 * root_bits);
+  count(Operation::shift_long, 2 * root_bits);
+  count(Operation::shifted_bit, 2 * root_bits);
+  count(Operation::branch_taken, root_bits);
+  count(Operation::add_long, 4);
+}
 
 }  // namespace csgsim::software

@@ -50,7 +50,7 @@ std::vector<std::string> shapes_in(const std::string& text) {
   return parse_names(text, "shape", names_in(software::shapes()));
 }
 std::vector<std::string> reductions_in(const std::string& text) {
-  return parse_names(text, "way to reduce trees", names_in(software::prunings()));
+  return parse_names(text, "reduction", names_in(software::prunings()));
 }
 
 std::vector<software::Priced> priced_processors(const std::string& list) {

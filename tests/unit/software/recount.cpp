@@ -171,7 +171,8 @@ Coherence joined_lists(const std::vector<RecordedRay>& rays) {
     for (const Point& point : rays[ray].points) {
       for (std::size_t i = point.begin; i < point.end; ++i) {
         const std::uint32_t primitive = rays[ray].events[i].primitive();
-        coherence.list_steps += links.follow(active, primitive);
+        // The empty set has an array of links.
+        coherence.list_steps += active.empty() ? 1 : links.follow(active, primitive);
         flip(active, primitive);
         elements.insert(active);
       }
