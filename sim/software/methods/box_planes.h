@@ -61,7 +61,7 @@ view::Range bounds(const view::FixedLinear& plane, const view::PixelRect& pixels
   return view::range_over(plane, pixels);
 }
 
-/// Keeps the planes that may be the greatest somewhere, where `sign` is 1, or the least, where it is -1; returns the
+/// Keeps the planes that may be the greatest somewhere, or, if not `greatest`, the least; returns the
 /// bounds of that.
 template <class Count>
 view::Range keep_bounding(std::span<const view::FixedLinear> all, const view::PixelRect& pixels, bool greatest,

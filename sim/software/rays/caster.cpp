@@ -198,7 +198,7 @@ class BandCaster {
       count_quadric(view_.quadrics[side.quadric], count_);
       depths = within(depths, view_, side, x, y);
     }
-    for (std::uint64_t i = 0; i < 2 * longs_; ++i) count_.shift(shift);
+    for (std::uint64_t value = 0; value < 2 * longs_; ++value) count_.shift(shift);
     count_(Operation::load_long, 2 * longs_);
     count_(Operation::compare_long, 3);
     count_(Operation::branch, 3);

@@ -59,6 +59,15 @@ bool PlainTree::has_any(std::uint32_t node, const Held& held) const {
   return here.op ? has_any(here.left, held) || has_any(here.right, held) : held[here.primitive];
 }
 
+std::uint64_t PlainTree::nodes_with(std::uint32_t node, const Held& there) const {
+  const Node& here = nodes_[node];
+  if (!here.op) return there[here.primitive] ? 1 : 0;
+  const std::uint64_t left = nodes_with(here.left, there);
+  const std::uint64_t right = nodes_with(here.right, there);
+  if (left > 0 && right > 0) return left + right + 1;
+  return *here.op == Operator::unite ? left + right : *here.op == Operator::subtract ? left : 0;
+}
+
 bool PlainTree::is_on_odd_side(std::uint32_t node) const {
   bool is_odd = false;
   for (std::uint32_t at = node; nodes_[at].parent != none; at = nodes_[at].parent) {

@@ -31,6 +31,8 @@ class PlainTree {
   [[nodiscard]] std::uint64_t nodes() const { return nodes_.size(); }
   [[nodiscard]] std::uint64_t levels() const { return levels(root_); }
   [[nodiscard]] bool holds(const Held& held) const { return holds(root_, held); }
+  /// Nodes that are left when the primitives that are not there are out, by table 4.1.
+  [[nodiscard]] std::uint64_t nodes_with(const Held& there) const { return nodes_with(root_, there); }
   /// Whether it is on the right of an odd number of differences.
   [[nodiscard]] bool is_taken_away(std::uint32_t primitive) const;
 
@@ -55,6 +57,7 @@ class PlainTree {
 
   std::uint32_t add(const model::Tree& tree, std::uint32_t node);
   [[nodiscard]] std::uint64_t levels(std::uint32_t node) const;
+  [[nodiscard]] std::uint64_t nodes_with(std::uint32_t node, const Held& there) const;
   [[nodiscard]] bool holds(std::uint32_t node, const Held& held) const;
   [[nodiscard]] bool has_any(std::uint32_t node, const Held& held) const;
   [[nodiscard]] bool is_on_odd_side(std::uint32_t node) const;
