@@ -65,10 +65,7 @@ void name_primitives(const std::vector<const Drawing*>& drawings, isa::Facts& fa
 
 isa::ModelFacts model_facts(const model::Tree& tree, const facet::Geometry& geometry) {
   const model::Counts counts = model::count(tree);
-  isa::ModelFacts facts{tree.file, counts.primitives, counts.unions, counts.differences, counts.intersections, 0};
-  for (const facet::Convex& solid : geometry.solids)
-    facts.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
-  return facts;
+  return {tree.file, counts.primitives, counts.unions, counts.differences, counts.intersections, geometry.halfspaces()};
 }
 
 std::vector<std::string> effect_names(std::span<const CalledEffect> called) {

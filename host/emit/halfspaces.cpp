@@ -1,12 +1,12 @@
 #include "host/emit/halfspaces.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <optional>
 #include <string>
 
 #include "host/emit/near_cap.h"
+#include "host/view/leading.h"
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 
@@ -43,37 +43,12 @@ void keep(std::vector<Item>& items, const std::vector<bool>& kept) {
   std::erase_if(items, [&](const Item&) { return !kept[index++]; });
 }
 
-using Corners = std::array<std::int64_t, 4>;
-
-Corners at_corners(const view::FixedLinear& plane, const view::PixelRect& pixels) {
-  const auto at = [&](std::int64_t x, std::int64_t y) { return plane.a * x + plane.b * y + plane.c; };
-  return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
-}
-
-bool is_before(const Corners& one, const Corners& other, std::int64_t step) {
-  return std::equal(one.begin(), one.end(), other.begin(),
-                    [&](std::int64_t mine, std::int64_t theirs) { return mine + step <= theirs; });
-}
-
 /// Drops half-spaces that an extreme at a corner stands before at every corner, hence at every pixel between.
 void drop_before_leaders(std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
                          const view::PixelRect& pixels) {
-  std::vector<Corners> values;
-  values.reserve(ranks.size());
-  for (const view::FixedLinear& rank : ranks) values.push_back(at_corners(rank, pixels));
-  std::array<Corners, 4> leaders{};
-  for (std::size_t corner = 0; corner < leaders.size(); ++corner) {
-    leaders[corner] = *std::max_element(values.begin(), values.end(),
-                                        [&](const Corners& a, const Corners& b) { return a[corner] < b[corner]; });
-  }
-  std::vector<bool> kept;
-  kept.reserve(values.size());
-  for (const Corners& one : values) {
-    kept.push_back(std::none_of(leaders.begin(), leaders.end(),
-                                [&](const Corners& leader) { return is_before(one, leader, step); }));
-  }
-  keep(ranks, kept);
-  keep(facets, kept);
+  const std::vector<bool> leads = view::leading(ranks, pixels, step);
+  keep(ranks, leads);
+  keep(facets, leads);
 }
 
 /// Drops half-spaces that at no pixel come as near as a depth step to the extreme there.

@@ -131,6 +131,12 @@ Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
   return folded[tree.root];
 }
 
+std::uint64_t Geometry::halfspaces() const {
+  std::uint64_t sum = 0;
+  for (const Convex& solid : solids) sum += solid.halfspaces.size() + solid.quadrics.size();
+  return sum;
+}
+
 Geometry make_geometry(const model::Tree& tree, const Faceting& faceting) {
   if (faceting.tolerance && !(*faceting.tolerance > 0.0 && std::isfinite(*faceting.tolerance))) {
     throw InputError("the faceting tolerance has to be a finite length above 0");

@@ -46,6 +46,9 @@ struct Geometry {
   Box box;  ///< holds what the tree leaves of its primitives
   QuadricTable quadrics{};
   bool fast_spheres = false;  ///< the quadrics are spheres, to be drawn as fast spheres (host/view/fast_sphere.h)
+
+  /// Of all primitives, those that share a plane each for itself; a quadric counts as one.
+  [[nodiscard]] std::uint64_t halfspaces() const;
 };
 
 /// Facets every primitive that does not stay curved. Throws InputError, naming the primitive's place in the file,

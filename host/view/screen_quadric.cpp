@@ -4,16 +4,13 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "hw/base/quotient.h"
+
 namespace csgsim::view {
 
 namespace {
 
 __extension__ using Wide = __int128;
-
-Wide floor_quotient(Wide dividend, Wide divisor) {
-  const Wide quotient = dividend / divisor;
-  return quotient * divisor != dividend && (dividend < 0) != (divisor < 0) ? quotient - 1 : quotient;
-}
 
 void include(Range& range, std::int64_t value) {
   range.low = std::min(range.low, value);
@@ -34,7 +31,7 @@ struct Side {
 template <class At>
 void include_turning_point(Range& range, const Side& side, const At& at) {
   if (side.a == 0) return;
-  const Wide below = floor_quotient(-side.b, 2 * side.a);
+  const Wide below = quotient_down(-side.b, 2 * side.a);
   for (const Wide t : {below, below + 1}) {
     if (t >= side.first && t <= side.last) include(range, at(static_cast<std::int32_t>(t)));
   }
@@ -61,9 +58,9 @@ void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect)
   const Wide determinant = 4 * Wide{f.xx} * f.yy - Wide{f.xy} * f.xy;
   if (determinant <= 0) return;  // a saddle or a valley, which is as high or low at the sides
   const Wide x =
-      floor_quotient(2 * (Wide{f.xy} * f.linear.b - 2 * Wide{f.yy} * f.linear.a) + determinant, 2 * determinant);
+      quotient_down(2 * (Wide{f.xy} * f.linear.b - 2 * Wide{f.yy} * f.linear.a) + determinant, 2 * determinant);
   const Wide y =
-      floor_quotient(2 * (Wide{f.xy} * f.linear.a - 2 * Wide{f.xx} * f.linear.b) + determinant, 2 * determinant);
+      quotient_down(2 * (Wide{f.xy} * f.linear.a - 2 * Wide{f.xx} * f.linear.b) + determinant, 2 * determinant);
   if (x < rect.x0 || x > rect.x1 || y < rect.y0 || y > rect.y1) return;
   const std::int64_t value = value_at(f, static_cast<std::int32_t>(x), static_cast<std::int32_t>(y));
   const std::int64_t slack = beyond_place(f, determinant, 2 * Wide{f.xx} * x + Wide{f.xy} * y + f.linear.a,

@@ -11,4 +11,11 @@ constexpr std::common_type_t<Amount, Piece> quotient_up(Amount amount, Piece pie
   return amount / piece + (amount % piece == 0 ? 0U : 1U);
 }
 
+/// The quotient of numbers with a sign, rounded down; the divisor is not 0.
+template <class Integer>
+constexpr Integer quotient_down(Integer dividend, Integer divisor) {
+  const Integer quotient = dividend / divisor;
+  return quotient * divisor != dividend && (dividend < 0) != (divisor < 0) ? quotient - 1 : quotient;
+}
+
 }  // namespace csgsim

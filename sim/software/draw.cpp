@@ -18,9 +18,7 @@ std::span<Seen> rows_of(Picture& picture, const RayBand& band) {
   return std::span(picture.seen).subspan(std::size_t{band.first_row} * band.width, band.rays());
 }
 
-Picture blank(const RayCaster& rays) {
-  return {rays.width(), rays.height(), std::vector<Seen>(std::size_t{rays.width()} * rays.height())};
-}
+Picture blank(const RayCaster& rays) { return {std::vector<Seen>(std::size_t{rays.width()} * rays.height())}; }
 
 double seconds_since(std::chrono::steady_clock::time_point begin) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -12,10 +12,8 @@
 
 namespace csgsim::software {
 
-/// A picture as a method draws it, row by row.
+/// What is seen at each pixel, row by row.
 struct Picture {
-  std::uint32_t width = 0;
-  std::uint32_t height = 0;
   std::vector<Seen> seen;
 };
 

@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "hw/base/hash.h"
+
 namespace csgsim::software {
 
 std::size_t Surveyor::Hash::operator()(const std::vector<std::uint32_t>& sequence) const {
-  std::size_t hash = sequence.size();
-  for (const std::uint32_t primitive : sequence) {
-    constexpr std::size_t factor = 0x9e3779b97f4a7c15U;
-    hash = (hash ^ primitive) * factor;
-    hash ^= hash >> 32U;
-  }
-  return hash;
+  csgsim::Hash hash;
+  hash.add(sequence);
+  return hash.value();
 }
 
 void Surveyor::add(const RayBand& band, std::span<const Seen> seen) {

@@ -125,3 +125,16 @@ TEST_CASE("compare sets software beside machines, which see the same surfaces, a
   CHECK(points[6]["bound_by"] == "finding what rays meet");
   CHECK(points[6]["simulated_seconds"] > points[0]["simulated_seconds"]);
 }
+
+TEST_CASE("the manual tells of all processors, of those that are named, and refuses others") {
+  const Outcome all = run("manual processors all");
+  CHECK(all.code == 0);
+  CHECK(all.out.find("mc68000\n") != std::string::npos);
+  CHECK(all.out.find("i486dx2\n") != std::string::npos);
+  const Outcome one = run("manual processors mc68000");
+  CHECK(one.code == 0);
+  CHECK(one.out.find("price.load_long") != std::string::npos);
+  CHECK(one.out.find("i486dx2") == std::string::npos);
+  misused("manual processors mc68001", "did you mean mc68000");
+  CHECK(run("manual methods").out.find("csg-buffer") != std::string::npos);
+}

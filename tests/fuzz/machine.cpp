@@ -8,6 +8,7 @@
 
 #include "hw/kinds/rows.h"
 #include "hw/machines/description.h"
+#include "tests/fuzz/figures.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;
@@ -15,16 +16,6 @@ namespace kinds = csgsim::kinds;
 namespace machines = csgsim::machines;
 
 namespace {
-
-std::string toml_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    const bool plain = code >= 0x20U && code != 0x7fU && letter != '"' && letter != '\\';
-    out += plain ? std::string(1, letter) : fmt::format("\\u{:04x}", code);
-  }
-  return out + '"';
-}
 
 const machines::FigureSchema& schema_of(const machines::Machine& machine, const machines::Figure& figure) {
   const auto found = std::ranges::find(machine.kind->schema, figure.key, &machines::FigureSchema::key);
@@ -34,13 +25,14 @@ const machines::FigureSchema& schema_of(const machines::Machine& machine, const 
 
 /// A machine file with the same figures.
 std::string description_of(const machines::Machine& machine) {
-  std::string text = fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", toml_string(machine.name),
-                                 toml_string(machine.description), machine.kind->name);
+  std::string text = fmt::format("name = {}\ndescription = {}\nkind = \"{}\"\n", fuzz::toml_string(machine.name),
+                                 fuzz::toml_string(machine.description), machine.kind->name);
   for (const machines::Figure& figure : machine.figures) {
     const bool is_name = !schema_of(machine, figure).names.empty() || figure.value == machines::ideal_value;
-    text += fmt::format("[{}]\nvalue = {}\n", figure.key, is_name ? toml_string(figure.value) : figure.value);
-    if (!figure.unit.empty()) text += fmt::format("unit = {}\n", toml_string(figure.unit));
-    text += fmt::format("provenance = {}\nsource = {}\n", toml_string(figure.provenance), toml_string(figure.source));
+    text += fmt::format("[{}]\nvalue = {}\n", figure.key, is_name ? fuzz::toml_string(figure.value) : figure.value);
+    if (!figure.unit.empty()) text += fmt::format("unit = {}\n", fuzz::toml_string(figure.unit));
+    text += fmt::format("provenance = {}\nsource = {}\n", fuzz::toml_string(figure.provenance),
+                        fuzz::toml_string(figure.source));
   }
   return text;
 }
@@ -53,18 +45,11 @@ bool is_within(const machines::Figure& figure, const machines::FigureSchema& sch
   return std::from_chars(figure.value.data(), end, value).ptr == end && value >= schema.least && value <= schema.most;
 }
 
-bool same_figures(const machines::Machine& one, const machines::Machine& other) {
-  return std::ranges::equal(one.figures, other.figures, [](const machines::Figure& a, const machines::Figure& b) {
-    return a.key == b.key && a.value == b.value && a.unit == b.unit && a.provenance == b.provenance &&
-           a.source == b.source;
-  });
-}
-
 bool same_machine(const machines::Machine& one, const machines::Machine& other) {
   return one.name == other.name && one.description == other.description && one.kind == other.kind &&
          one.array == other.array && one.picture == other.picture && one.clock_hz == other.clock_hz &&
          one.memory_reads == other.memory_reads && one.alu_bits == other.alu_bits &&
-         machines::same_hardware(one, other) && same_figures(one, other);
+         machines::same_hardware(one, other) && fuzz::same_figures(one.figures, other.figures);
 }
 
 void check(const machines::Machine& machine) {

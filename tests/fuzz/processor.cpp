@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "tests/fuzz/figures.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;
@@ -15,34 +16,21 @@ namespace software = csgsim::software;
 
 namespace {
 
-std::string toml_string(std::string_view text) {
-  std::string out = "\"";
-  for (const char letter : text) {
-    const auto code = static_cast<unsigned char>(letter);
-    const bool plain = code >= 0x20U && code != 0x7fU && letter != '"' && letter != '\\';
-    out += plain ? std::string(1, letter) : fmt::format("\\u{:04x}", code);
-  }
-  return out + '"';
-}
-
 /// A processor file with the same figures.
 std::string description_of(const software::Processor& processor) {
-  std::string text =
-      fmt::format("name = {}\ndescription = {}\n", toml_string(processor.name), toml_string(processor.description));
+  std::string text = fmt::format("name = {}\ndescription = {}\n", fuzz::toml_string(processor.name),
+                                 fuzz::toml_string(processor.description));
   for (const machines::Figure& figure : processor.figures)
     text += fmt::format("[{}]\nvalue = {}\nunit = {}\nprovenance = {}\nsource = {}\n", figure.key, figure.value,
-                        toml_string(figure.unit), toml_string(figure.provenance), toml_string(figure.source));
+                        fuzz::toml_string(figure.unit), fuzz::toml_string(figure.provenance),
+                        fuzz::toml_string(figure.source));
   return text;
 }
 
 bool same_processor(const software::Processor& one, const software::Processor& other) {
   return one.name == other.name && one.description == other.description && one.clock_hz == other.clock_hz &&
          one.prices == other.prices && one.compiler_factor == other.compiler_factor &&
-         one.memory_price == other.memory_price &&
-         std::ranges::equal(one.figures, other.figures, [](const machines::Figure& a, const machines::Figure& b) {
-           return a.key == b.key && a.value == b.value && a.unit == b.unit && a.provenance == b.provenance &&
-                  a.source == b.source;
-         });
+         one.memory_price == other.memory_price && fuzz::same_figures(one.figures, other.figures);
 }
 
 void check(const software::Processor& processor) {

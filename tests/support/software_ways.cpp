@@ -83,7 +83,7 @@ std::string SoftwareScene::fault_of(const Way& way, const std::vector<Seen>& exp
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const software::Seen& seen = picture.seen[i];
     if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
-    return fmt::format("{}: pixel {}, {} is {} at {}, not {} at {}", to_text(way), i % picture.width, i / picture.width,
+    return fmt::format("{}: pixel {}, {} is {} at {}, not {} at {}", to_text(way), i % rays_.width(), i / rays_.width(),
                        seen.owner, seen.depth, expected[i].owner, expected[i].depth);
   }
   return "";

@@ -71,8 +71,9 @@ void print_processors(const Options& options) {
     fmt::print("\ncsgsim manual processors NAME prints every figure of one, with where it comes from.\n");
     return;
   }
-  std::vector<std::string> names = parse_words(options.machines);
-  if (options.machines == "all") names.assign(software::processor_names().begin(), software::processor_names().end());
+  const std::vector<std::string_view> all = software::processor_names();
+  const std::vector<std::string> names =
+      options.machines == "all" ? std::vector<std::string>(all.begin(), all.end()) : parse_words(options.machines);
   for (const std::string& name : names)
     print_figures_of(for_option("MACHINE", [&] { return software::load_processor(name); }));
 }

@@ -32,14 +32,7 @@ class JoinedLists {
     count(Operation::load);
     count(Operation::compare);
     count(Operation::branch);
-    if (elements_[at_].kept != Class::unknown) {
-      count.look_up();
-    } else {
-      const bool found = is_first_alone(begin, end) ? alone_.is_in(events[0].primitive(), count) : evaluate();
-      elements_[at_].kept = class_of(found);
-      count(Operation::store);
-    }
-    return elements_[at_].kept == Class::in;
+    return is_in_kept(elements_[at_].kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate, count);
   }
 
   /// The empty set has an array of links, by primitive. An element has a pointer to its links, its class, and its set,
@@ -115,6 +108,7 @@ class JoinedLists {
     return set;
   }
 
+  /// Word by word, as it is counted.
   static std::uint64_t hash_of(std::span<const std::uint32_t> set, Count& count) {
     std::uint64_t hash = 0;
     for (const std::uint32_t primitive : set) {

@@ -57,14 +57,8 @@ class ListElements {
     count(Operation::load);
     count(Operation::compare);
     count(Operation::branch);
-    if (elements_[element].kept == Class::unknown) {
-      const bool found = is_first ? alone_.is_in(elements_[element].primitive, count) : evaluate();
-      elements_[element].kept = class_of(found);
-      count(Operation::store);
-    } else {
-      count.look_up();
-    }
-    return elements_[element].kept == Class::in;
+    Element& one = elements_[element];
+    return is_in_kept(one.kept, is_first, one.primitive, alone_, evaluate, count);
   }
 
   /// Elements that are followed back to the first one.

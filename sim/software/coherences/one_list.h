@@ -16,6 +16,21 @@ enum class Class : std::uint8_t { unknown, out, in };
 
 constexpr Class class_of(bool is_in) { return is_in ? Class::in : Class::out; }
 
+/// The class that is kept; where it is unknown, it is looked up for a point behind one first surface alone, else
+/// `evaluate()` finds it out.
+template <class Count, class Evaluate>
+bool is_in_kept(Class& kept, bool is_first, std::uint32_t primitive, const Alone<Count>& alone,
+                const Evaluate& evaluate, Count& count) {
+  if (kept != Class::unknown) {
+    count.look_up();
+    return kept == Class::in;
+  }
+  const bool is_in = is_first ? alone.is_in(primitive, count) : evaluate();
+  kept = class_of(is_in);
+  count(Operation::store);
+  return is_in;
+}
+
 /// The list of the last ray's surfaces and classes is read again as long as surfaces come in the same order; from the
 /// first other one on it is made anew (thesis 4.5.2). First points are looked up.
 ///
@@ -34,15 +49,8 @@ class OneList {
     Class& kept = list_[end - 1].kept;
     count(Operation::load);
     count(Operation::compare);
-    if (kept != Class::unknown) {
-      count(Operation::branch);
-      count.look_up();
-      return kept == Class::in;
-    }
-    count(Operation::branch_taken);
-    kept = class_of(is_first_alone(begin, end) ? alone_.is_in(events[0].primitive(), count) : evaluate());
-    count(Operation::store);
-    return kept == Class::in;
+    count(kept == Class::unknown ? Operation::branch_taken : Operation::branch);
+    return is_in_kept(kept, is_first_alone(begin, end), events[0].primitive(), alone_, evaluate, count);
   }
 
   /// An element has a pointer to the next, and a primitive with its class.

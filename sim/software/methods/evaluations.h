@@ -16,6 +16,7 @@
 #include "sim/software/methods/method.h"
 #include "sim/software/methods/pruned.h"
 #include "sim/software/traversals/levels.h"
+#include "sim/software/traversals/take_back.h"
 
 namespace csgsim::software {
 
@@ -30,7 +31,7 @@ class Evaluator {
   }
 
   void start(Count& count) {
-    if (traversal_) traversal_->start(in_, count);
+    if (traversal_) take_back(*traversal_, in_, count);
     in_.clear();
   }
 
@@ -117,7 +118,7 @@ class Evaluations {
     entered_.clear();
   }
 
-  /// Whether the solid holds the points behind the first `count` events of the ray, which is no fewer than before.
+  /// Whether the solid holds the points behind so many events of the ray, which are no fewer than before.
   bool after(std::size_t events) {
     const std::span<const Event> added = events_.subspan(applied_, events - applied_);
     applied_ = events;

@@ -13,6 +13,7 @@
 #include "sim/software/methods/method.h"
 #include "sim/software/methods/pruned.h"
 #include "sim/software/traversals/early_out.h"
+#include "sim/software/traversals/take_back.h"
 #include "sim/software/tree/owners.h"
 
 namespace csgsim::software {
@@ -24,9 +25,8 @@ namespace csgsim::software {
 template <class Count>
 class IntervalArithmetic : public Method {
  public:
-  explicit IntervalArithmetic(const Subject& subject)
-      : subject_(subject), owners_(subject.tree), known_(subject.tree.leaf_of.size()) {
-    for (std::uint32_t primitive = 0; primitive < known_.size(); ++primitive)
+  explicit IntervalArithmetic(const Subject& subject) : subject_(subject), owners_(subject.tree) {
+    for (std::uint32_t primitive = 0; primitive < subject.geometry.solids.size(); ++primitive)
       planes_.push_back(planes_of(subject.model, subject.geometry, subject.view, primitive));
   }
 
@@ -41,10 +41,10 @@ class IntervalArithmetic : public Method {
                     0,
                     subject_.farthest()};
       whole_.clear();
-      std::ranges::fill(known_, Known::out);  // what has no pixels there
+      known_ = known_in(subject_.view, band, x, band_rows);
       for (std::uint32_t primitive = 0; primitive < planes_.size(); ++primitive) {
-        const bool touches = !view::common(subject_.view.extents[primitive].pixels, box.pixels).empty();
-        if (touches && !planes_[primitive].nowhere) whole_.push_back({primitive, planes_[primitive]});
+        if (planes_[primitive].nowhere) known_[primitive] = Known::out;
+        if (known_[primitive] != Known::out) whole_.push_back({primitive, planes_[primitive]});
       }
       if (!whole_.empty()) halve(box, whole_, tree);
     }
@@ -175,7 +175,7 @@ class IntervalArithmetic : public Method {
       count_.point();
       count_.evaluation();
       const bool is_in = traversal.evaluate(count_) != tree.complemented;
-      traversal.start(active_, count_);
+      take_back(traversal, active_, count_);
       if (!is_in) continue;
       // What changes behind the front of the box is open in it.
       const std::uint32_t owner = depth > box.z0 ? owners_.only_one(intervals_, depth, count_) : Seen::nothing_seen;

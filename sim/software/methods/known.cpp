@@ -2,15 +2,9 @@
 
 #include <cstddef>
 
+#include "host/csg/separation.h"
+
 namespace csgsim::software {
-
-namespace {
-
-bool are_apart(const view::Extent& a, const view::Extent& b) {
-  return view::common(a.pixels, b.pixels).empty() || a.z_high < b.z_low || b.z_high < a.z_low;
-}
-
-}  // namespace
 
 std::vector<Known> known_in(const view::View& view, const RayBand& band, std::uint32_t first_column,
                             std::uint32_t columns) {
@@ -26,9 +20,11 @@ std::vector<Known> known_in(const view::View& view, const RayBand& band, std::ui
 }
 
 std::vector<Known> known_inside(const view::View& view, std::uint32_t primitive) {
+  csg::Pruning by_picture = csg::Pruning::none();
+  by_picture.picture = true;
   std::vector<Known> known(view.extents.size(), Known::out);
-  for (std::size_t i = 0; i < known.size(); ++i) {
-    if (!are_apart(view.extents[i], view.extents[primitive])) known[i] = Known::nothing;
+  for (std::uint32_t other = 0; other < known.size(); ++other) {
+    if (!csg::disjoint(view, other, primitive, by_picture)) known[other] = Known::nothing;
   }
   known[primitive] = Known::in;
   return known;

@@ -43,20 +43,13 @@ constexpr std::array pruning_rows{
     PruningRow{Pruning::cells, "cells", "a tree for each cell of 16 x 16 pixels, of what has pixels there"},
     PruningRow{Pruning::inside, "inside", "while a ray is in a primitive, the tree of those that meet it"}};
 
-std::string_view name_in(const MethodRow* row) { return row->name; }
-template <class Row>
-std::string_view name_in(const Row& row) {
-  return row.name;
-}
-
 /// The row with that name.
 template <class Rows>
 const auto& found(const Rows& rows, const char* kind, const std::string& name) {
-  const auto row = std::ranges::find_if(rows, [&](const auto& one) { return name_in(one) == name; });
-  if (row != rows.end()) return *row;
-  std::vector<std::string> names;
-  for (const auto& one : rows) names.emplace_back(name_in(one));
-  throw InputError(no_such(kind, name, names));
+  const std::vector<std::string> names = names_in(rows);
+  const auto place = std::ranges::find(names, name);
+  if (place == names.end()) throw InputError(no_such(kind, name, names));
+  return rows[static_cast<std::size_t>(place - names.begin())];
 }
 
 }  // namespace

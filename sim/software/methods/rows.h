@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/software/methods/method.h"
 
@@ -42,6 +43,21 @@ struct MethodRow {
 /// In the order of the thesis.
 std::span<const MethodRow* const> methods();
 std::span<const CoherenceRow> coherences();
+
+/// The names of a table of rows, or of pointers to rows.
+template <class Rows>
+std::vector<std::string> names_in(const Rows& rows) {
+  std::vector<std::string> names;
+  names.reserve(rows.size());
+  for (const auto& row : rows) {
+    if constexpr (requires { row->name; }) {
+      names.emplace_back(row->name);
+    } else {
+      names.emplace_back(row.name);
+    }
+  }
+  return names;
+}
 
 /// A method and, if it takes one, its coherence.
 struct Choice {

@@ -10,6 +10,7 @@
 #include "sim/software/cost/operations.h"
 #include "sim/software/methods/method.h"
 #include "sim/software/traversals/early_out.h"
+#include "sim/software/traversals/take_back.h"
 #include "sim/software/tree/owners.h"
 
 namespace csgsim::software {
@@ -66,7 +67,7 @@ class Weave : public Method {
     for (const std::uint32_t primitive : held_by) traversal_->flip(primitive, count_);
     count_.evaluation();
     const bool is_in = traversal_->evaluate(count_);
-    traversal_->start(held_by, count_);
+    take_back(*traversal_, held_by, count_);
     return is_in;
   }
 

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "hw/base/quotient.h"
 #include "sim/software/rays/longs.h"
 #include "sim/software/rays/quadric_depths.h"
 #include "sim/software/rays/sort_events.h"
@@ -19,11 +20,6 @@ using view::FixedLinear;
 using view::PixelRect;
 
 constexpr std::int32_t tile_columns = 64;
-
-std::int64_t floor_quotient(std::int64_t dividend, std::int64_t divisor) {
-  const std::int64_t quotient = dividend / divisor;
-  return quotient * divisor != dividend && (dividend < 0) != (divisor < 0) ? quotient - 1 : quotient;
-}
 
 /// Columns of a row, both ends among them.
 struct Span {
@@ -40,10 +36,10 @@ void clip(Span& span, std::int64_t a, std::int64_t rest, bool positive) {
   if (a == 0) {
     if (rest < 0) span.last = span.first - 1;
   } else if (a > 0) {
-    const std::int64_t least = -floor_quotient(rest, a);
+    const std::int64_t least = -quotient_down(rest, a);
     span.first = static_cast<std::int32_t>(std::clamp<std::int64_t>(least, span.first, std::int64_t{span.last} + 1));
   } else {
-    const std::int64_t most = floor_quotient(rest, -a);
+    const std::int64_t most = quotient_down(rest, -a);
     span.last = static_cast<std::int32_t>(std::clamp<std::int64_t>(most, std::int64_t{span.first} - 1, span.last));
   }
 }
@@ -119,9 +115,7 @@ class BandCaster {
     const std::int32_t y1 = std::min(pixels.y1, first_row + static_cast<std::int32_t>(band_.rows) - 1);
     for (std::int32_t x0 = pixels.x0; x0 <= pixels.x1; x0 += tile_columns) {
       const PixelRect tile{x0, y0, std::min(pixels.x1, x0 + tile_columns - 1), y1};
-      const std::uint64_t tested = leave_out_hidden(planes, tile, left_);
-      tile_tests_ += tested;
-      count_tile(tested);
+      count_tile(leave_out_hidden(planes, tile, left_));
       for (std::int32_t y = y0; y <= y1; ++y) add_row(primitive, planes.edges, {tile.x0, tile.x1}, y);
     }
   }
@@ -143,7 +137,6 @@ class BandCaster {
 
   void tell(RayCounts& counts) const {
     counts.halfspace_tests += halfspace_tests_;
-    counts.tile_tests += tile_tests_;
     counts.intersecting += count_.done();
   }
 
@@ -220,7 +213,6 @@ class BandCaster {
   RowDepths depths_{};
   Count count_;
   std::uint64_t halfspace_tests_ = 0;
-  std::uint64_t tile_tests_ = 0;
 };
 
 template <class Count>

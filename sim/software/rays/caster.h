@@ -18,7 +18,6 @@ inline constexpr std::uint32_t band_rows = 16;
 /// What is counted of rays as such.
 struct RayCounts {
   std::uint64_t halfspace_tests = 0;  ///< of a half-space at a pixel
-  std::uint64_t tile_tests = 0;       ///< of a half-space at the corners of a tile
   std::uint64_t intervals = 0;
   std::uint64_t events = 0;
   Operations intersecting;  ///< of intervals

@@ -1,10 +1,9 @@
 #include "sim/software/rays/tile_planes.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 
 #include "host/csg/locate.h"
+#include "host/view/leading.h"
 #include "hw/base/error.h"
 
 namespace csgsim::software {
@@ -12,43 +11,16 @@ namespace csgsim::software {
 namespace {
 
 using Linear = view::FixedLinear;
-using Corners = std::array<std::int64_t, 4>;
 
-/// The values at a tile's corners, negated where the least counts.
-Corners at_corners(const Linear& linear, const view::PixelRect& tile, std::int64_t sign) {
-  const auto at = [&](std::int32_t x, std::int32_t y) { return sign * (linear.a * x + linear.b * y + linear.c); };
-  return {at(tile.x0, tile.y0), at(tile.x1, tile.y0), at(tile.x0, tile.y1), at(tile.x1, tile.y1)};
-}
-
-bool is_nowhere_above(const Corners& one, const Corners& other) {
-  for (std::size_t i = 0; i < one.size(); ++i) {
-    if (one[i] > other[i]) return false;
+/// The planes of which `ranks`, greater where they are nearer to bounding, lead somewhere in the tile.
+std::vector<Linear> bounding(std::span<const Linear> planes, std::span<const Linear> ranks,
+                             const view::PixelRect& tile) {
+  const std::vector<bool> leads = view::leading(ranks, tile, 0);
+  std::vector<Linear> kept;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (leads[i]) kept.push_back(planes[i]);
   }
-  return true;
-}
-
-/// Keeps the planes that are not nowhere above one of those that are greatest at a corner.
-void keep_bounding(std::span<const Linear> all, const view::PixelRect& tile, std::int64_t sign,
-                   std::vector<Linear>& kept) {
-  kept.assign(all.begin(), all.end());
-  if (all.size() < 2) return;
-  thread_local std::vector<Corners> values;
-  values.clear();
-  for (const Linear& one : all) values.push_back(at_corners(one, tile, sign));
-  std::array<std::size_t, 4> greatest{};
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    for (std::size_t corner = 0; corner < greatest.size(); ++corner) {
-      if (values[i][corner] > values[greatest[corner]][corner]) greatest[corner] = i;
-    }
-  }
-  kept.clear();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool is_hidden = std::ranges::any_of(greatest, [&](std::size_t by) {
-      if (by == i || !is_nowhere_above(values[i], values[by])) return false;
-      return i > by || !is_nowhere_above(values[by], values[i]);  // of two alike the first stays
-    });
-    if (!is_hidden) kept.push_back(all[i]);
-  }
+  return kept;
 }
 
 [[noreturn]] void refuse(const model::Tree& tree, std::uint32_t primitive) {
@@ -85,8 +57,11 @@ TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, c
 }
 
 std::uint64_t leave_out_hidden(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& left) {
-  keep_bounding(all.fronts, tile, 1, left.fronts);
-  keep_bounding(all.backs, tile, -1, left.backs);
+  std::vector<Linear> nearness;  // of backs
+  nearness.reserve(all.backs.size());
+  for (const Linear& back : all.backs) nearness.push_back({-back.a, -back.b, -back.c});
+  left.fronts = bounding(all.fronts, all.fronts, tile);
+  left.backs = bounding(all.backs, nearness, tile);
   return all.fronts.size() + all.backs.size();
 }
 

@@ -20,10 +20,6 @@ class BitParallel {
   explicit BitParallel(const Tree& tree)
       : tree_(tree), states_(std::size_t{1} << tree.depth(), Kept::in_memory), work_(tree_.words()) {}
 
-  void start(std::span<const std::uint32_t> in, Count& count) {
-    for (const std::uint32_t primitive : in) flip(primitive, count);
-  }
-
   void flip(std::uint32_t primitive, Count& count) {
     count(Operation::load);
     count(Operation::come_back);

@@ -29,10 +29,6 @@ class BitParallelStatus {
     }
   }
 
-  void start(std::span<const std::uint32_t> in, Count& count) {
-    for (const std::uint32_t primitive : in) flip(primitive, count);
-  }
-
   void flip(std::uint32_t primitive, Count& count) {
     const std::uint32_t place = tree_.place_of(primitive);
     count(Operation::load);

@@ -42,10 +42,6 @@ class BitSequential {
     }
   }
 
-  void start(std::span<const std::uint32_t> in, Count& count) {
-    for (const std::uint32_t primitive : in) flip(primitive, count);
-  }
-
   void flip(std::uint32_t primitive, Count& count) {
     count(Operation::come_back);
     states_.flip(primitive, count);

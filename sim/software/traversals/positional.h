@@ -46,7 +46,7 @@ class Positional {
     codes_.assign(1, sentinel);
   }
 
-  void start(std::span<const std::uint32_t> /*in*/, Count& count) {
+  void clear(Count& count) {
     codes_.assign(1, sentinel);
     count(Operation::store);
   }

@@ -16,10 +16,6 @@ class States {
  public:
   explicit States(const Tree& tree) : is_in_(tree.leaf_of.size()) {}
 
-  void start(std::span<const std::uint32_t> in, Count& count) {
-    for (const std::uint32_t primitive : in) flip(primitive, count);
-  }
-
   void flip(std::uint32_t primitive, Count& count) {
     count(Operation::add);
     count(Operation::load);

@@ -19,10 +19,6 @@ class StatusTree {
   /// Keeps a reference to the tree, which is not constant.
   explicit StatusTree(const Tree& tree) : tree_(tree), status_(tree.nodes.size()) {}
 
-  void start(std::span<const std::uint32_t> in, Count& count) {
-    for (const std::uint32_t primitive : in) flip(primitive, count);
-  }
-
   void flip(std::uint32_t primitive, Count& count) {
     std::uint32_t at = tree_.leaf_of[primitive];
     count.visit();

@@ -9,6 +9,7 @@
 #include "sim/software/cost/operations.h"
 #include "sim/software/rays/ray_band.h"
 #include "sim/software/traversals/status.h"
+#include "sim/software/traversals/take_back.h"
 #include "sim/software/tree/tree.h"
 
 namespace csgsim::software {
@@ -86,7 +87,7 @@ class Owners {
     for (const std::uint32_t primitive : active_) status_.flip(primitive, count);
     const auto owner =
         std::ranges::find_if(candidates_, [&](std::uint32_t candidate) { return shows(candidate, count); });
-    status_.start(active_, count);
+    take_back(status_, active_, count);
     return owner == candidates_.end() ? Seen::nothing_seen : *owner;
   }
 

@@ -26,31 +26,17 @@ namespace {
 
 constexpr const char* no_coherence = "none";
 
-/// The names of a table of rows, or of pointers to rows.
-template <class Rows>
-std::vector<std::string> names_in(const Rows& rows) {
-  std::vector<std::string> names;
-  for (const auto& row : rows) {
-    if constexpr (requires { row->name; }) {
-      names.emplace_back(row->name);
-    } else {
-      names.emplace_back(row.name);
-    }
-  }
-  return names;
-}
-
 std::vector<std::string> methods_in(const std::string& text) {
-  return parse_names(text, "method", names_in(software::methods()));
+  return parse_names(text, "method", software::names_in(software::methods()));
 }
 std::vector<std::string> coherences_in(const std::string& text) {
-  return parse_names(text, "coherence", names_in(software::coherences()));
+  return parse_names(text, "coherence", software::names_in(software::coherences()));
 }
 std::vector<std::string> shapes_in(const std::string& text) {
-  return parse_names(text, "shape", names_in(software::shapes()));
+  return parse_names(text, "shape", software::names_in(software::shapes()));
 }
 std::vector<std::string> reductions_in(const std::string& text) {
-  return parse_names(text, "reduction", names_in(software::prunings()));
+  return parse_names(text, "reduction", software::names_in(software::prunings()));
 }
 
 std::vector<software::Priced> priced_processors(const std::string& list) {
@@ -61,7 +47,7 @@ std::vector<software::Priced> priced_processors(const std::string& list) {
 
 template <class Rows>
 std::string all_of(const Rows& rows) {
-  return fmt::format("{}", fmt::join(names_in(rows), ","));
+  return fmt::format("{}", fmt::join(software::names_in(rows), ","));
 }
 
 /// The rays of a picture do not depend on what they are classified by, so all surfaces have to be the same.
@@ -83,15 +69,15 @@ class Classify : public StudyOf<ClassifyRow> {
     for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
       command.remove(of_machines);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
-        .words(names_in(software::methods()), is_read_by(methods_in));
+        .words(software::names_in(software::methods()), is_read_by(methods_in));
     command.option("--coherences", coherences_, "List of what methods keep from point to point")
-        .words(names_in(software::coherences()), is_read_by(coherences_in));
+        .words(software::names_in(software::coherences()), is_read_by(coherences_in));
     command.option("--shapes", shapes_, "List of shapes of the tree")
-        .words(names_in(software::shapes()), is_read_by(shapes_in));
+        .words(software::names_in(software::shapes()), is_read_by(shapes_in));
     command
         .option("--reduced", reduced_,
                 "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
-        .words(names_in(software::prunings()), is_read_by(reductions_in));
+        .words(software::names_in(software::prunings()), is_read_by(reductions_in));
     command
         .option("--processors", processors_,
                 "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
@@ -163,7 +149,7 @@ class Classify : public StudyOf<ClassifyRow> {
 
  protected:
   [[nodiscard]] ClassifyRow measured(std::size_t point) override {
-    return studies::measure(points_[point], inputs_, {tree_, *geometry_, view_});
+    return studies::measure(points_[point], inputs_, {tree_, *geometry_, view_, survey_});
   }
 
  private:
@@ -191,6 +177,7 @@ class Classify : public StudyOf<ClassifyRow> {
   view::View view_;
   Inputs inputs_;
   std::vector<ClassifyPoint> points_;
+  std::optional<software::Survey> survey_;
 };
 
 }  // namespace

@@ -43,11 +43,11 @@ void draw(const Scene& scene, ClassifyRow& row) {
   const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
   const software::Work work = software::work_of(choice_of(row.point), subject, rays);
   row.primitives = scene.tree.primitives.size();
-  for (const facet::Convex& solid : scene.geometry.solids)
-    row.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
+  row.halfspaces = scene.geometry.halfspaces();
   row.tree_levels = tree.depth();
   tell(work.counts, row);
-  tell(software::survey(rays, work.picture), row);
+  if (!scene.survey) scene.survey = software::survey(rays, work.picture);
+  tell(*scene.survey, row);
   row.halfspace_tests = work.rays.halfspace_tests;
   row.ray_operations = {work.rays.intersecting};
   row.sort_operations = {work.rays.sorting};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "host/facet/geometry.h"
@@ -108,6 +109,7 @@ struct Scene {
   const model::Tree& tree;
   const facet::Geometry& geometry;
   const view::View& view;
+  std::optional<software::Survey>& survey;  ///< of its rays; made for the first row that is measured
 };
 
 /// Draws the picture, once counting and then to take the time. A method that cannot draw it is a row that says why.

@@ -77,12 +77,6 @@ facet::Faceting faceting_of(const ComparisonPoint& point) {
   return {std::nullopt, point.fragments};
 }
 
-std::uint64_t halfspaces_of(const facet::Geometry& geometry) {
-  std::uint64_t halfspaces = 0;
-  for (const facet::Convex& solid : geometry.solids) halfspaces += solid.halfspaces.size() + solid.quadrics.size();
-  return halfspaces;
-}
-
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   ComparisonRow row;
   const auto begin = [&] {

@@ -123,9 +123,6 @@ struct ComparisonJob {
 /// As the point asks for it.
 facet::Faceting faceting_of(const ComparisonPoint& point);
 
-/// Of all primitives, quadrics among them.
-std::uint64_t halfspaces_of(const facet::Geometry& geometry);
-
 /// Compiles the point and draws it at the functional level, or by software.
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree);
 

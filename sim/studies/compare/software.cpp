@@ -36,8 +36,7 @@ void tell_dearest(std::span<const Part> parts, double all, ComparisonRow& row) {
 
 void measure_software(const ComparisonJob& job, const model::Tree& tree, ComparisonRow& row) {
   const facet::Geometry geometry = facet::make_geometry(tree, faceting_of(job.point));
-  view::Sampling sampling = job.sampling;
-  const view::View view = view::make_view(geometry, tree, job.camera, sampling);
+  const view::View view = view::make_view(geometry, tree, job.camera, job.sampling);
   const software::Tree balanced = software::make_tree(tree, software::Shape::balanced);
   const software::Subject subject{tree, geometry, view, balanced};
   const software::RayCaster rays(tree, geometry, view);
@@ -53,7 +52,7 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
       Part{"sorting it", seconds_for({}, work.rays.sorting, {}, {})},
       Part{"classifying it", seconds_for({}, {}, work.counts.operations, {0, work.measured.classification})}};
   row.primitives = tree.primitives.size();
-  row.halfspaces = halfspaces_of(geometry);
+  row.halfspaces = geometry.halfspaces();
   row.simulated_seconds = all;
   row.frames_per_second = all > 0 ? 1 / all : 0;
   if (processor.processor) {
@@ -63,7 +62,7 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
     row.processor_clocks = row.clocks;
   }
   row.processors = 1;
-  row.machine_memory_bits = memory_bits(work, sampling);
+  row.machine_memory_bits = memory_bits(work, job.sampling);
   tell_dearest(parts, all, row);
   row.surfaces = software::hash_of(work.picture);
 }

@@ -154,7 +154,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
     row.tolerance = point.tolerance;
     row.inputs = point.inputs;
     row.primitives = tree_.primitives.size();
-    for (const facet::Convex& solid : scene.solids) row.halfspaces += solid.halfspaces.size() + solid.quadrics.size();
+    row.halfspaces = scene.halfspaces();
     return row;
   }
 

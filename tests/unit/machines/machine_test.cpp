@@ -21,6 +21,7 @@
 #include "hw/machines/schema.h"
 #include "hw/pixel_planes/figures.h"
 #include "places.h"
+#include "tests/support/place_in.h"
 
 using namespace csgsim;
 using machines::Figure;
@@ -53,16 +54,6 @@ std::string message(std::string_view text) {
     return error.what();
   }
   return "no error";
-}
-
-/// `my.toml:line:column` of where the needle first stands in the text.
-std::string place_of(std::string_view text, std::string_view needle) {
-  const std::size_t at = text.find(needle);
-  REQUIRE(at != std::string_view::npos);
-  const std::string_view before = text.substr(0, at);
-  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
-  const auto column = at - (before.rfind('\n') + 1) + 1;
-  return fmt::format("my.toml:{}:{}", line, column);
 }
 
 std::string message_of_change(std::string_view from, std::string_view to) { return message(changed(from, to)); }
@@ -206,38 +197,38 @@ TEST_CASE("an unknown machine names the nearest known") {
 
 TEST_CASE("an unknown key is pointed at and names the nearest known one") {
   const std::string group = changed("[clock.frequency]", "[clok.frequency]");
-  CHECK(message(group) == place_of(group, "clok") + ": unknown key 'clok'; the nearest known is 'clock'");
+  CHECK(message(group) == testing::place_in(group, "clok") + ": unknown key 'clok'; the nearest known is 'clock'");
   const std::string figure = changed("[array.memory_bits]", "[array.memory_bit]");
-  CHECK(message(figure) ==
-        place_of(figure, "memory_bit]") + ": unknown key 'array.memory_bit'; the nearest known is 'array.memory_bits'");
+  CHECK(message(figure) == testing::place_in(figure, "memory_bit]") +
+                               ": unknown key 'array.memory_bit'; the nearest known is 'array.memory_bits'");
   const std::string part = changed("[array.width]\nvalue", "[array.width]\nvalu");
-  CHECK(message(part) ==
-        place_of(part, "valu =") + ": unknown key 'array.width.valu'; the nearest known is 'array.width.value'");
+  CHECK(message(part) == testing::place_in(part, "valu =") +
+                             ": unknown key 'array.width.valu'; the nearest known is 'array.width.value'");
 }
 
 TEST_CASE("a wrong type is pointed at") {
   const std::string number = changed("value = 72", "value = 72.5");
   CHECK(message(number) ==
-        place_of(number, "72.5") + ": array.memory_bits is a number with a point; make it an integer");
+        testing::place_in(number, "72.5") + ": array.memory_bits is a number with a point; make it an integer");
   const std::string text = changed("unit = \"Hz\"", "unit = 7");
-  CHECK(message(text) == place_of(text, "7\nprovenance") + ": 'unit' is an integer; make it a string");
+  CHECK(message(text) == testing::place_in(text, "7\nprovenance") + ": 'unit' is an integer; make it a string");
   const std::string plain = "name = \"x\"\ndescription = \"y\"\nkind = \"frame-buffer\"\narray = 3\n";
-  CHECK(message(plain) == place_of(plain, "3") + ": 'array' is an integer; make it a table");
+  CHECK(message(plain) == testing::place_in(plain, "3") + ": 'array' is an integer; make it a table");
 }
 
 TEST_CASE("a value out of range, a wrong unit and a wrong provenance are pointed at") {
   const std::string big = changed("value = 72", "value = 4097");
-  CHECK(message(big) == place_of(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
+  CHECK(message(big) == testing::place_in(big, "4097") + ": array.memory_bits is 4097; it takes 1 to 4096 bits");
   CHECK(message_of_change("value = 512", "value = 0").ends_with("array.width is 0; it takes 1 to 16384 pixels"));
   CHECK(message_of_change("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 33")
             .ends_with("alu.bits is 33; it takes 1 to 32 bits"));
   CHECK(message_of_change("[memory.writes]\nvalue = 1", "[memory.writes]\nvalue = 2")
             .ends_with("memory.writes is 2; the simulator knows 1 only"));
   const std::string unit = changed("unit = \"Hz\"", "unit = \"MHz\"");
-  CHECK(message(unit) == place_of(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; it counts in 'Hz'");
+  CHECK(message(unit) == testing::place_in(unit, "\"MHz\"") + ": unit 'MHz' of clock.frequency; it counts in 'Hz'");
   const std::string provenance = changed("provenance = \"assumed\"", "provenance = \"guessed\"");
-  CHECK(message(provenance) ==
-        place_of(provenance, "\"guessed\"") + ": provenance 'guessed' of memory.reads; say 'published' or 'assumed'");
+  CHECK(message(provenance) == testing::place_in(provenance, "\"guessed\"") +
+                                   ": provenance 'guessed' of memory.reads; say 'published' or 'assumed'");
 }
 
 TEST_CASE("a missing key is named") {
@@ -251,7 +242,8 @@ TEST_CASE("a missing key is named") {
 
 TEST_CASE("a figure that machines of another kind have is unknown") {
   const std::string text = changed("[memory.writes]", "[refresh.rate]");
-  CHECK(message(text) == place_of(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
+  CHECK(message(text) ==
+        testing::place_in(text, "refresh.rate") + ": unknown key 'refresh'; the nearest known is 'name'");
 }
 
 TEST_CASE("an unknown kind and an unknown order name those there are") {
@@ -259,11 +251,11 @@ TEST_CASE("an unknown kind and an unknown order name those there are") {
   for (const machines::Kind* const one : kinds::all()) names += (names.empty() ? "" : ", ") + std::string(one->name);
   CHECK(names.starts_with("frame-buffer, scan-line, pixel-square"));
   const std::string kind = changed("\"frame-buffer\"", "\"frame\"");
-  CHECK(message(kind) == place_of(kind, "\"frame\"") + ": unknown kind 'frame'; there are " + names);
+  CHECK(message(kind) == testing::place_in(kind, "\"frame\"") + ": unknown kind 'frame'; there are " + names);
   std::string order = description_of("pixel-square");
   order.replace(order.find("value = \"rows\""), 14, "value = \"columns\"");
   CHECK(message(order) ==
-        place_of(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
+        testing::place_in(order, "\"columns\"") + ": divider.order is 'columns'; it takes rows, serpentine, morton");
 }
 
 TEST_CASE("a scan-line machine whose picture is wider than its chain is refused") {

@@ -13,6 +13,7 @@
 #include "hw/machines/change_error.h"
 #include "places.h"
 #include "sim/software/cost/built_in.h"
+#include "tests/support/place_in.h"
 
 using namespace csgsim;
 using software::load_processor;
@@ -46,14 +47,6 @@ std::string message(std::string_view text) {
     return error.what();
   }
   return "no error";
-}
-
-/// `my.toml:line:column` of where the needle first stands in the text.
-std::string place_of(std::string_view text, std::string_view needle) {
-  const std::size_t at = text.find(needle);
-  REQUIRE(at != std::string_view::npos);
-  const std::string_view before = text.substr(0, at);
-  return fmt::format("my.toml:{}:{}", 1 + std::count(before.begin(), before.end(), '\n'), at - before.rfind('\n'));
 }
 
 const machines::Figure& figure_of(const Processor& processor, std::string_view key) {
@@ -132,18 +125,20 @@ TEST_CASE("operations take their prices, times the compiler's factor, at the pro
 TEST_CASE("errors of a processor's file say where, and what to write instead") {
   std::string text = changed("[price.branch]", "[price.branches]");
   CHECK(message(text) ==
-        place_of(text, "branches]") + ": unknown key 'price.branches'; the nearest known is 'price.branch'");
+        testing::place_in(text, "branches]") + ": unknown key 'price.branches'; the nearest known is 'price.branch'");
   CHECK(message("name = \"one\"\ndescription = \"none\"\n") ==
         "my.toml:1:1: key 'clock.frequency' is missing; add a table [clock.frequency] with value, unit, provenance and "
         "source");
   text = changed("value = 8_000_000", "value = 0");
-  CHECK(message(text) == place_of(text, "0\n") + ": clock.frequency is 0; it takes 1 to 10000000000 Hz");
+  CHECK(message(text) == testing::place_in(text, "0\n") + ": clock.frequency is 0; it takes 1 to 10000000000 Hz");
   text = changed("provenance = \"published\"", "provenance = \"fitted\"");
   CHECK(message(text).find("provenance 'fitted' of price.load; say 'published' or 'assumed'") != std::string::npos);
   text = changed("unit = \"clocks\"", "unit = \"seconds\"");
-  CHECK(message(text) == place_of(text, "\"seconds\"") + ": unit 'seconds' of price.load; it counts in 'clocks'");
+  CHECK(message(text) ==
+        testing::place_in(text, "\"seconds\"") + ": unit 'seconds' of price.load; it counts in 'clocks'");
   text = changed("value = 12\n", "value = 12.5\n");
-  CHECK(message(text) == place_of(text, "12.5\n") + ": price.load is a number with a point; make it an integer");
+  CHECK(message(text) ==
+        testing::place_in(text, "12.5\n") + ": price.load is a number with a point; make it an integer");
   text = changed("name = \"mc68000\"", "kind = \"frame-buffer\"\nname = \"mc68000\"");
   CHECK(message(text).find("unknown key 'kind'") != std::string::npos);
   text = changed("[price.call]", "price.call = 18\n[price.cal]");

@@ -17,6 +17,7 @@
 #include "sim/software/traversals/positional.h"
 #include "sim/software/traversals/standard.h"
 #include "sim/software/traversals/status.h"
+#include "sim/software/traversals/take_back.h"
 #include "sim/software/tree/tree.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
@@ -68,7 +69,7 @@ class Walker {
     for (const std::uint32_t primitive : question_.open()) {
       if (held_[primitive] && tree_.leaf_of[primitive] != model::no_index) in.push_back(primitive);
     }
-    traversal_.start(in, count_);
+    software::take_back(traversal_, in, count_);
     held_ = question_.held();
   }
   bool is_right() { return (traversal_.evaluate(count_) != tree_.complemented) == question_.rules.holds(held_); }

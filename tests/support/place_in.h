@@ -1,0 +1,20 @@
+#pragma once
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+namespace csgsim::testing {
+
+/// `my.toml:line:column` of where the needle first stands in the text.
+inline std::string place_in(std::string_view text, std::string_view needle) {
+  const std::size_t at = text.find(needle);
+  REQUIRE(at != std::string_view::npos);
+  const std::string_view before = text.substr(0, at);
+  return fmt::format("my.toml:{}:{}", 1 + std::ranges::count(before, '\n'), at - before.rfind('\n'));
+}
+
+}  // namespace csgsim::testing
