@@ -1,0 +1,165 @@
+#include "sim/software/facets/screen_facets.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "sim/software/facets/region.h"
+#include "sim/software/rays/tile_planes.h"
+
+namespace csgsim::software {
+
+namespace {
+
+using view::FixedLinear;
+
+FixedLinear difference(const FixedLinear& a, const FixedLinear& b) { return {a.a - b.a, a.b - b.b, a.c - b.c}; }
+
+FixedLinear less(const FixedLinear& linear, std::int64_t amount) { return {linear.a, linear.b, linear.c - amount}; }
+
+/// What is not below 0 where the edge test is passed.
+FixedLinear passed(const TilePlanes::Edge& edge) {
+  if (edge.positive) return edge.linear;
+  return {-edge.linear.a, -edge.linear.b, -edge.linear.c - 1};
+}
+
+/// Makes the facets of one primitive.
+class Maker {
+ public:
+  Maker(const view::View& view, std::uint32_t primitive, TilePlanes planes, ScreenFacets& made)
+      : pixels_(view.extents[primitive].pixels), primitive_(primitive), planes_(std::move(planes)), made_(made) {}
+
+  void add_near_cap() {
+    if (planes_.fronts.empty()) add({}, 0, planes_.fronts, planes_.backs);
+  }
+  /// The one of so many among those at the front, or at the back.
+  void add_front(std::uint32_t facet, std::size_t place) {
+    add({.facet = facet, .depth = planes_.fronts[place]}, place, planes_.fronts, planes_.backs);
+  }
+  void add_back(std::uint32_t facet, std::size_t place) {
+    add({.facet = facet, .leaves = true, .depth = planes_.backs[place]}, place, planes_.backs, planes_.fronts);
+  }
+
+ private:
+  void bound(const FixedLinear& linear) {
+    if (!region_.clip(linear)) made_.linears.push_back(linear);
+  }
+
+  void add(ScreenFacet facet, std::size_t place, const std::vector<FixedLinear>& same,
+           const std::vector<FixedLinear>& others) {
+    region_ = Region(pixels_);
+    facet.primitive = primitive_;
+    facet.bounds = made_.linears.size();
+    for (const TilePlanes::Edge& edge : planes_.edges) bound(passed(edge));
+    for (std::size_t i = 0; i < same.size() && !region_.empty(); ++i) {
+      if (i == place) continue;
+      const FixedLinear before = facet.leaves ? difference(same[i], facet.depth) : difference(facet.depth, same[i]);
+      bound(less(before, i < place ? 1 : 0));
+    }
+    for (std::size_t i = 0; i < others.size() && !region_.empty(); ++i) bound(less(thickness(facet, others[i]), 1));
+    facet.pixels = view::common(region_.pixels(), pixels_);
+    if (region_.empty() || facet.pixels.empty()) {
+      made_.linears.resize(facet.bounds);
+      return;
+    }
+    leave_out_slack(facet.bounds);
+    facet.opposites = made_.linears.size();
+    for (const FixedLinear& other : others) {
+      if (!is_surely_behind(facet, other)) made_.linears.push_back(other);
+    }
+    facet.end = made_.linears.size();
+    made_.facets.push_back(facet);
+  }
+
+  /// Leaves out bounds that were cut by before others took more: a convex region on which a function is above 0
+  /// throughout is no larger without it.
+  void leave_out_slack(std::size_t begin) {
+    const auto first = made_.linears.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto is_slack = [&](const FixedLinear& bound) { return region_.is_surely_at_least(bound, 1); };
+    made_.linears.erase(std::remove_if(first, made_.linears.end(), is_slack), made_.linears.end());
+  }
+
+  /// Whether a step lies between a facet and one of the other side at every pixel, and what is left begins no nearer
+  /// than at depth 0.
+  [[nodiscard]] bool is_surely_behind(const ScreenFacet& facet, const FixedLinear& other) const {
+    const double step = static_cast<double>(std::int64_t{1} << made_.fraction_bits);
+    return region_.is_surely_at_least(thickness(facet, other), step) &&
+           (facet.leaves || region_.is_surely_at_least(other, step));
+  }
+
+  static FixedLinear thickness(const ScreenFacet& facet, const FixedLinear& other) {
+    return facet.leaves ? difference(facet.depth, other) : difference(other, facet.depth);
+  }
+
+  view::PixelRect pixels_;
+  std::uint32_t primitive_;
+  TilePlanes planes_;
+  ScreenFacets& made_;
+  Region region_{view::PixelRect{}};
+};
+
+void add_facets(const view::View& view, const Facets& facets, std::uint32_t primitive, TilePlanes planes,
+                ScreenFacets& made) {
+  if (planes.nowhere || view.extents[primitive].pixels.empty()) return;
+  Maker maker(view, primitive, std::move(planes), made);
+  maker.add_near_cap();
+  std::size_t fronts = 0;
+  std::size_t backs = 0;
+  for (std::size_t i = facets.of_primitives[primitive]; i < facets.of_primitives[primitive + 1]; ++i) {
+    const facet::Halfspace halfspace = facets.facets[i].halfspace;
+    const view::ScreenPlane& plane = view.planes[halfspace.plane];
+    if (!plane.representable) continue;
+    const auto facet = static_cast<std::uint32_t>(i);
+    const view::Side side = view::side_of(plane, halfspace);
+    if (side == view::Side::front) maker.add_front(facet, fronts++);
+    if (side == view::Side::back) maker.add_back(facet, backs++);
+  }
+}
+
+}  // namespace
+
+Span ScreenFacets::span_of(const ScreenFacet& facet, std::int32_t row) const {
+  Span span{facet.pixels.x0, facet.pixels.x1};
+  if (row < facet.pixels.y0 || row > facet.pixels.y1) return {};
+  for (const FixedLinear& bound : bounds_of(facet)) {
+    if (span.empty()) break;
+    clip(span, bound.a, bound.b * row + bound.c);
+  }
+  return span;
+}
+
+std::optional<Event> ScreenFacets::event_at(const ScreenFacet& facet, std::int32_t column, std::int32_t row,
+                                            std::int64_t value) const {
+  const std::int64_t depth = facet.leaves ? value >> fraction_bits : std::max<std::int64_t>(0, value >> fraction_bits);
+  if (facet.leaves && depth <= 0) return std::nullopt;
+  if (depth >= farthest) return std::nullopt;
+  for (const FixedLinear& opposite : opposites_of(facet)) {
+    const std::int64_t other = value_at(opposite, column, row) >> fraction_bits;
+    if (facet.leaves ? other >= depth : depth >= other) return std::nullopt;
+  }
+  return Event{static_cast<std::uint32_t>(depth), facet.crossing()};
+}
+
+std::optional<Event> ScreenFacets::event_at(const ScreenFacet& facet, std::int32_t column, std::int32_t row) const {
+  const view::PixelRect& pixels = facet.pixels;
+  if (column < pixels.x0 || column > pixels.x1 || row < pixels.y0 || row > pixels.y1) return std::nullopt;
+  for (const FixedLinear& bound : bounds_of(facet)) {
+    if (value_at(bound, column, row) < 0) return std::nullopt;
+  }
+  return event_at(facet, column, row, value_at(facet.depth, column, row));
+}
+
+ScreenFacets screen_facets(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
+                           const Facets& facets) {
+  ScreenFacets made;
+  made.fraction_bits = view.sampling.fraction_bits;
+  made.farthest = (std::uint32_t{1} << view.sampling.z_bits) - 1;
+  for (std::uint32_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
+    made.of_primitives.push_back(made.facets.size());
+    add_facets(view, facets, primitive, planes_of(tree, geometry, view, primitive), made);
+  }
+  made.of_primitives.push_back(made.facets.size());
+  return made;
+}
+
+}  // namespace csgsim::software

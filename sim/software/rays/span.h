@@ -1,0 +1,41 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "hw/base/quotient.h"
+
+namespace csgsim::software {
+
+/// Columns of a row, both ends among them.
+struct Span {
+  std::int32_t first = 0;
+  std::int32_t last = -1;
+
+  [[nodiscard]] bool empty() const { return first > last; }
+  [[nodiscard]] std::int32_t columns() const { return last - first + 1; }
+};
+
+/// Leaves the columns of a row where a x + rest >= 0.
+inline void clip(Span& span, std::int64_t a, std::int64_t rest) {
+  if (a == 0) {
+    if (rest < 0) span.last = span.first - 1;
+  } else if (a > 0) {
+    const std::int64_t least = -quotient_down(rest, a);
+    span.first = static_cast<std::int32_t>(std::clamp<std::int64_t>(least, span.first, std::int64_t{span.last} + 1));
+  } else {
+    const std::int64_t most = quotient_down(rest, -a);
+    span.last = static_cast<std::int32_t>(std::clamp<std::int64_t>(most, std::int64_t{span.first} - 1, span.last));
+  }
+}
+
+/// Leaves the columns where a x + rest >= 0, or, if not `positive`, < 0.
+inline void clip(Span& span, std::int64_t a, std::int64_t rest, bool positive) {
+  if (positive) {
+    clip(span, a, rest);
+  } else {
+    clip(span, -a, -rest - 1);
+  }
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,162 @@
+#include "sim/software/facets/facets.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host/convex/polytope.h"
+#include "host/read/read.h"
+#include "hw/base/error.h"
+#include "sim/software/facets/screen_facets.h"
+#include "sim/software/rays/caster.h"
+#include "tests/support/drawing.h"
+#include "tests/support/usual_cases.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using software::Event;
+using testing::Scene;
+
+namespace {
+
+struct Tally {
+  std::uint64_t scenes = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t events = 0;
+  std::uint64_t facets = 0;
+  std::uint64_t with_opposites = 0;
+  std::uint64_t bounds = 0;
+};
+
+/// The events at each pixel, by scan-conversion of facets.
+std::vector<std::vector<Event>> scan_converted(const software::ScreenFacets& facets, std::uint32_t width,
+                                               std::uint32_t height) {
+  std::vector<std::vector<Event>> events(std::size_t{width} * height);
+  for (const software::ScreenFacet& facet : facets.facets) {
+    for (std::int32_t y = facet.pixels.y0; y <= facet.pixels.y1; ++y) {
+      const software::Span span = facets.span_of(facet, y);
+      std::int64_t value = software::value_at(facet.depth, span.first, y);
+      for (std::int32_t x = span.first; x <= span.last; ++x, value += facet.depth.a) {
+        const std::optional<Event> event = facets.event_at(facet, x, y, value);
+        if (event) events[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].push_back(*event);
+      }
+    }
+  }
+  for (std::vector<Event>& one : events) std::sort(one.begin(), one.end());
+  return events;
+}
+
+/// What is wrong with the events of a scene's facets; empty if nothing is. Rays are judged by rays_test.
+std::string fault_of(const Scene& scene, Tally& tally) {
+  const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
+  const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
+  const software::ScreenFacets seen = software::screen_facets(scene.tree, scene.geometry, scene.view, facets);
+  const std::vector<std::vector<Event>> events = scan_converted(seen, rays.width(), rays.height());
+  tally.facets += seen.facets.size();
+  for (const software::ScreenFacet& facet : seen.facets) {
+    tally.bounds += seen.bounds_of(facet).size();
+    tally.with_opposites += seen.opposites_of(facet).empty() ? 0U : 1U;
+  }
+  software::RayBand band;
+  for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
+    rays.cast(row, band);
+    for (std::size_t ray = 0; ray < band.rays(); ++ray) {
+      const std::size_t pixel = std::size_t{row} * rays.width() + ray;
+      if (!std::ranges::equal(band.events_of(ray), events[pixel]))
+        return fmt::format("events at {}, {}", pixel % rays.width(), pixel / rays.width());
+      tally.events += events[pixel].size();
+    }
+  }
+  return "";
+}
+
+double area(std::span<const glm::dvec3> corners) {
+  glm::dvec3 sum{0};
+  for (std::size_t i = 2; i < corners.size(); ++i)
+    sum += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  return glm::length(sum) / 2.0;
+}
+
+Scene scene_of(const std::string& csg) {
+  model::Tree tree = read::read_csg_text(csg, "facets.csg");
+  facet::Geometry geometry = facet::make_geometry(tree);
+  return {std::move(tree), std::move(geometry), {}};
+}
+
+}  // namespace
+
+TEST_CASE("facets that are scan-converted give each pixel the events of its ray, in random scenes") {
+  Tally tally;
+  CHECK(rc::check([&] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      const std::optional<Scene> scene = testing::random_scene(seed + i);
+      ++tally.scenes;
+      const bool is_curved =
+          scene && std::ranges::any_of(scene->geometry.solids, [](const auto& one) { return !one.quadrics.empty(); });
+      if (!scene || is_curved) ++tally.refused;
+      if (!scene || is_curved) continue;
+      const std::string fault = fault_of(*scene, tally);
+      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
+    }
+  }));
+  MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.events, " events, ", tally.facets, " facets, ",
+          tally.with_opposites, " with opposites, ", tally.bounds, " bounds");
+  if (!testing::draws_usual_cases()) return;
+  CHECK(tally.refused < tally.scenes * 3 / 4);
+  CHECK(tally.with_opposites > 0);
+  CHECK(tally.with_opposites < tally.facets);
+}
+TEST_CASE("facets that are scan-converted give each pixel the events of its ray, on the thesis's objects") {
+  Tally tally;
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+    }
+  }
+  CHECK(tally.bounds < 10 * tally.facets);
+}
+TEST_CASE("the facets of a primitive are the faces of its solid, counter-clockwise from outside") {
+  const Scene scene = scene_of("union() { cube([2, 3, 4]); cylinder(h = 5, r1 = 2, r2 = 2, $fn = 12); }");
+  const software::Facets facets = software::facets_of(scene.tree, scene.geometry);
+  REQUIRE(facets.of_primitives == std::vector<std::size_t>{0, 6, 20});
+  CHECK(facets.polygons() == 20);
+  double surface = 0;
+  for (std::uint32_t i = 0; i < 6; ++i) surface += area(facets.corners_of(i));
+  CHECK(surface == doctest::Approx(2.0 * (2 * 3 + 3 * 4 + 2 * 4)));
+  double round = 0;
+  for (std::uint32_t i = 6; i < 20; ++i) round += area(facets.corners_of(i));
+  const double side = 4.0 * std::sin(std::acos(-1.0) / 12.0);
+  CHECK(round == doctest::Approx(12.0 * side * 5.0 + 12.0 * 4.0 * std::sin(std::acos(-1.0) / 6.0)));
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const std::span<const glm::dvec3> corners = facets.corners_of(i);
+    const glm::dvec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    const facet::Halfspace halfspace = facets.facets[i].halfspace;
+    const glm::dvec3 outward =
+        scene.geometry.planes.planes()[halfspace.plane].normal * (halfspace.positive ? 1.0 : -1.0);
+    CHECK(glm::dot(normal, outward) > 0.0);
+  }
+}
+TEST_CASE("a primitive that stays curved is refused with its place") {
+  const model::Tree tree = read::read_csg_text("\nsphere(r = 3);", "round.csg");
+  facet::Faceting faceting;
+  faceting.exact_curves = true;
+  const facet::Geometry geometry = facet::make_geometry(tree, faceting);
+  REQUIRE(!geometry.solids[0].quadrics.empty());
+  try {
+    (void)software::facets_of(tree, geometry);
+    FAIL("it was taken");
+  } catch (const InputError& error) {
+    CHECK(std::string(error.what()).starts_with("round.csg:2:1: this primitive stays curved"));
+  }
+}
