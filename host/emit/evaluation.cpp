@@ -11,6 +11,7 @@
 #include "host/emit/labels.h"
 #include "host/emit/levels.h"
 #include "host/emit/parallel.h"
+#include "host/emit/polygons.h"
 #include "host/emit/stored.h"
 #include "host/emit/surface.h"
 #include "hw/base/error.h"
@@ -190,7 +191,8 @@ ClassificationBits bits_of_surface(const PlannedSurface& planned, const Options&
   ClassificationBits bits;
   switch (options.strategy) {
     case Strategy::stack:
-    case Strategy::stored: return bits_for_levels(planned.active, all_levels);
+    case Strategy::stored:
+    case Strategy::polygons: return bits_for_levels(planned.active, all_levels);
     case Strategy::list: bits.label = label_bits(planned.active); break;
     case Strategy::bits:
       return merges_each_product(options) ? bits : bits_for_levels(planned.active, stack_levels(options));
@@ -225,6 +227,11 @@ void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface
     return renders_each ? emit_rendered_products(context, out, planned, sides)
                         : emit_products(context, out, planned, sides);
   }
+  if (options.strategy == Strategy::polygons) {
+    const Surface surface = surface_of(context, planned, sides);
+    if (surface.nothing) return;
+    if (has_polygons(context, planned, surface)) return emit_polygons(context, out, planned, sides, surface);
+  }
   const Surface surface = has_stored_surface(context, planned) ? emit_stored_surface(context, out, planned, sides)
                                                                : emit_surface(context, out, planned, sides);
   if (surface.nothing) return;
@@ -232,7 +239,8 @@ void emit_primitive(const Context& context, Broadcast& out, const PlannedSurface
     if (planned.active.operands.empty()) return 0;
     switch (options.strategy) {
       case Strategy::stack:
-      case Strategy::stored: return emit_by_levels(context, out, planned, all_levels);
+      case Strategy::stored:
+      case Strategy::polygons: return emit_by_levels(context, out, planned, all_levels);
       case Strategy::list: return emit_list(context, out, planned);
       case Strategy::bits: return emit_by_levels(context, out, planned, stack_levels(options));
       case Strategy::parallel: return emit_parallel(context, out, planned);

@@ -8,7 +8,7 @@ namespace csgsim::emit {
 namespace {
 
 constexpr auto strategy_names =
-    std::to_array<std::string_view>({"stack", "list", "bits", "products", "parallel", "stored", "auto"});
+    std::to_array<std::string_view>({"stack", "list", "bits", "products", "parallel", "stored", "polygons", "auto"});
 constexpr auto colouring_names = std::to_array<std::string_view>({"rebroadcast", "field", "auto"});
 static_assert(strategy_names.size() == strategies.size() && colouring_names.size() == colourings.size());
 

@@ -20,11 +20,12 @@ enum class Strategy : std::uint8_t {
   products,   ///< thesis 6.3: sum of products, a primitive rendered once for each
   parallel,   ///< thesis 4.4.2: one bit a leaf, all nodes of a level at once
   stored,     ///< thesis 6.1: as stack, but depths of primitives that are compared are kept, rendered once each
-  automatic,  ///< whichever takes the fewest clocks and fits
+  polygons,   ///< thesis 7.2.1 and 8.2: what is compared with nothing is drawn face by face, the rest as by stack
+  automatic,  ///< whichever of the others, but polygons, takes the fewest clocks and fits
 };
 
 inline constexpr std::array strategies{Strategy::stack,    Strategy::list,   Strategy::bits,     Strategy::products,
-                                       Strategy::parallel, Strategy::stored, Strategy::automatic};
+                                       Strategy::parallel, Strategy::stored, Strategy::polygons, Strategy::automatic};
 
 /// The strategy's name on the command line and in the stats.
 std::string_view name_of(Strategy strategy);

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "sim/software/facets/region.h"
+#include "host/view/region.h"
 #include "sim/software/rays/tile_planes.h"
 
 namespace csgsim::software {
@@ -47,7 +47,7 @@ class Maker {
 
   void add(ScreenFacet facet, std::size_t place, const std::vector<FixedLinear>& same,
            const std::vector<FixedLinear>& others) {
-    region_ = Region(pixels_);
+    region_ = view::Region(pixels_);
     facet.primitive = primitive_;
     facet.bounds = made_.linears.size();
     for (const TilePlanes::Edge& edge : planes_.edges) bound(passed(edge));
@@ -95,7 +95,7 @@ class Maker {
   std::uint32_t primitive_;
   TilePlanes planes_;
   ScreenFacets& made_;
-  Region region_{view::PixelRect{}};
+  view::Region region_{view::PixelRect{}};
 };
 
 void add_facets(const view::View& view, const Facets& facets, std::uint32_t primitive, TilePlanes planes,

@@ -39,6 +39,12 @@ std::vector<unsigned> alu_bits_of(const std::string& text) {
 std::vector<std::string> strategies_of(const std::string& text) {
   return text.empty() ? std::vector<std::string>{} : parse_names(text, "strategy", fixed_names_of(emit::strategies));
 }
+/// All but polygons, which take the bits of a stack and more clocks (docs/memory-bits.md).
+std::vector<std::string> usual_strategies() {
+  std::vector<std::string> names = fixed_names_of(emit::strategies);
+  std::erase(names, emit::name_of(emit::Strategy::polygons));
+  return names;
+}
 std::vector<std::string> colourings_of(const std::string& text) {
   return parse_names(text, "colouring", fixed_names_of(emit::colourings));
 }
@@ -78,7 +84,7 @@ AdviceRanges ranges_of(const AdviseOptions& options, const machines::Machine& ma
   if (ranges.strategies.empty()) {
     // A machine that divides the model itself knows one alone.
     ranges.strategies = machines::division(machine) ? std::vector{std::string(emit::name_of(emit::Strategy::stack))}
-                                                    : fixed_names_of(emit::strategies);
+                                                    : usual_strategies();
   }
   ranges.stack_bits = stack_bits_of(options.stack_bits);
   ranges.alu_bits = alu_widths(options, machine);

@@ -71,6 +71,17 @@ def stored(figures):
     return ruled(("", "bits used", "bits in all", "scan-conversions", "of `stack`", "clocks", "of `stack`", ""), rows)
 
 
+def polygons(figures):
+    """What drawing face by face takes. The last is an imported mesh."""
+    rows = []
+    for name, model in (*((model, model) for model in MODELS), ("molecule", "tests/models/molecule.csg"), ("sphere", "tests/models/sphere.csg"),
+                        ("an imported torus", "tests/corpus/import_stl_binary.csg")):
+        options = PERSPECTIVE if model in MODELS else ""
+        stack, faces = (figures.render(model, f"{options} --strategy {strategy}") for strategy in ("stack", "polygons"))
+        rows.append((name, f"{faces.model.halfspaces:,}", f"{stack.clocks:,}", f"{faces.clocks:,}", f"{faces.clocks / stack.clocks:.2f} ×"))
+    return ruled(("", "half-spaces", "clocks of `stack`", "of `polygons`", ""), rows)
+
+
 def widths(figures):
     rows = []
     for model in ("vehicle", "carburettor"):

@@ -5,23 +5,23 @@
 
 #include "host/view/fixed_point.h"
 
-namespace csgsim::software {
+namespace csgsim::view {
 
 /// A convex polygon of the picture that holds every pixel of a rectangle at which some linear functions of integers are
 /// at least 0, and no more than rounding makes it.
 class Region {
  public:
-  explicit Region(const view::PixelRect& pixels);
+  explicit Region(const PixelRect& pixels);
 
   /// Leaves what the function is not surely below 0 at. Returns whether it is surely at least `least`, of 0 and more,
   /// at all pixels that were left, so that nothing is taken away.
-  bool clip(const view::FixedLinear& linear, double least = 0);
+  bool clip(const FixedLinear& linear, double least = 0);
   /// Whether the function is surely at least that everywhere.
-  [[nodiscard]] bool is_surely_at_least(const view::FixedLinear& linear, double least) const;
+  [[nodiscard]] bool is_surely_at_least(const FixedLinear& linear, double least) const;
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   /// The pixels of the polygon.
-  [[nodiscard]] view::PixelRect pixels() const;
+  [[nodiscard]] PixelRect pixels() const;
 
  private:
   std::vector<glm::dvec2> corners_;
@@ -29,4 +29,4 @@ class Region {
   double reach_ = 0;  ///< how far from the first pixel of the picture its pixels are
 };
 
-}  // namespace csgsim::software
+}  // namespace csgsim::view

@@ -1,21 +1,21 @@
-#include "sim/software/facets/region.h"
+#include "host/view/region.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-namespace csgsim::software {
+namespace csgsim::view {
 
 namespace {
 
-double value(const view::FixedLinear& linear, const glm::dvec2& at) {
+double value(const FixedLinear& linear, const glm::dvec2& at) {
   return static_cast<double>(linear.a) * at.x + static_cast<double>(linear.b) * at.y + static_cast<double>(linear.c);
 }
 
 /// More than a function errs by in doubles at corners that themselves are out by as much: some ulps of its largest
 /// term.
-double doubt(const view::FixedLinear& linear, double reach) {
+double doubt(const FixedLinear& linear, double reach) {
   const double largest = (std::abs(static_cast<double>(linear.a)) + std::abs(static_cast<double>(linear.b))) * reach +
                          std::abs(static_cast<double>(linear.c));
   return std::ldexp(largest, -44);
@@ -23,18 +23,18 @@ double doubt(const view::FixedLinear& linear, double reach) {
 
 }  // namespace
 
-Region::Region(const view::PixelRect& pixels) {
+Region::Region(const PixelRect& pixels) {
   if (pixels.empty()) return;
   corners_ = {{pixels.x0, pixels.y0}, {pixels.x1, pixels.y0}, {pixels.x1, pixels.y1}, {pixels.x0, pixels.y1}};
   reach_ = 1.0 + std::max({std::abs(pixels.x0), std::abs(pixels.x1), std::abs(pixels.y0), std::abs(pixels.y1)});
 }
 
-bool Region::is_surely_at_least(const view::FixedLinear& linear, double least) const {
+bool Region::is_surely_at_least(const FixedLinear& linear, double least) const {
   const double sure = least + doubt(linear, reach_);
   return std::ranges::all_of(corners_, [&](const glm::dvec2& corner) { return value(linear, corner) >= sure; });
 }
 
-bool Region::clip(const view::FixedLinear& linear, double least) {
+bool Region::clip(const FixedLinear& linear, double least) {
   if (is_surely_at_least(linear, least)) return true;
   const double low = -doubt(linear, reach_);
   clipped_.clear();
@@ -51,7 +51,7 @@ bool Region::clip(const view::FixedLinear& linear, double least) {
   return false;
 }
 
-view::PixelRect Region::pixels() const {
+PixelRect Region::pixels() const {
   if (corners_.empty()) return {};
   glm::dvec2 low = corners_.front();
   glm::dvec2 high = low;
@@ -64,4 +64,4 @@ view::PixelRect Region::pixels() const {
           static_cast<std::int32_t>(std::floor(high.x + near)), static_cast<std::int32_t>(std::floor(high.y + near))};
 }
 
-}  // namespace csgsim::software
+}  // namespace csgsim::view

@@ -1,0 +1,116 @@
+#include "host/emit/polygons.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/emit/drawing.h"
+#include "host/emit/early_out.h"
+#include "host/emit/shading.h"
+#include "host/view/region.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+using isa::Opcode;
+using view::FixedLinear;
+
+FixedLinear difference(const FixedLinear& a, const FixedLinear& b) { return {a.a - b.a, a.b - b.b, a.c - b.c}; }
+
+/// A plane that a face is compared with.
+struct Neighbour {
+  Opcode opcode;  ///< E stays 1 where it says so of the plane and of Z1, the face's depth
+  FixedLinear plane;
+};
+
+/// The neighbours of faces of one surface.
+class Faces {
+ public:
+  Faces(const Context& context, const Sides& sides, const Surface& surface)
+      : pixels_(surface.block.pixels), step_(std::int64_t{1} << context.view.sampling.fraction_bits) {
+    for (const Facet& front : surface.facets) fronts_.push_back(context.linear_of(front.halfspace));
+    for (const Facet& back : sides.backs.facets) backs_.push_back(context.linear_of(back.halfspace));
+  }
+
+  /// None where the face is at no pixel: then the region is empty.
+  [[nodiscard]] std::vector<Neighbour> around(std::size_t face, view::Region& region) const {
+    region = view::Region(pixels_);
+    const FixedLinear& own = fronts_[face];
+    // Depths that differ by less than a step may be one depth.
+    const auto leave = [&](const FixedLinear& thickness) {
+      return region.clip({thickness.a, thickness.b, thickness.c + step_ - 1}, 0);
+    };
+    for (std::size_t i = 0; i < fronts_.size(); ++i)
+      if (i != face) leave(difference(own, fronts_[i]));
+    for (const FixedLinear& back : backs_) leave(difference(back, own));
+    std::vector<Neighbour> neighbours;
+    const auto add = [&](Opcode opcode, const FixedLinear& plane, const FixedLinear& thickness) {
+      if (!region.is_surely_at_least(thickness, static_cast<double>(step_))) neighbours.push_back({opcode, plane});
+    };
+    // Of faces at one depth the first is seen.
+    for (std::size_t i = 0; i < fronts_.size(); ++i)
+      if (i != face) add(i < face ? Opcode::linear_lt : Opcode::linear_le, fronts_[i], difference(own, fronts_[i]));
+    for (const FixedLinear& back : backs_) add(Opcode::linear_gt, back, difference(back, own));
+    return neighbours;
+  }
+
+ private:
+  view::PixelRect pixels_;
+  std::int64_t step_;
+  std::vector<FixedLinear> fronts_;
+  std::vector<FixedLinear> backs_;
+};
+
+/// The face where E is 1: its depth and its colour where it is nearer than Z2.
+void emit_face(const Context& context, Broadcast& out, const PlannedSurface& planned, const Facet& facet,
+               const std::vector<Neighbour>& neighbours, const view::PixelRect& pixels) {
+  const Layout& layout = context.layout;
+  out.origin = origin_of(isa::Purpose::render, planned, facet);
+  out.surface(Opcode::load_linear, layout.candidate, context.linear_of(facet.halfspace), pixels);
+  for (const Neighbour& one : neighbours) out.surface(one.opcode, layout.candidate, one.plane, pixels);
+  const isa::Origin merging = origin_of(isa::Purpose::merge, planned, facet);
+  out.origin = merging;
+  out.plain(Opcode::field_lt, layout.candidate, layout.depth);
+  const std::size_t merge = out.size();
+  out.plain(Opcode::copy, layout.depth, layout.candidate);
+  out.origin = origin_of(isa::Purpose::shade, planned, facet);
+  emit_colour(context, out, facet, layout.colour, pixels);
+  emit_early_out(context, out, merge, merging);
+}
+
+}  // namespace
+
+bool has_polygons(const Context& context, const PlannedSurface& planned, const Surface& surface) {
+  const bool is_plain = context.called.size() <= 1 && context.base.width == 0 && context.beyond.width == 0 &&
+                        context.beyond_plane == nullptr && context.paint == nullptr && context.layout.owner.width == 0;
+  return is_plain && planned.active.operands.empty() && !context.complemented(planned.primitive()) &&
+         std::ranges::all_of(planned.set,
+                             [&](std::uint32_t one) { return context.geometry.solids[one].quadrics.empty(); }) &&
+         std::ranges::all_of(surface.facets, [](const Facet& facet) { return facet.at == At::plane; });
+}
+
+void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
+                   const Surface& surface) {
+  const view::PixelRect& pixels = surface.block.pixels;
+  out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
+  enable_drawing(context, out);
+  out.clip(pixels, context.plan.pixels());
+  for (const std::uint32_t primitive : planned.set) emit_edges(context, out, primitive, sides.column);
+  out.plain(Opcode::enable_store, context.layout.mask);
+  const Faces faces(context, sides, surface);
+  view::Region region{pixels};
+  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+    const std::vector<Neighbour> neighbours = faces.around(i, region);
+    if (region.empty()) continue;
+    out.origin = origin_of(isa::Purpose::render, planned, surface.facets[i]);
+    out.plain(Opcode::enable_load, context.layout.mask);
+    emit_face(context, out, planned, surface.facets[i], neighbours, pixels);
+    ++out.counts.depth_tests;
+  }
+  out.counts.rendered += planned.set.size();
+}
+
+}  // namespace csgsim::emit

@@ -1,0 +1,106 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program.h"
+#include "hw/pixel_square/kind.h"
+#include "tests/oracle/random_model.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+using isa::Instruction;
+using isa::Opcode;
+
+namespace {
+
+testing::Setup setup(emit::Strategy strategy) {
+  testing::Setup made;
+  made.camera = {{60, -70, 90}, {0, 0, 0}, view::Projection::orthographic};
+  made.sampling.width = 96;
+  made.sampling.height = 80;
+  made.memory_bits = 256;
+  made.options.strategy = strategy;
+  return made;
+}
+
+/// Compared with the depth of a face.
+bool compares(const Instruction& one) {
+  return one.origin.purpose == isa::Purpose::render &&
+         (one.opcode == Opcode::linear_lt || one.opcode == Opcode::linear_le || one.opcode == Opcode::linear_gt);
+}
+
+std::size_t count(const isa::Program& program, const auto& is_one) {
+  std::size_t counted = 0;
+  for (const isa::Segment& segment : program.segments)
+    counted += static_cast<std::size_t>(std::ranges::count_if(segment.instructions, is_one));
+  return counted;
+}
+
+std::size_t faces_loaded(const isa::Program& program) {
+  return count(program, [](const Instruction& one) {
+    return one.origin.purpose == isa::Purpose::render && one.opcode == Opcode::load_linear;
+  });
+}
+
+}  // namespace
+
+TEST_CASE("a face of a cube is compared with the faces beside it, and of those at the front the first has ties") {
+  const isa::Program program =
+      testing::compile_text("cube(size=20,center=true);", setup(emit::Strategy::polygons)).program;
+  CHECK(faces_loaded(program) == 3);
+  // Four each, but for the two upright edges of the outline: the picture's rectangle of the cube ends there.
+  CHECK(count(program, compares) == 12 - 2);
+  // Of two faces at the front one has the edge between them: three edges.
+  CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_le; }) == 3);
+  CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_lt && compares(one); }) == 3);
+  CHECK(program.facts.compile.strategy == "polygons");
+  CHECK(program.facts.compile.depth_tests == 3);
+}
+
+TEST_CASE("a face of a cylinder of many sides is compared with few of them") {
+  const isa::Program program =
+      testing::compile_text("cylinder($fn=120,h=30,r1=25,r2=25,center=true);", setup(emit::Strategy::polygons)).program;
+  const std::size_t faces = faces_loaded(program);
+  CHECK(faces > 50);
+  CHECK(faces < 64);
+  // The end has all sides around it; a side two of its kind, the end and the far end.
+  CHECK(count(program, compares) < 130 + 8 * faces);
+}
+
+TEST_CASE("by polygons and by a stack the same picture is drawn of random models, on two machines") {
+  std::size_t most_faces = 0;
+  for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+    CAPTURE(seed);
+    std::string model = testing::random_model(seed, 2 + static_cast<unsigned>(seed % 9));
+    if (seed % 4 != 0) model = testing::random_model(seed + 1000, 1) + testing::random_model(seed + 2000, 1) + model;
+    testing::Setup how = setup(emit::Strategy::stack);
+    how.camera = {
+        {9, -13.5, 10.5}, {0, 0, 0}, seed % 3 == 0 ? view::Projection::orthographic : view::Projection::perspective};
+    how.sampling.z_bits = 8 + static_cast<unsigned>(seed % 3) * 6;
+    if (seed % 2 == 0) {
+      how.kind = &pixel_square::kind;
+      how.square = {16, 16};
+    }
+    const testing::Compiled stack = testing::compile_text(model, how);
+    how.options.strategy = emit::Strategy::polygons;
+    const isa::Program polygons = testing::compile_again(stack, how);
+    const observe::Frame expected = testing::draw(stack.program);
+    const observe::Frame drawn = testing::draw(polygons);
+    CHECK(drawn.depth == expected.depth);
+    CHECK(drawn.owner == expected.owner);
+    CHECK(drawn.colour == expected.colour);
+    most_faces = std::max(most_faces, faces_loaded(polygons));
+  }
+  CHECK(most_faces > 40);
+}
+
+TEST_CASE("what is compared with other primitives, or cut by the near plane, is drawn as by a stack") {
+  const std::string model = "difference(){cube(size=20,center=true);cylinder($fn=8,h=40,r1=5,r2=5,center=true);}";
+  testing::Setup how = setup(emit::Strategy::stack);
+  const testing::Compiled stack = testing::compile_text(model, how);
+  how.options.strategy = emit::Strategy::polygons;
+  CHECK(testing::compile_again(stack, how).segments.at(0).instructions == stack.program.segments.at(0).instructions);
+}
