@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "sim/software/space/clip_ray.h"
+#include "sim/software/space/directory.h"
+
+namespace csgsim::software {
+
+/// A node of a tree of boxes.
+struct BoxNode {
+  facet::Box box;
+  std::uint32_t low = 0;  ///< two nodes, this one and the one behind it; 0 for a leaf
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;  ///< of a leaf's facets
+};
+
+/// Gives the leaves of a tree of boxes in the order in which a ray comes to their boxes: of all nodes whose box is met,
+/// the nearest is looked at first (Kay and Kajiya 1986). `ready(node, count)` may expand a node before that.
+template <class Count, class Ready>
+void walk_boxes(const std::vector<BoxNode>& nodes, const std::vector<std::uint32_t>& facets, const SpaceRay& ray,
+                const Ready& ready, CellVisitor& visitor, Count& count) {
+  struct Met {
+    RayPart ray;
+    std::uint32_t node;
+    bool operator>(const Met& other) const { return ray.begin > other.ray.begin; }
+  };
+  std::vector<Met> heap;
+  const glm::dvec3 inverse = inverse_direction(ray, count);
+  const auto meet = [&](std::uint32_t node) {
+    const RayPart part = clipped(ray, inverse, nodes[node].box, count);
+    if (part.empty()) return;
+    heap.push_back({part, node});
+    std::ranges::push_heap(heap, std::greater{});
+    for (std::size_t size = heap.size(); size > 1; size /= 2) count_comparisons(count, 1);
+    count(Operation::store_long, 2);
+  };
+  meet(0);
+  while (!heap.empty()) {
+    std::ranges::pop_heap(heap, std::greater{});
+    const Met met = heap.back();
+    heap.pop_back();
+    for (std::size_t size = heap.size(); size > 0; size /= 2) {
+      count_comparisons(count, 2);
+      count(Operation::store_long, 2);
+    }
+    ready(met.node, count);
+    const BoxNode& node = nodes[met.node];
+    count(Operation::load_long, 2);
+    count(Operation::branch);
+    if (node.low != 0) {
+      const std::uint32_t low = node.low;
+      meet(low);
+      meet(low + 1);
+      continue;
+    }
+    const double settled = heap.empty() ? std::numeric_limits<double>::infinity() : heap.front().ray.begin;
+    const std::span<const std::uint32_t> own = std::span(facets).subspan(node.begin, node.end - node.begin);
+    count(Operation::call);
+    count(Operation::come_back);
+    if (!visitor.visit({met.ray.begin, met.ray.end, settled, own})) return;
+  }
+}
+
+}  // namespace csgsim::software

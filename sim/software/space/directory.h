@@ -1,0 +1,110 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/software/cost/operations.h"
+#include "sim/software/space/facet_shapes.h"
+
+namespace csgsim::software {
+
+/// origin + t direction, for t from begin to end. Model space, relative to PlaneTable::centre(); end may be infinite.
+struct SpaceRay {
+  glm::dvec3 origin{0};
+  glm::dvec3 direction{0};
+  double begin = 0;
+  double end = 0;
+
+  [[nodiscard]] glm::dvec3 at(double t) const { return origin + direction * t; }
+};
+
+/// What a ray comes to: a cell, or a box with facets.
+struct Cell {
+  double t_in = 0;
+  double t_out = 0;
+  /// Every facet that the ray meets before this has been told of, in this cell or before. No less than in cells before.
+  double settled = 0;
+  std::span<const std::uint32_t> facets;  ///< indices into Facets::facets, in no order
+};
+
+class CellVisitor {
+ public:
+  CellVisitor() = default;
+  virtual ~CellVisitor() = default;
+  CellVisitor(const CellVisitor&) = delete;
+  CellVisitor& operator=(const CellVisitor&) = delete;
+
+  /// Returns whether to go on.
+  virtual bool visit(const Cell& cell) = 0;
+};
+
+/// What was built, and what that took.
+struct SpaceBuilt {
+  std::uint64_t cells = 0;          ///< with or without facets; of a tree of boxes its leaves
+  std::uint64_t entries = 0;        ///< of directories; nodes of trees
+  std::uint64_t references = 0;     ///< facets in cells
+  std::uint64_t most_facets = 0;    ///< of a cell
+  std::uint64_t overflows = 0;      ///< cells that are not divided further though they are too full
+  std::uint64_t splits = 0;         ///< of cells or boxes
+  std::uint64_t overlap_tests = 0;  ///< of a facet and a cell
+  std::uint64_t directory_words = 0;
+  std::uint64_t bucket_words = 0;
+  Operations operations;
+};
+
+/// Where facets are in space.
+class Directory {
+ public:
+  Directory() = default;
+  virtual ~Directory() = default;
+  Directory(const Directory&) = delete;
+  Directory& operator=(const Directory&) = delete;
+
+  /// The cells along a ray from the front, until the visitor has enough. Facets without corners are in none.
+  virtual void walk(const SpaceRay& ray, CellVisitor& visitor, Counting& count) const = 0;
+  virtual void walk(const SpaceRay& ray, CellVisitor& visitor, Uncounted& count) const = 0;
+  /// So far: some are built as rays come.
+  [[nodiscard]] virtual SpaceBuilt built() const = 0;
+};
+
+/// A directory that has a template `go` for both.
+template <class Own>
+class DirectoryOf : public Directory {
+ public:
+  void walk(const SpaceRay& ray, CellVisitor& visitor, Counting& count) const final {
+    static_cast<const Own&>(*this).go(ray, visitor, count);
+  }
+  void walk(const SpaceRay& ray, CellVisitor& visitor, Uncounted& count) const final {
+    static_cast<const Own&>(*this).go(ray, visitor, count);
+  }
+};
+
+/// How directories are built.
+struct SpaceOptions {
+  std::uint32_t bucket_size = 8;  ///< facets of a cell, from 1: cells with more are divided as long as there are levels
+};
+
+/// A row of the table of directories.
+struct DirectoryRow {
+  std::string_view name;
+  std::string_view help;
+  std::string_view source;
+  /// Keeps a reference.
+  std::unique_ptr<Directory> (*make)(const FacetShapes& shapes, const SpaceOptions& options) = nullptr;
+};
+
+std::span<const DirectoryRow* const> directories();
+/// By name. Throws InputError that lists what there is.
+const DirectoryRow& directory_of(const std::string& name);
+
+template <class Own>
+std::unique_ptr<Directory> made_directory(const FacetShapes& shapes, const SpaceOptions& options) {
+  return std::make_unique<Own>(shapes, options);
+}
+
+}  // namespace csgsim::software

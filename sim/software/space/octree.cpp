@@ -1,0 +1,102 @@
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "sim/software/space/lattice.h"
+
+namespace csgsim::software {
+
+namespace {
+
+constexpr unsigned octree_levels = 7;
+
+/// Cells are cut into eight where they have too many facets; a query point goes down from the top (Glassner 1984).
+class Octree final : public DirectoryOf<Octree> {
+ public:
+  Octree(const FacetShapes& shapes, const SpaceOptions& options)
+      : shapes_(shapes), bucket_size_(options.bucket_size), lattice_{shapes.box(), octree_levels}, nodes_(1) {
+    nodes_[0].facets.assign(shapes.placed().begin(), shapes.placed().end());
+    divide(0, {}, 0);
+  }
+
+  [[nodiscard]] SpaceBuilt built() const override {
+    SpaceBuilt built = built_;
+    built.operations = count_.done();
+    built.entries = nodes_.size();
+    built.directory_words = nodes_.size();
+    for (const Node& node : nodes_) {
+      if (node.first != 0) continue;
+      ++built.cells;
+      built.references += node.facets.size();
+      built.most_facets = std::max<std::uint64_t>(built.most_facets, node.facets.size());
+      built.overflows += node.facets.size() > bucket_size_ ? 1U : 0U;
+    }
+    built.bucket_words = built.references + built.cells;
+    return built;
+  }
+
+  template <class Count>
+  void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
+    const auto locate = [&](const glm::uvec3& at, Count& counted) {
+      const Node* node = nodes_.data();
+      unsigned level = 0;
+      for (; node->first != 0; ++level) {
+        node = &nodes_[node->first + octant_of(at, level)];
+        counted(Operation::load_long, 2);
+        counted(Operation::logic_long, 3);
+        counted(Operation::add_long, 3);
+        counted(Operation::branch_taken, 4);
+      }
+      return Located{node->facets, glm::uvec3{level}};
+    };
+    PointWalk(lattice_, ray, locate, count).go(visitor);
+  }
+
+ private:
+  struct Node {
+    std::uint32_t first = 0;  ///< of eight nodes; 0 for a cell
+    std::vector<std::uint32_t> facets;
+  };
+
+  static std::uint32_t octant_of(const glm::uvec3& at, unsigned level) {
+    const unsigned bit = octree_levels - 1 - level;
+    return (at.x >> bit & 1U) + 2 * (at.y >> bit & 1U) + 4 * (at.z >> bit & 1U);
+  }
+
+  void divide(std::uint32_t number, const glm::uvec3& at, unsigned level) {
+    if (level == octree_levels || nodes_[number].facets.size() <= bucket_size_) return;
+    ++built_.splits;
+    const auto first = static_cast<std::uint32_t>(nodes_.size());
+    const std::vector<std::uint32_t> facets = std::exchange(nodes_[number].facets, {});
+    nodes_[number].first = first;
+    nodes_.resize(nodes_.size() + 8);
+    const std::uint32_t size = 1U << (octree_levels - 1 - level);
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      const glm::uvec3 corner = at + size * glm::uvec3{octant & 1U, octant >> 1U & 1U, octant >> 2U};
+      const facet::Box box = lattice_.block(corner, glm::uvec3{level + 1});
+      built_.overlap_tests += facets.size();
+      for (const std::uint32_t facet : facets) {
+        if (!shapes_.touches(facet, box, count_)) continue;
+        nodes_[first + octant].facets.push_back(facet);
+        count_(Operation::load_long);
+        count_(Operation::store_long);
+      }
+      divide(first + octant, corner, level + 1);
+    }
+  }
+
+  const FacetShapes& shapes_;
+  std::uint32_t bucket_size_;
+  Lattice lattice_;
+  std::vector<Node> nodes_;
+  SpaceBuilt built_;
+  Counting count_;
+};
+
+}  // namespace
+
+extern const DirectoryRow octree_row{"octree", "cells cut into eight, found from the top for each query point",
+                                     "Glassner 1984", made_directory<Octree>};
+
+}  // namespace csgsim::software
