@@ -1,6 +1,7 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "host/view/fixed_point.h"
@@ -20,6 +21,7 @@ class Region {
   [[nodiscard]] bool is_surely_at_least(const FixedLinear& linear, double least) const;
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
+  [[nodiscard]] std::span<const glm::dvec2> corners() const { return corners_; }
   /// The pixels of the polygon.
   [[nodiscard]] PixelRect pixels() const;
 

@@ -61,6 +61,10 @@ class ListElements {
     return is_in_kept(one.kept, is_first, one.primitive, alone_, evaluate, count);
   }
 
+  /// The surface before it along a ray; none of a first one.
+  [[nodiscard]] std::uint32_t father_of(std::uint32_t element) const { return elements_[element].father; }
+  [[nodiscard]] std::uint32_t primitive_of(std::uint32_t element) const { return elements_[element].primitive; }
+
   /// Elements that are followed back to the first one.
   void count_back(std::size_t elements, Count& count) const {
     count(Operation::load_long, elements);

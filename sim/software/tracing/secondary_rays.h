@@ -1,0 +1,276 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/software/space/arithmetic.h"
+#include "sim/software/tracing/counts.h"
+#include "sim/software/tracing/sequences.h"
+#include "sim/software/tracing/trace_scene.h"
+
+namespace csgsim::software {
+
+/// Where a secondary ray begins: on a facet, on the side that it is seen from.
+struct Start {
+  glm::dvec3 place{0};                      ///< relative to PlaneTable::centre()
+  std::uint32_t facet = TraceScene::none;   ///< index into Facets::facets; facets in its plane are behind the ray
+  std::uint32_t before = TraceScene::none;  ///< element of the list structure: what the place is in
+};
+
+/// Where a secondary ray gets into the solid.
+struct RealHit {
+  double t = std::numeric_limits<double>::infinity();
+  std::uint32_t owner = Seen::nothing_seen;
+  std::uint32_t facet = TraceScene::none;   ///< index into Facets::facets
+  std::uint32_t before = TraceScene::none;  ///< as of Start
+
+  [[nodiscard]] bool is_in_solid() const { return t < std::numeric_limits<double>::infinity(); }
+};
+
+/// Whether a ray goes through a convex polygon, and to which side: a ray through an edge meets one of the two facets
+/// that share it, as though it went by an infinitely small distance beside it (Woop and others 2013 shear the ray into
+/// an axis, as here).
+class Piercing {
+ public:
+  explicit Piercing(const SpaceRay& ray) : origin_(ray.origin) {
+    const glm::dvec3 size = glm::abs(ray.direction);
+    along_ = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
+    u_ = (along_ + 1) % 3;
+    v_ = (along_ + 2) % 3;
+    if (ray.direction[along_] < 0) std::swap(u_, v_);
+    shear_u_ = ray.direction[u_] / ray.direction[along_];
+    shear_v_ = ray.direction[v_] / ray.direction[along_];
+  }
+
+  /// 1 where the ray goes out through it, -1 where it goes in, 0 where it misses. Corners are counter-clockwise as seen
+  /// from outside.
+  template <class Count>
+  int through(std::span<const glm::dvec3> corners, Count& count) const {
+    int side = 0;
+    Sheared from = sheared(corners.back());
+    count_products(count, 2);
+    for (const glm::dvec3& corner : corners) {
+      const Sheared to = sheared(corner);
+      const int one = side_of(from, to);
+      count_products(count, 4);
+      count(Operation::load_long, 3);
+      count(Operation::add_long, 6);
+      count(Operation::branch);
+      if (one != 0 && side != 0 && one != side) return 0;
+      if (one != 0) side = one;
+      from = to;
+    }
+    return side;
+  }
+
+ private:
+  struct Sheared {
+    double u;
+    double v;
+  };
+
+  [[nodiscard]] Sheared sheared(const glm::dvec3& corner) const {
+    const glm::dvec3 to = corner - origin_;
+    return {to[u_] - shear_u_ * to[along_], to[v_] - shear_v_ * to[along_]};
+  }
+
+  /// On which side of an edge the ray is. An edge the other way round has the other side, in doubles too.
+  static int side_of(const Sheared& from, const Sheared& to) {
+    const double area = from.u * to.v - from.v * to.u;
+    const double first = area != 0 ? area : from.v - to.v;
+    const double decides = first != 0 ? first : to.u - from.u;
+    return decides > 0 ? 1 : (decides < 0 ? -1 : 0);
+  }
+
+  glm::dvec3 origin_;
+  int along_ = 2;
+  int u_ = 0;
+  int v_ = 1;
+  double shear_u_ = 0;
+  double shear_v_ = 0;
+};
+
+/// Rays in real arithmetic that begin at a surface. What is met at one place, within the slack of the scene, is taken
+/// together.
+template <class Count>
+class SecondaryRays final : public CellVisitor {
+ public:
+  SecondaryRays(const TraceScene& scene, const Directory& directory, bool has_mailboxes, Sequences<Count>& sequences,
+                TraceMeters<Count>& meters)
+      : scene_(scene),
+        directory_(directory),
+        has_mailboxes_(has_mailboxes),
+        sequences_(sequences),
+        meters_(meters),
+        last_ray_(scene.facets().facets.size()),
+        holds_(scene.tree().leaf_of.size()) {}
+
+  /// The first place up to t = end where the ray gets into the solid. With `is_any` any such place does, and whose it
+  /// is is not told.
+  RealHit trace(const Start& start, const glm::dvec3& direction, double end, bool is_any, RaysMet& met) {
+    begin(start, direction, end, met);
+    is_any_ = is_any;
+    const std::vector<std::uint32_t> held = sequences_.held_at(start.before);
+    for (const std::uint32_t primitive : held) holds_[primitive] = 1;
+    events_.clear();
+    for (const std::uint32_t primitive : held) events_.push_back({0, 2 * primitive});
+    directory_.walk(ray_, *this, meters_.traversal);
+    if (!is_done_) settle(std::numeric_limits<double>::infinity());
+    met.hits += is_done_ ? 1U : 0U;
+    met.add_cells(cells_);
+    std::ranges::fill(holds_, std::uint8_t{0});
+    return hit_;
+  }
+
+  bool visit(const Cell& cell) override {
+    ++cells_;
+    for (const std::uint32_t facet : cell.facets) {
+      if (has_mailboxes_ && has_been_asked(facet)) continue;
+      ask(facet);
+    }
+    settle(cell.settled);
+    return !is_done_;
+  }
+
+ private:
+  struct RealEvent {
+    double t;
+    std::uint32_t facet;
+    bool leaves;
+    bool operator<(const RealEvent& other) const { return t != other.t ? t < other.t : facet < other.facet; }
+  };
+
+  void begin(const Start& start, const glm::dvec3& direction, double end, RaysMet& met) {
+    ray_ = {start.place, direction, 0, end};
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(ray_.direction[axis]) < std::numeric_limits<double>::min()) ray_.direction[axis] = 0;
+    }
+    piercing_.emplace(ray_);
+    plane_ = scene_.facets().facets[start.facet].halfspace.plane;
+    slack_ = scene_.slack() / glm::length(direction);
+    met_ = &met;
+    element_ = start.before;
+    pending_.clear();
+    taken_.clear();
+    hit_ = {};
+    cells_ = 0;
+    is_done_ = false;
+    ++met.rays;
+    ++number_;
+    count_quotients(meters_.traversal, 2);
+  }
+
+  bool has_been_asked(std::uint32_t facet) {
+    meters_.intersection(Operation::load_long, 2);
+    meters_.intersection(Operation::compare_long);
+    meters_.intersection(Operation::branch);
+    if (last_ray_[facet] == number_) {
+      ++met_->repeats;
+      return true;
+    }
+    meters_.intersection(Operation::store_long);
+    last_ray_[facet] = number_;
+    return false;
+  }
+
+  void ask(std::uint32_t number) {
+    ++met_->tested;
+    const Facet& facet = scene_.facets().facets[number];
+    const std::span<const glm::dvec3> corners = scene_.facets().corners_of(number);
+    meters_.intersection(Operation::call);
+    meters_.intersection(Operation::come_back);
+    meters_.intersection(Operation::compare);
+    meters_.intersection(Operation::branch);
+    if (facet.halfspace.plane == plane_ || corners.size() < 3) return;
+    const int side = piercing_->through(corners, meters_.intersection);
+    if (side == 0) return;
+    const facet::Plane& plane = scene_.geometry().planes.planes()[facet.halfspace.plane];
+    const double t = -plane.height(ray_.origin) / glm::dot(plane.normal, ray_.direction);
+    count_products(meters_.intersection, 6);
+    count_quotients(meters_.intersection, 1);
+    count_comparisons(meters_.intersection, 2);
+    if (!(t > 0 && t <= ray_.end)) return;
+    if (std::ranges::find(taken_, number) != taken_.end()) return;
+    const RealEvent event{t, number, side > 0};
+    const auto place = std::lower_bound(pending_.begin(), pending_.end(), event);
+    if (place != pending_.end() && place->facet == number) return;
+    meters_.intersection(Operation::store_long, 4);
+    ++met_->met;
+    pending_.insert(place, event);
+  }
+
+  /// Takes the places that are surely known where the ray is settled that far.
+  void settle(double settled) {
+    std::size_t begin = 0;
+    while (begin < pending_.size() && !is_done_ && pending_[begin].t + 2 * slack_ <= settled) {
+      std::size_t end = begin + 1;
+      while (end < pending_.size() && pending_[end].t <= pending_[begin].t + slack_) ++end;
+      take(std::span(pending_).subspan(begin, end - begin));
+      begin = end;
+    }
+    pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+
+  /// A primitive that is left without having been entered, at a place that rounding has on the other side of a face, is
+  /// not heard of.
+  void take(std::span<const RealEvent> place) {
+    const std::uint32_t before = element_;
+    const std::size_t begin = events_.size();
+    meters_.classification.point();
+    for (const RealEvent& event : place) {
+      if (!has_mailboxes_) taken_.push_back(event.facet);
+      const std::uint32_t primitive = scene_.facets().facets[event.facet].primitive;
+      meters_.classification(Operation::load, 2);
+      meters_.classification(Operation::branch);
+      if ((holds_[primitive] != 0) != event.leaves) continue;
+      holds_[primitive] ^= 1U;
+      events_.push_back({1, 2 * primitive + (event.leaves ? 1U : 0U)});
+      element_ = sequences_.after(element_, primitive);
+    }
+    if (events_.size() == begin) return;
+    if (!sequences_.is_in(element_, before == Sequences<Count>::none && events_.size() == 1)) return;
+    is_done_ = true;
+    hit_.t = place.front().t;
+    if (is_any_) return;
+    hit_.before = before;
+    const std::span<const Event> events(events_);
+    hit_.owner = sequences_.owner(events.first(begin), events.subspan(begin));
+    for (const RealEvent& event : place) {
+      if (scene_.facets().facets[event.facet].primitive == hit_.owner) hit_.facet = event.facet;
+    }
+  }
+
+  const TraceScene& scene_;
+  const Directory& directory_;
+  bool has_mailboxes_;
+  Sequences<Count>& sequences_;
+  TraceMeters<Count>& meters_;
+  std::vector<std::uint32_t> last_ray_;
+  std::vector<std::uint8_t> holds_;  ///< of each primitive whether the ray is in it
+  std::uint32_t number_ = 0;
+  SpaceRay ray_;
+  std::optional<Piercing> piercing_;
+  std::uint32_t plane_ = 0;
+  double slack_ = 0;
+  RaysMet* met_ = nullptr;
+  std::uint32_t element_ = 0;
+  std::vector<RealEvent> pending_;
+  std::vector<std::uint32_t> taken_;  ///< facets whose events have been taken, which without mailboxes come again
+  std::vector<Event> events_;         ///< enterings of what holds the start, then what was met
+  RealHit hit_;
+  std::uint64_t cells_ = 0;
+  bool is_any_ = false;
+  bool is_done_ = false;
+};
+
+}  // namespace csgsim::software

@@ -1,0 +1,136 @@
+#include "sim/software/tracing/trace.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/read/read.h"
+#include "sim/software/tree/tree.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/support/drawing.h"
+#include "tests/support/software_ways.h"
+#include "tests/support/usual_cases.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using software::Seen;
+using testing::Scene;
+
+namespace {
+
+struct Tally {
+  std::uint64_t scenes = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t covered = 0;
+  std::uint64_t tested = 0;
+  std::uint64_t loose = 0;
+  std::uint64_t facets = 0;
+  std::uint64_t loose_facets = 0;
+};
+
+/// What is wrong with the traced pictures of a scene; empty if nothing is.
+std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally) {
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
+  const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
+  tally.facets += traced_scene.screen().facets.size();
+  tally.loose_facets += traced_scene.loose();
+  for (const software::DirectoryRow* row : software::directories()) {
+    const std::unique_ptr<software::Directory> directory = row->make(traced_scene.shapes(), {bucket_size});
+    for (const bool has_mailboxes : {true, false}) {
+      for (const bool has_item_buffer : {false, true}) {
+        software::TraceOptions options;
+        options.has_item_buffer = has_item_buffer;
+        options.has_mailboxes = has_mailboxes;
+        const software::Traced traced = software::trace(traced_scene, *directory, options, has_mailboxes);
+        tally.tested += traced.counts.primary.tested;
+        tally.loose += traced.counts.primary.loose;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+          const Seen& seen = traced.pixels[i].seen;
+          tally.covered += seen.owner != Seen::nothing_seen ? 1U : 0U;
+          if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
+          return fmt::format("{}{}{}: pixel {}, {} has depth {}, owner {} and not {}, {}", row->name,
+                             has_mailboxes ? "" : " without mailboxes", has_item_buffer ? " with item buffer" : "",
+                             i % traced_scene.width(), i / traced_scene.width(), seen.depth, seen.owner,
+                             expected[i].depth, expected[i].owner);
+        }
+      }
+    }
+  }
+  return "";
+}
+
+bool is_faceted(const Scene& scene) {
+  return std::ranges::all_of(scene.geometry.solids, [](const facet::Convex& one) { return one.quadrics.empty(); });
+}
+
+Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
+  view::Sampling sampling;
+  sampling.width = width;
+  sampling.height = height;
+  return testing::make_scene(read::read_csg_text(csg, "test"), camera, sampling);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "ray tracing sees what the rules say in random scenes, by each directory, with mailboxes, an item buffer or not") {
+  Tally tally;
+  CHECK(rc::check([&] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      const std::optional<Scene> scene = testing::random_scene(seed + i);
+      ++tally.scenes;
+      if (!scene || !is_faceted(*scene)) {
+        ++tally.refused;
+        continue;
+      }
+      const std::string fault = fault_of(*scene, static_cast<std::uint32_t>(1 + (seed + i) % 9), tally);
+      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
+    }
+  }));
+  MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " pixels covered, ", tally.tested,
+          " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets, " are loose");
+  if (!testing::draws_usual_cases()) return;
+  CHECK(tally.covered > 10'000);
+  CHECK(tally.refused < tally.scenes * 3 / 4);
+}
+TEST_CASE("ray tracing sees what the rules say of the thesis's objects, and next to no facet of them is loose") {
+  Tally tally;
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      CHECK(fault_of(testing::thesis_scene(one, 90, 70), 8, tally) == "");
+    }
+  }
+  MESSAGE(tally.tested, " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets);
+  CHECK(tally.loose_facets < tally.facets / 20);
+}
+TEST_CASE("ray tracing sees nothing of an empty model, and of what is behind the eye") {
+  Tally tally;
+  const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective};
+  CHECK(fault_of(scene_of("union(){}", aside, 20, 9), 8, tally) == "");
+  const view::Camera away{{18, -25, 21}, {36, -50, 42}, view::Projection::perspective};
+  CHECK(fault_of(scene_of("cube(size=[4,4,4],center=true);", away, 20, 9), 8, tally) == "");
+  CHECK(tally.covered == 0);
+}
+TEST_CASE("a camera within a solid begins in it") {
+  Tally tally;
+  view::Sampling sampling;
+  sampling.width = 40;
+  sampling.height = 30;
+  sampling.near = 0.25;
+  const Scene scene = testing::make_scene(
+      read::read_csg_text("difference(){cube(size=[9,9,9],center=true);sphere(r=2,$fn=16);}", "test"),
+      {{3.5, 0, 0}, {0, 0.5, 0}, view::Projection::perspective}, sampling);
+  CHECK(fault_of(scene, 4, tally) == "");
+  CHECK(tally.covered > 0);
+}
