@@ -36,6 +36,17 @@ void insert_in_order(std::span<Event> events, Count& count) {
   }
 }
 
+template <class Count>
+void sort_by_halves(std::span<Event> events, Count& count) {
+  std::ranges::sort(events, [&](const Event& a, const Event& b) {
+    count(Operation::load_long, 2);
+    count(Operation::compare_long);
+    count(Operation::branch_taken);
+    count(Operation::store_long);
+    return a < b;
+  });
+}
+
 /// The events of a band's intervals, in order. What is left at `farthest` is left where nothing is, and is no event.
 template <class Count>
 void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
@@ -55,13 +66,7 @@ void sort_events(RayBand& band, std::uint32_t farthest, Count& count) {
     if (events.size() <= most_inserted) {
       insert_in_order(events, count);
     } else {
-      std::ranges::sort(events, [&](const Event& a, const Event& b) {
-        count(Operation::load_long, 2);
-        count(Operation::compare_long);
-        count(Operation::branch_taken);
-        count(Operation::store_long);
-        return a < b;
-      });
+      sort_by_halves(events, count);
     }
     band.event_begins.push_back(band.events.size());
   }

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "sim/software/display/phases.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/display/sequences.h"
+#include "sim/software/facets/screen_facets.h"
+#include "sim/software/rays/longs.h"
+
+namespace csgsim::software {
+
+inline double seconds_from(std::chrono::steady_clock::time_point begin) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Polygons are brought into the picture in fixed point: a corner is turned by nine products of longs, each of four
+/// products of words, and divided by its distance; a plane takes three quotients of sums of two such products, and an
+/// edge two products.
+template <class Count>
+void count_transformation(const DisplaySubject& subject, const ScreenFacets& seen, Count& count) {
+  if constexpr (!Count::counts) return;
+  const std::uint64_t corners = subject.facets.corners.size();
+  const std::uint64_t planes = seen.facets.size();
+  const std::uint64_t edges = seen.linears.size();
+  const std::uint64_t products = 9 * corners + 6 * planes + 2 * edges;
+  const std::uint64_t quotients = 2 * corners + 3 * planes;
+  constexpr std::uint64_t words_of_product = 4;
+  constexpr std::uint64_t digits = 2;
+  count(Operation::multiply, words_of_product * products + digits * quotients);
+  count(Operation::divide, digits * quotients);
+  count(Operation::add_long, (words_of_product + 1) * products + digits * quotients);
+  count(Operation::load_long, 2 * products + 2 * quotients);
+  count(Operation::store_long, 3 * corners + 6 * planes + 6 * edges);
+  count(Operation::call, corners + planes + edges);
+  count(Operation::come_back, corners + planes + edges);
+}
+
+/// Three coordinates a corner; of what is seen a plane and each of its edges three coefficients of two longs, and a
+/// primitive, a rectangle and a pointer.
+inline std::uint64_t words_of_polygons(const Facets& facets, const ScreenFacets& seen) {
+  return 3 * facets.corners.size() + 6 * seen.linears.size() + 10 * seen.facets.size();
+}
+
+/// What all methods do: polygons are brought into the picture, pixels drawn, and what was counted is told.
+/// `draw(seen, ledger, displayed)` draws, and adds what it keeps to the words.
+template <class Count, class Draw>
+Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
+  Displayed result;
+  Ledger<Count> ledger;
+  const auto begin = std::chrono::steady_clock::now();
+  const ScreenFacets seen = screen_facets(subject.model, subject.geometry, subject.view, subject.facets);
+  count_transformation(subject, seen, ledger[Phase::transformation]);
+  result.picture.seen.assign(subject.pixels(), Seen{subject.farthest(), Seen::nothing_seen});
+  ledger[Phase::initialisation](Operation::store_long, 2 * subject.pixels());
+  ledger[Phase::initialisation](Operation::branch_taken, subject.pixels());
+  result.counts.polygons = result.counts.pieces = subject.facets.polygons();
+  result.counts.drawn_polygons = seen.facets.size();
+  result.counts.words.polygons = words_of_polygons(subject.facets, seen);
+  result.counts.words.pixels = 2 * subject.pixels();
+  draw(seen, ledger, result);
+  result.drawing_seconds = seconds_from(begin);
+  ledger.tell(result.counts);
+  return result;
+}
+
+}  // namespace csgsim::software

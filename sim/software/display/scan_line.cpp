@@ -1,0 +1,311 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "sim/software/display/common.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/display/scan.h"
+#include "sim/software/display/sequences.h"
+#include "sim/software/rays/sort_events.h"
+
+namespace csgsim::software {
+
+namespace {
+
+/// A facet in a row: its depths are a linear function of the column.
+struct ActiveFacet {
+  const ScreenFacet* facet = nullptr;
+  std::int64_t at_start = 0;  ///< its value at column 0 of the row
+
+  [[nodiscard]] std::int64_t value(std::int32_t column) const { return at_start + facet->depth.a * column; }
+};
+
+/// What is certain of a facet over a span.
+enum class Presence : std::uint8_t {
+  none,       ///< it has no event anywhere there
+  somewhere,  ///< it may have
+  all,        ///< it has one everywhere
+};
+
+/// A facet over a span.
+struct OverSpan {
+  Presence presence = Presence::somewhere;
+  std::int64_t left = 0;  ///< values at the ends; 0 at both where its depth is 0 throughout
+  std::int64_t right = 0;
+};
+
+/// An event at the left end of a span, and the facet that has it.
+struct LeftEvent {
+  Event event;
+  std::size_t active;
+};
+
+/// Draws a picture row by row: where the facets that a row meets stay the same, and their order is the same and sure at
+/// both ends of a span, what is seen at one is seen all along.
+template <class Count>
+class ScanLines {
+ public:
+  ScanLines(const DisplaySubject& subject, const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& result)
+      : subject_(subject),
+        facets_(seen),
+        ledger_(ledger),
+        result_(result),
+        sequences_(subject.tree, ledger[Phase::scan_conversion]),
+        longs_(longs_of(subject.view.sampling)),
+        step_(std::int64_t{1} << seen.fraction_bits),
+        beyond_(static_cast<std::int64_t>(seen.farthest) << seen.fraction_bits) {}
+
+  void draw() {
+    const std::vector<std::vector<const ScreenFacet*>> buckets = bucketed();
+    std::vector<const ScreenFacet*> active;
+    std::size_t most_active = 0;
+    for (std::uint32_t row = 0; row < subject_.view.sampling.height; ++row) {
+      active.insert(active.end(), buckets[row].begin(), buckets[row].end());
+      std::erase_if(active, [&](const ScreenFacet* one) { return one->pixels.y1 < static_cast<std::int32_t>(row); });
+      most_active = std::max(most_active, active.size());
+      row_ = static_cast<std::int32_t>(row);
+      draw_row(active);
+    }
+    result_.counts.words.buckets = buckets.size() + facets_.facets.size() + 12 * most_active;
+    result_.counts.words.sequences = sequences_.words();
+  }
+
+ private:
+  /// The facets that begin in each row.
+  std::vector<std::vector<const ScreenFacet*>> bucketed() {
+    std::vector<std::vector<const ScreenFacet*>> buckets(subject_.view.sampling.height);
+    Count& count = ledger_[Phase::sorting];
+    for (const ScreenFacet& facet : facets_.facets) {
+      buckets[static_cast<std::size_t>(facet.pixels.y0)].push_back(&facet);
+      count(Operation::load);
+      count(Operation::add_long);
+      count(Operation::load_long);
+      count(Operation::store_long, 2);
+      count_edges(ledger_[Phase::scan_conversion], facets_.bounds_of(facet).size(), longs_);
+    }
+    return buckets;
+  }
+
+  /// Between the columns at which a facet begins, or has ended, the active ones are the same.
+  void draw_row(std::span<const ScreenFacet* const> active) {
+    begin_row(active);
+    inside_.clear();
+    for (std::size_t i = 0; i < limits_.size();) {
+      const std::int32_t column = limits_[i].first;
+      for (; i < limits_.size() && limits_[i].first == column; ++i) enter_or_leave(limits_[i].second);
+      if (inside_.empty()) continue;
+      draw_span({column, limits_[i].first - 1});
+    }
+  }
+
+  void begin_row(std::span<const ScreenFacet* const> active) {
+    Count& scanning = ledger_[Phase::scan_conversion];
+    Count& sorting = ledger_[Phase::sorting];
+    active_.clear();
+    limits_.clear();
+    for (const ScreenFacet* const facet : active) {
+      count_row_further(scanning, facets_.bounds_of(*facet).size(), longs_);
+      sorting(Operation::load_long);
+      sorting(Operation::load);
+      sorting(Operation::compare);
+      sorting(Operation::branch);
+      const Span span = facets_.span_of(*facet, row_);
+      if (span.empty()) continue;
+      limits_.emplace_back(span.first, active_.size());
+      limits_.emplace_back(span.last + 1, active_.size());
+      active_.push_back({facet, value_at(facet->depth, 0, row_)});
+    }
+    std::ranges::sort(limits_, [&](const auto& a, const auto& b) {
+      sorting(Operation::load, 2);
+      sorting(Operation::compare);
+      sorting(Operation::branch_taken);
+      sorting(Operation::store_long);
+      return a < b;
+    });
+  }
+
+  void enter_or_leave(std::size_t active) {
+    Count& count = ledger_[Phase::sorting];
+    count(Operation::load);
+    count(Operation::compare);
+    count(Operation::branch);
+    const auto place = std::ranges::lower_bound(inside_, active);
+    count(Operation::load, static_cast<std::uint64_t>(place - inside_.begin()));
+    count(Operation::store);
+    if (place != inside_.end() && *place == active) {
+      inside_.erase(place);
+    } else {
+      inside_.insert(place, active);
+    }
+  }
+
+  void draw_span(Span span) {
+    ++result_.counts.spans;
+    const Seen seen = seen_at(span.first);
+    if (span.columns() == 1) return fill(span, seen, nullptr);
+    const ActiveFacet* surface = nullptr;
+    if (is_sure(span, seen, surface)) return fill(span, seen, surface);
+    ++result_.counts.splits;
+    const std::int32_t middle = span.first + (span.last - span.first) / 2;
+    draw_span({span.first, middle});
+    draw_span({middle + 1, span.last});
+  }
+
+  /// Events at the left end, in order; what of them is seen.
+  Seen seen_at(std::int32_t column) {
+    Count& scanning = ledger_[Phase::scan_conversion];
+    left_.clear();
+    for (const std::size_t active : inside_) {
+      const ActiveFacet& one = active_[active];
+      count_depth(scanning, facets_.opposites_of(*one.facet).size(), facets_.fraction_bits, longs_);
+      scanning(Operation::multiply, 2 * longs_);
+      scanning(Operation::load_long, longs_);
+      const std::optional<Event> event = facets_.event_at(*one.facet, column, row_, one.value(column));
+      if (event) left_.push_back({*event, active});
+    }
+    result_.counts.pixel_events += left_.size();
+    std::ranges::sort(left_, [&](const LeftEvent& a, const LeftEvent& b) {
+      Count& sorting = ledger_[Phase::sorting];
+      sorting(Operation::load_long, 2);
+      sorting(Operation::compare_long);
+      sorting(Operation::branch_taken);
+      sorting(Operation::store_long);
+      return a.event < b.event;
+    });
+    events_.clear();
+    for (const LeftEvent& one : left_) events_.push_back(one.event);
+    return sequences_.along(events_, facets_.farthest, scanning, &seen_by_);
+  }
+
+  /// Whether the surfaces up to the one that is seen come in this order all along the span. `surface` is one that is
+  /// seen, if any is.
+  bool is_sure(Span span, const Seen& seen, const ActiveFacet*& surface) {
+    over_.assign(active_.size(), {});
+    for (const std::size_t active : inside_) over_[active] = over(active_[active], span);
+    const OverSpan* last = nullptr;
+    for (std::size_t i = 0; i < seen_by_; ++i) {
+      const OverSpan& here = over_[left_[i].active];
+      if (here.presence != Presence::all) return false;
+      if (last != nullptr && !follows(*last, here, events_[i - 1].depth == events_[i].depth)) return false;
+      last = &here;
+    }
+    const bool is_seen = seen.depth != facets_.farthest;
+    if (is_seen) surface = &active_[left_[seen_by_ - 1].active];
+    return is_rest_behind(is_seen ? last : nullptr);
+  }
+
+  /// At both ends level, or a step behind.
+  bool follows(const OverSpan& before, const OverSpan& here, bool is_level) {
+    Count& count = ledger_[Phase::scan_conversion];
+    count(Operation::load_long, 4 * longs_);
+    count(Operation::add_long, 2 * longs_);
+    count(Operation::compare_long, 2 * longs_);
+    count(Operation::branch, 2);
+    if (is_level) return before.left == here.left && before.right == here.right;
+    return here.left >= before.left + step_ && here.right >= before.right + step_;
+  }
+
+  /// Whether what is not among the surfaces up to the one that is seen is behind it, or nowhere.
+  bool is_rest_behind(const OverSpan* seen) {
+    for (std::size_t i = 0; i < seen_by_; ++i) over_[left_[i].active].presence = Presence::none;
+    return std::ranges::all_of(inside_, [&](std::size_t active) {
+      const OverSpan& here = over_[active];
+      return here.presence == Presence::none || (seen != nullptr && follows(*seen, here, false));
+    });
+  }
+
+  OverSpan over(const ActiveFacet& active, Span span) {
+    const ScreenFacet& facet = *active.facet;
+    OverSpan over{Presence::all, active.value(span.first), active.value(span.last)};
+    count_ends(facets_.opposites_of(facet).size());
+    const auto both = [&](const auto& holds) { return holds(over.left) && holds(over.right); };
+    if (both([&](std::int64_t value) { return value >= beyond_; })) return {Presence::none};
+    if (!both([&](std::int64_t value) { return value < beyond_; })) over.presence = Presence::somewhere;
+    if (both([&](std::int64_t value) { return value < step_; })) {
+      if (facet.leaves) return {Presence::none};
+      over.left = over.right = 0;
+    } else if (!both([&](std::int64_t value) { return value >= step_; })) {
+      over.presence = Presence::somewhere;
+    }
+    for (const view::FixedLinear& opposite : facets_.opposites_of(facet)) {
+      const auto thickness = [&](std::int32_t column, std::int64_t value) {
+        const std::int64_t other = value_at(opposite, column, row_);
+        return facet.leaves ? value - other : other - value;
+      };
+      if (thickness(span.first, over.left) < step_ || thickness(span.last, over.right) < step_)
+        over.presence = Presence::somewhere;
+    }
+    return over;
+  }
+
+  /// Values of a facet and of its opposites at both ends of a span, and what is certain of them.
+  void count_ends(std::size_t opposites) {
+    Count& count = ledger_[Phase::scan_conversion];
+    const std::uint64_t values = 1 + 2 * opposites;  // the facet's left one was worked out before
+    count(Operation::multiply, 2 * longs_ * values);
+    count(Operation::load_long, 2 * longs_ * values);
+    count(Operation::add_long, longs_ * (values + 2 * opposites));
+    count(Operation::compare_long, 4 + 2 * opposites);
+    count(Operation::branch, 4 + 2 * opposites);
+    count(Operation::store_long, 2 * longs_);
+    count(Operation::store);
+  }
+
+  /// Sets the pixels of a span: all alike, or at the depths of a surface.
+  void fill(const Span& span, const Seen& seen, const ActiveFacet* surface) {
+    Count& count = ledger_[Phase::scan_conversion];
+    const auto columns = static_cast<std::uint64_t>(span.columns());
+    count(Operation::store_long, 2 * columns);
+    count(Operation::branch_taken, columns);
+    Seen* pixel = &result_.picture.seen[static_cast<std::size_t>(row_) * subject_.view.sampling.width +
+                                        static_cast<std::size_t>(span.first)];
+    if (surface == nullptr) {
+      std::fill_n(pixel, columns, seen);
+      return;
+    }
+    if constexpr (Count::counts) {
+      for (std::uint64_t i = 0; i < columns; ++i) count_depth(count, 0, facets_.fraction_bits, longs_);
+    }
+    std::int64_t value = surface->value(span.first);
+    for (std::uint64_t i = 0; i < columns; ++i, value += surface->facet->depth.a)
+      pixel[i] = {static_cast<std::uint32_t>(std::max<std::int64_t>(0, value >> facets_.fraction_bits)), seen.owner};
+  }
+
+  const DisplaySubject& subject_;
+  const ScreenFacets& facets_;
+  Ledger<Count>& ledger_;
+  Displayed& result_;
+  Sequences<Count> sequences_;
+  std::uint64_t longs_;  ///< of a value
+  std::int64_t step_;    ///< of depth, with fraction bits
+  std::int64_t beyond_;  ///< the farthest depth, with fraction bits
+  std::int32_t row_ = 0;
+  std::vector<ActiveFacet> active_;                           ///< with columns in this row
+  std::vector<std::pair<std::int32_t, std::size_t>> limits_;  ///< columns at which one of these begins or has ended
+  std::vector<std::size_t> inside_;                           ///< that have the columns between two limits
+  std::vector<LeftEvent> left_;                               ///< of a span
+  std::vector<Event> events_;                                 ///< the same, alone
+  std::size_t seen_by_ = 0;                                   ///< of them, up to what is seen
+  std::vector<OverSpan> over_;                                ///< by active facet
+};
+
+Displayed run_scan_line(const DisplaySubject& subject, bool counts) {
+  const auto draw = [&]<class Count>(const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& result) {
+    ScanLines<Count>(subject, seen, ledger, result).draw();
+  };
+  return counts ? displayed<CountingMethod>(subject, draw) : displayed<UncountedMethod>(subject, draw);
+}
+
+}  // namespace
+
+extern const DisplayRow scan_line_row{
+    .name = "scan-line",
+    .help = "a row is cut where facets begin and end, and their order is looked at where it is cut",
+    .source = "Atherton 1983",
+    .run = run_scan_line};
+
+}  // namespace csgsim::software

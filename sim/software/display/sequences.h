@@ -1,0 +1,109 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "sim/software/coherences/first_point.h"
+#include "sim/software/coherences/list_structure.h"
+#include "sim/software/cost/operations.h"
+#include "sim/software/methods/evaluations.h"
+#include "sim/software/rays/ray_band.h"
+#include "sim/software/traversals/status.h"
+#include "sim/software/tree/owners.h"
+
+namespace csgsim::software {
+
+/// What the surfaces of a pixel lead into, as they come from the front to the back: elements of the list structure, to
+/// which pixels have a pointer (thesis 4.5.4, algorithm 4.1). A sequence that is new is evaluated by a status tree.
+template <class Count>
+class Sequences {
+ public:
+  static constexpr std::uint32_t none = ListElements<Count>::none;
+
+  /// Keeps a reference to the tree.
+  Sequences(const Tree& tree, Count& count) : elements_(tree, count), evaluator_(tree), owners_(tree) {}
+
+  /// The element of a surface that comes after those of `element`.
+  std::uint32_t after(std::uint32_t element, std::uint32_t primitive, Count& count) {
+    return elements_.after(element, primitive, count);
+  }
+
+  /// Without the last surface.
+  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.before(element); }
+
+  /// Whether the points behind an element are in, of whose surfaces the last `at` are at one depth.
+  bool is_in(std::uint32_t element, std::size_t at, Count& count) {
+    const bool is_first = at == 1 && elements_.before(element) == none;
+    return elements_.is_in(
+        element, is_first, [&] { return evaluated(element, count); }, count);
+  }
+
+  /// Whose surface is seen, if the last `at` are at one depth and lead in.
+  std::uint32_t owner(std::uint32_t element, std::size_t at, Count& count) {
+    follow_back(element);
+    const std::span<const Event> events(events_);
+    return owners_.seen(events.first(events.size() - at), events.last(at), count);
+  }
+
+  /// The first of a ray's events that is seen; `farthest` where none is. With `seen_by`, the number of events up to the
+  /// last one at that depth, or all of them.
+  Seen along(std::span<const Event> events, std::uint32_t farthest, Count& count, std::size_t* seen_by = nullptr) {
+    std::uint32_t element = none;
+    for (std::size_t begin = 0; begin < events.size();) {
+      std::size_t end = begin;
+      for (; end < events.size() && events[end].depth == events[begin].depth; ++end)
+        element = after(element, events[end].primitive(), count);
+      count.point();
+      count(Operation::load_long, 1 + end - begin);
+      count(Operation::compare_long, end - begin);
+      count(Operation::branch, end - begin);
+      if (is_in(element, end - begin, count)) {
+        if (seen_by != nullptr) *seen_by = end;
+        return {events[begin].depth, owners_.seen(events.first(begin), events.subspan(begin, end - begin), count)};
+      }
+      begin = end;
+    }
+    if (seen_by != nullptr) *seen_by = events.size();
+    return {farthest, Seen::nothing_seen};
+  }
+
+  /// The surfaces that lead to an element, from the front; of their depths nothing is known.
+  std::span<const Event> surfaces(std::uint32_t element) {
+    follow_back(element);
+    return events_;
+  }
+
+  [[nodiscard]] std::uint64_t words() const { return elements_.words() + evaluator_.words(); }
+
+ private:
+  void follow_back(std::uint32_t element) {
+    primitives_.clear();
+    for (; element != none; element = elements_.before(element)) primitives_.push_back(elements_.primitive(element));
+    events_.clear();
+    for (std::size_t i = primitives_.size(); i-- > 0;) {
+      const auto behind = primitives_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+      const bool leaves = std::count(behind, primitives_.end(), primitives_[i]) % 2 != 0;
+      events_.push_back({0, 2 * primitives_[i] + (leaves ? 1 : 0)});
+    }
+  }
+
+  bool evaluated(std::uint32_t element, Count& count) {
+    primitives_.clear();
+    for (; element != none; element = elements_.before(element)) primitives_.push_back(elements_.primitive(element));
+    elements_.count_back(primitives_.size(), count);
+    evaluator_.start(count);
+    for (const std::uint32_t primitive : primitives_) evaluator_.flip(primitive, count);
+    return evaluator_.evaluate(count);
+  }
+
+  ListElements<Count> elements_;
+  Evaluator<StatusTree<Count>, Count> evaluator_;
+  Owners<Count> owners_;
+  std::vector<std::uint32_t> primitives_;
+  std::vector<Event> events_;
+};
+
+}  // namespace csgsim::software

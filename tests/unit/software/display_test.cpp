@@ -1,0 +1,218 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "host/read/read.h"
+#include "hw/base/error.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/rays/caster.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/support/drawing.h"
+#include "tests/support/usual_cases.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using software::DisplayRow;
+using software::DisplaySubject;
+using testing::Scene;
+
+namespace {
+
+struct Tally {
+  std::uint64_t scenes = 0;
+  std::uint64_t refused = 0;
+  std::uint64_t pixels = 0;
+  std::uint64_t covered = 0;
+  std::uint64_t spans = 0;
+  std::uint64_t splits = 0;
+};
+
+/// A scene and what its methods are given.
+struct Shown {
+  const Scene& scene;
+  software::Tree tree;
+  software::Facets facets;
+
+  explicit Shown(const Scene& of)
+      : scene(of),
+        tree(software::make_tree(of.tree, software::Shape::balanced)),
+        facets(software::facets_of(of.tree, of.geometry)) {}
+
+  [[nodiscard]] software::Displayed by(const DisplayRow& row, bool counts, std::size_t bucket_size = 24) const {
+    return row.run({scene.tree, scene.geometry, scene.view, tree, facets, bucket_size}, counts);
+  }
+  [[nodiscard]] software::Displayed by(const char* method, bool counts = true, std::size_t bucket_size = 24) const {
+    return by(software::display_method(method), counts, bucket_size);
+  }
+};
+
+bool is_curved(const Scene& scene) {
+  return std::ranges::any_of(scene.geometry.solids, [](const auto& one) { return !one.quadrics.empty(); });
+}
+
+std::string difference(const software::Picture& picture, const std::vector<testing::Seen>& expected,
+                       std::uint32_t width) {
+  if (picture.seen.size() != expected.size()) return "another number of pixels";
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const software::Seen& seen = picture.seen[i];
+    if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
+    return fmt::format("pixel {}, {} is {} at {}, not {} at {}", i % width, i / width, seen.owner, seen.depth,
+                       expected[i].owner, expected[i].depth);
+  }
+  return "";
+}
+
+/// What is wrong with a scene's pictures by exact methods; empty if nothing is.
+std::string fault_of(const Scene& scene, Tally& tally) {
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  for (const testing::Seen& seen : expected) tally.covered += seen.owner != software::Seen::nothing_seen ? 1U : 0U;
+  tally.pixels += expected.size();
+  const Shown shown(scene);
+  for (const DisplayRow* const row : software::display_methods()) {
+    if (!row->is_exact) continue;
+    for (const bool counts : {false, true}) {
+      const software::Displayed displayed = shown.by(*row, counts);
+      tally.spans += displayed.counts.spans;
+      tally.splits += displayed.counts.splits;
+      const std::string fault = difference(displayed.picture, expected, scene.view.sampling.width);
+      if (!fault.empty()) return fmt::format("{}: {}", row->name, fault);
+    }
+  }
+  return "";
+}
+
+/// What exact methods count, from the events of rays: sequences of surfaces at which a class is asked for.
+struct Recount {
+  std::set<std::vector<std::uint32_t>> evaluated;
+  std::set<std::vector<std::uint32_t>> elements;
+  std::uint64_t points = 0;
+  std::uint64_t layers = 1;
+  std::uint64_t events = 0;
+};
+
+Recount recounted(const Scene& scene) {
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
+  Recount recount;
+  software::RayBand band;
+  for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
+    rays.cast(row, band);
+    for (std::size_t ray = 0; ray < band.rays(); ++ray) {
+      const std::span<const software::Event> events = band.events_of(ray);
+      const testing::Seen& seen = expected[std::size_t{row} * rays.width() + ray];
+      recount.events += events.size();
+      std::vector<std::uint32_t> sequence;
+      std::uint64_t points = 0;
+      for (std::size_t i = 0; i < events.size() && events[i].depth <= seen.depth; ++i) {
+        sequence.push_back(events[i].primitive());
+        recount.elements.insert(sequence);
+        const bool is_last = i + 1 == events.size() || events[i + 1].depth != events[i].depth;
+        if (!is_last) continue;
+        ++points;
+        if (i > 0) recount.evaluated.insert(sequence);
+      }
+      recount.points += points;
+      recount.layers = std::max(recount.layers, points + (seen.owner == software::Seen::nothing_seen ? 1 : 0));
+    }
+  }
+  return recount;
+}
+
+/// Returns the evaluations.
+std::uint64_t check_counts(const Scene& scene) {
+  const Recount recount = recounted(scene);
+  const Shown shown(scene);
+  for (const char* const method : {"depth-lists", "depth-peeling", "scan-line"}) {
+    CAPTURE(method);
+    const software::DisplayCounts counts = shown.by(method).counts;
+    CHECK(counts.csg.evaluations == recount.evaluated.size());
+    CHECK(counts.csg.list_elements == recount.elements.size());
+  }
+  const software::DisplayCounts lists = shown.by("depth-lists").counts;
+  CHECK(lists.csg.points == recount.points);
+  CHECK(lists.pixel_events == recount.events);
+  const software::DisplayCounts peeling = shown.by("depth-peeling").counts;
+  CHECK(peeling.csg.points == recount.points);
+  CHECK(peeling.passes == 2 * recount.layers);
+  CHECK(peeling.pixel_events == 2 * recount.layers * recount.events);
+  return recount.evaluated.size();
+}
+
+}  // namespace
+
+TEST_CASE("exact methods that go facet by facet draw random models as the rules say") {
+  Tally tally;
+  CHECK(rc::check([&] {
+    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
+    for (std::uint64_t i = 0; i < 8; ++i) {
+      const std::optional<Scene> scene = testing::random_scene(seed + i);
+      ++tally.scenes;
+      tally.refused += !scene || is_curved(*scene) ? 1U : 0U;
+      if (!scene || is_curved(*scene)) continue;
+      const std::string fault = fault_of(*scene, tally);
+      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
+    }
+  }));
+  MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " of ", tally.pixels,
+          " pixels covered, ", tally.spans, " spans, ", tally.splits, " splits");
+  if (!testing::draws_usual_cases()) return;
+  CHECK(tally.refused < tally.scenes * 3 / 4);
+  CHECK(tally.covered > tally.pixels / 20);
+  CHECK(tally.splits > 0);
+  CHECK(tally.spans < tally.pixels * 2);
+}
+TEST_CASE("exact methods that go facet by facet draw the thesis's objects as the rules say") {
+  Tally tally;
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      CHECK(fault_of(testing::thesis_scene(one, 130, 45), tally) == "");
+    }
+  }
+  MESSAGE(tally.pixels, " pixels, ", tally.spans, " spans, ", tally.splits, " splits");
+}
+TEST_CASE(
+    "methods that go facet by facet evaluate each sequence of surfaces once, and peel as many layers as there are") {
+  std::uint64_t evaluations = 0;
+  std::uint64_t scenes = 0;
+  for (std::uint64_t seed = 1; scenes < 60; ++seed) {
+    const std::optional<Scene> scene = testing::random_scene(seed);
+    if (!scene || is_curved(*scene)) continue;
+    CAPTURE(seed);
+    evaluations += check_counts(*scene);
+    ++scenes;
+  }
+  CHECK(evaluations > 10 * scenes);
+  for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
+    CAPTURE(one.name);
+    check_counts(testing::thesis_scene(one, 130, 45));
+  }
+}
+TEST_CASE("a method that goes facet by facet counts only when it is made to, and an unknown one is refused") {
+  const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
+  const Shown shown(scene);
+  for (const DisplayRow* const row : software::display_methods()) {
+    CAPTURE(row->name);
+    const software::DisplayCounts counts = shown.by(*row, true).counts;
+    const software::DisplayCounts plain = shown.by(*row, false).counts;
+    CHECK(counts.of(software::Phase::transformation).of(software::Operation::multiply) > 0);
+    CHECK(counts.of(software::Phase::scan_conversion).of(software::Operation::add_long) > 0);
+    CHECK(plain.csg.operations == software::Operations{});
+    CHECK(plain.csg.evaluations == 0);
+    CHECK(plain.words.all() == counts.words.all());
+    CHECK(plain.pieces == counts.pieces);
+    CHECK(shown.by(*row, true).picture.seen == shown.by(*row, false).picture.seen);
+    software::Operations all;
+    for (const software::Operations& phase : counts.operations) all += phase;
+    CHECK(all == counts.csg.operations);
+  }
+  CHECK_THROWS_WITH_AS(software::display_method("scanline"), doctest::Contains("scan-line"), InputError);
+}
