@@ -34,6 +34,15 @@ bool Region::is_surely_at_least(const FixedLinear& linear, double least) const {
   return std::ranges::all_of(corners_, [&](const glm::dvec2& corner) { return value(linear, corner) >= sure; });
 }
 
+std::pair<double, double> Region::range(const FixedLinear& linear) const {
+  std::pair<double, double> range{value(linear, corners_.front()), value(linear, corners_.front())};
+  for (const glm::dvec2& corner : corners_) {
+    const double here = value(linear, corner);
+    range = {std::min(range.first, here), std::max(range.second, here)};
+  }
+  return range;
+}
+
 bool Region::clip(const FixedLinear& linear, double least) {
   if (is_surely_at_least(linear, least)) return true;
   const double low = -doubt(linear, reach_);

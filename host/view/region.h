@@ -2,6 +2,7 @@
 
 #include <glm/vec2.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "host/view/fixed_point.h"
@@ -19,6 +20,9 @@ class Region {
   bool clip(const FixedLinear& linear, double least = 0);
   /// Whether the function is surely at least that everywhere.
   [[nodiscard]] bool is_surely_at_least(const FixedLinear& linear, double least) const;
+
+  /// Its least and greatest value there, as near as doubles are. Not of an empty region.
+  [[nodiscard]] std::pair<double, double> range(const FixedLinear& linear) const;
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   [[nodiscard]] std::span<const glm::dvec2> corners() const { return corners_; }

@@ -31,6 +31,8 @@ class Sequences {
     return elements_.after(element, primitive, count);
   }
 
+  /// The last surface.
+  [[nodiscard]] std::uint32_t primitive(std::uint32_t element) const { return elements_.primitive(element); }
   /// Without the last surface.
   [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.before(element); }
 

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "sim/software/facets/region.h"
+#include "host/view/region.h"
 
 namespace csgsim::software {
 
@@ -74,7 +74,7 @@ bool TraceScene::is_loose(const ScreenFacet& facet) const {
   if (corners.empty()) return true;
   const double one = std::ldexp(1.0, static_cast<int>(screen_.fraction_bits));
   const view::FixedLinear& depth = facet.depth;
-  Region region(facet.pixels);
+  view::Region region(facet.pixels);
   for (const view::FixedLinear& bound : screen_.bounds_of(facet)) region.clip(bound);
   if (!facet.leaves && !region.is_surely_at_least(depth, 0)) return true;
   region.clip(depth);

@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "host/view/projection.h"
+#include "sim/software/display/common.h"
+#include "sim/software/display/depth_order.h"
+#include "sim/software/display/faults.h"
+#include "sim/software/display/polygons.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/display/scan.h"
+#include "sim/software/display/screen_pieces.h"
+#include "sim/software/display/sequences.h"
+#include "sim/software/rays/caster.h"
+
+namespace csgsim::software {
+
+namespace {
+
+/// How far a pixel has come in the order of surfaces.
+struct PriorityPixel {
+  std::uint32_t element = 0;
+  std::uint32_t depth = 0;  ///< of the last surface; of the method with a depth buffer
+  std::uint32_t level = 0;  ///< surfaces at that depth
+  bool is_set = false;
+};
+
+/// Draws polygons from the front to the back and sets a pixel once, where a polygon leads into the solid (thesis,
+/// algorithm 5.2). With a depth buffer, a surface at the depth of the last one is taken together with it, and one
+/// before the last is exchanged with it.
+template <class Count, bool has_depth_buffer>
+class ListPriority {
+ public:
+  ListPriority(const DisplaySubject& subject, Ledger<Count>& ledger, Displayed& result)
+      : subject_(subject),
+        ledger_(ledger),
+        result_(result),
+        sequences_(subject.tree, ledger[Phase::scan_conversion]),
+        pixels_(subject.pixels(), PriorityPixel{Sequences<Count>::none}) {
+    ledger[Phase::initialisation](Operation::store_long, (has_depth_buffer ? 2 : 1) * pixels_.size());
+    if (has_depth_buffer) ledger[Phase::initialisation](Operation::store, pixels_.size());
+  }
+
+  void draw(const Polygons& polygons, const ScreenFacets& seen) {
+    const view::EyeSpace eye = view::eye_space(subject_.view.camera, subject_.view.sampling);
+    const std::vector<std::uint32_t> cells = front_to_back(polygons, eye, subject_.geometry.planes.centre(),
+                                                           subject_.view.sampling.width, subject_.view.sampling.height);
+    const ScreenPieces screen = screen_pieces(polygons, cells, seen, subject_.geometry, subject_.view);
+    count_retrieval(polygons, cells.size());
+    // Rays that begin in a primitive do so before all polygons.
+    for (const ScreenFacet& facet : seen.facets) {
+      if (facet.facet == ScreenFacet::near_cap) draw_piece(seen, facet);
+    }
+    const std::uint64_t longs = longs_of(subject_.view.sampling);
+    DepthOrder<Count> order(screen.pieces, longs, ledger_[Phase::sorting]);
+    for (std::size_t cell = 0; cell + 1 < screen.begins.size(); ++cell) {
+      for (const std::uint32_t piece : order.of(screen.begins[cell], screen.begins[cell + 1]))
+        draw_piece(screen.pieces, screen.pieces.facets[piece]);
+    }
+    tell(polygons, cells.size(), screen);
+    result_.counts.conflicts = order.conflicts();
+  }
+
+  /// Counts the pixels that are wrong.
+  void judge() {
+    const RayCaster rays(subject_.model, subject_.geometry, subject_.view);
+    UncountedMethod uncounted;
+    Sequences<UncountedMethod> exact(subject_.tree, uncounted);
+    RayBand band;
+    for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
+      rays.cast(row, band);
+      for (std::size_t ray = 0; ray < band.rays(); ++ray) {
+        const std::size_t pixel = std::size_t{row} * rays.width() + ray;
+        const Seen expected = exact.along(band.events_of(ray), rays.farthest(), uncounted);
+        if (expected == result_.picture.seen[pixel]) continue;
+        result_.faults.add(fault_of(band.events_of(ray), sequences_.surfaces(pixels_[pixel].element)));
+      }
+    }
+  }
+
+ private:
+  /// A cell takes the side of a wall that the eye is on, four sides of what is seen at eight corners, its box.
+  void count_retrieval(const Polygons& polygons, std::size_t drawn) {
+    Count& count = ledger_[Phase::sorting];
+    const std::uint64_t cells = polygons.cells.size();
+    count(Operation::load_long, 8 * cells);
+    count(Operation::compare_long, (1 + 32) * cells);
+    count(Operation::multiply, 4 * 24 * cells);
+    count(Operation::add_long, 4 * 30 * cells);
+    count(Operation::branch, (1 + 32) * cells);
+    count(Operation::store_long, 2 * drawn);
+  }
+
+  void tell(const Polygons& polygons, std::size_t drawn_cells, const ScreenPieces& screen) {
+    DisplayCounts& counts = result_.counts;
+    counts.pieces = polygons.pieces();
+    counts.drawn_polygons = screen.pieces.facets.size();
+    counts.cells = polygons.filled();
+    counts.drawn_cells = drawn_cells;
+    std::uint64_t corners = 0;
+    std::uint64_t entries = 0;
+    for (const Cell& cell : polygons.cells) {
+      if (cell.bucket.size() > subject_.bucket_size) ++counts.overfull_cells;
+      entries += cell.bucket.size();
+      for (const Piece& piece : cell.bucket) corners += piece.corners.size();
+    }
+    // A corner has three coordinates, a piece its facet and box; a plane in the picture three coefficients of two
+    // longs.
+    counts.words.polygons = 3 * corners + 8 * entries + 6 * screen.pieces.linears.size() + 10 * counts.drawn_polygons;
+    counts.words.buckets = 10 * polygons.cells.size() + 2 * entries;
+    counts.words.pixels += (has_depth_buffer ? 3 : 1) * pixels_.size();
+    counts.words.sequences = sequences_.words();
+  }
+
+  void draw_piece(const ScreenFacets& facets, const ScreenFacet& facet) {
+    Count& count = ledger_[Phase::scan_conversion];
+    const std::size_t width = subject_.view.sampling.width;
+    const std::uint64_t longs = longs_of(subject_.view.sampling);
+    scan(facets, facet, longs, count, [&](std::int32_t column, std::int32_t row, const Event& event) {
+      ++result_.counts.pixel_events;
+      const std::size_t pixel = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+      if constexpr (has_depth_buffer) {
+        draw_by_depth(pixels_[pixel], result_.picture.seen[pixel], event);
+      } else {
+        draw_next(pixels_[pixel], result_.picture.seen[pixel], event);
+      }
+    });
+  }
+
+  void draw_next(PriorityPixel& pixel, Seen& seen, const Event& event) {
+    Count& count = ledger_[Phase::scan_conversion];
+    count(Operation::load_long);
+    count(Operation::branch);
+    if (pixel.is_set) return;
+    advance(pixel, event);
+    classify(pixel, seen, event.primitive(), 1);
+  }
+
+  void advance(PriorityPixel& pixel, const Event& event) {
+    Count& count = ledger_[Phase::scan_conversion];
+    pixel.element = sequences_.after(pixel.element, event.primitive(), count);
+    pixel.depth = event.depth;
+    pixel.level = 1;
+    count(Operation::store_long);
+  }
+
+  /// Sets a pixel, or takes it back, by what is behind the last surfaces, of which so many are at its depth.
+  void classify(PriorityPixel& pixel, Seen& seen, std::uint32_t primitive, std::size_t at) {
+    Count& count = ledger_[Phase::scan_conversion];
+    count.point();
+    pixel.is_set = sequences_.is_in(pixel.element, at, count);
+    if (pixel.is_set) {
+      seen = {pixel.depth, at == 1 ? primitive : sequences_.owner(pixel.element, at, count)};
+      count(Operation::store_long, 2);
+    } else {
+      seen = {subject_.farthest(), Seen::nothing_seen};
+    }
+  }
+
+  void draw_by_depth(PriorityPixel& pixel, Seen& seen, const Event& event) {
+    Count& testing = ledger_[Phase::depth_test];
+    testing(Operation::load_long);
+    testing(Operation::compare_long);
+    testing(Operation::branch, 2);
+    if (pixel.element == Sequences<Count>::none || event.depth > pixel.depth) {
+      testing(Operation::store_long);
+      draw_next(pixel, seen, event);
+    } else if (event.depth == pixel.depth) {
+      join(pixel, seen, event);
+    } else {
+      exchange(pixel, seen, event);
+    }
+  }
+
+  /// A surface at the depth of the last ones.
+  void join(PriorityPixel& pixel, Seen& seen, const Event& event) {
+    const std::size_t level = pixel.level + 1;
+    advance(pixel, event);
+    pixel.level = static_cast<std::uint32_t>(level);
+    classify(pixel, seen, event.primitive(), level);
+  }
+
+  /// A surface before the last one, which it is exchanged with.
+  void exchange(PriorityPixel& pixel, Seen& seen, const Event& event) {
+    Count& count = ledger_[Phase::scan_conversion];
+    const Event last{pixel.depth, 2 * sequences_.primitive(pixel.element)};
+    pixel.element = sequences_.before(pixel.element);
+    count(Operation::load_long);
+    count(Operation::load);
+    advance(pixel, event);
+    classify(pixel, seen, event.primitive(), 1);
+    if (pixel.is_set) return;
+    advance(pixel, last);
+    classify(pixel, seen, last.primitive(), 1);
+  }
+
+  const DisplaySubject& subject_;
+  Ledger<Count>& ledger_;
+  Displayed& result_;
+  Sequences<Count> sequences_;
+  std::vector<PriorityPixel> pixels_;
+};
+
+template <class Count, bool has_depth_buffer>
+Displayed list_priority(const DisplaySubject& subject) {
+  const auto begin = std::chrono::steady_clock::now();
+  Count preprocessing;
+  const Polygons polygons = clipped(subject.facets, subject.geometry, subject.bucket_size, preprocessing);
+  const double seconds = seconds_from(begin);
+  Displayed result = displayed<Count>(subject, [&](const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& drawn) {
+    ledger[Phase::preprocessing] = preprocessing;
+    ListPriority<Count, has_depth_buffer> method(subject, ledger, drawn);
+    method.draw(polygons, seen);
+    if constexpr (Count::counts) method.judge();
+  });
+  result.preprocessing_seconds = seconds;
+  return result;
+}
+
+}  // namespace
+
+extern const DisplayRow list_priority_row{
+    .name = "list-priority",
+    .help = "polygons clipped against each other are drawn from the front to the back",
+    .source = "Jansen 1987, 5.2, algorithm 5.2",
+    .is_exact = false,
+    .run = [](const DisplaySubject& subject, bool counts) {
+      return counts ? list_priority<CountingMethod, false>(subject) : list_priority<UncountedMethod, false>(subject);
+    }};
+
+extern const DisplayRow depth_buffer_row{.name = "list-priority/depth-buffer",
+                                         .help = "the same, with the depth of the last polygon at each pixel",
+                                         .source = "Jansen 1987, 5.2",
+                                         .is_exact = false,
+                                         .run = [](const DisplaySubject& subject, bool counts) {
+                                           return counts ? list_priority<CountingMethod, true>(subject)
+                                                         : list_priority<UncountedMethod, true>(subject);
+                                         }};
+
+}  // namespace csgsim::software
