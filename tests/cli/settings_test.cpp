@@ -101,6 +101,12 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"coherences", "\"one-list\""},
                                                  {"shapes", "\"written\""},
                                                  {"reduced", "\"cells\""},
+                                                 {"directories", "\"excell\""},
+                                                 {"bucket-sizes", "\"4\""},
+                                                 {"cast", "\"primary\""},
+                                                 {"item-buffer", "\"off\""},
+                                                 {"mailboxes", "\"off\""},
+                                                 {"reflections", "2"},
                                                  {"processors", "\"mc68000\""},
                                                  {"with", "\"mc68000:weave\""},
                                                  {"parts", "\"speed\""}};

@@ -20,6 +20,7 @@
 #include "sim/shell/usage.h"
 #include "sim/software/cost/processor.h"
 #include "sim/software/methods/rows.h"
+#include "sim/software/space/directory.h"
 
 namespace csgsim::app {
 
@@ -96,6 +97,9 @@ void print_methods(const Options& /*options*/) {
   print_rows("Shapes of the tree (--shapes)", software::shapes());
   fmt::print("\n");
   print_rows("How trees are reduced beforehand (--reduced)", software::prunings());
+  fmt::print("\nWhat csgsim trace finds facets by (--directories)\n");
+  for (const software::DirectoryRow* const row : software::directories())
+    fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
   fmt::print(
       "\ncompare --with takes PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE; csgsim manual processors lists "
       "processors.\n");

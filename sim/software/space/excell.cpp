@@ -35,7 +35,13 @@ facet::Box ExcellCells::box_of(std::uint32_t prefix, unsigned level) const {
 }
 
 double ExcellCells::wall_of(const Range& range) const {
-  return box_of(2 * range.prefix, range.level + 1).high[axis_of(range.level)];
+  // The bits of its axis are every third of the prefix, from the last but two upwards.
+  const int axis = axis_of(range.level);
+  std::uint32_t cells = 1;
+  unsigned place = 1;
+  for (unsigned level = range.level; level >= 3; level -= 3, ++place)
+    cells |= (range.prefix >> (range.level - level + 2) & 1U) << place;
+  return lattice_.wall(axis, cells << (lattice_.bits - place));
 }
 
 void ExcellCells::insert(Range range, std::uint32_t facet) {

@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "sim/studies/trace/show.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+using Rows = std::span<const TraceRow>;
+
+void add(plots::Chart& chart, const std::string& name, std::size_t panel, const plots::Point& point) {
+  auto series = std::ranges::find_if(chart.series,
+                                     [&](const plots::Series& one) { return one.name == name && one.panel == panel; });
+  if (series == chart.series.end()) series = chart.series.insert(series, {name, panel});
+  series->points.push_back(point);
+}
+
+/// Rows without item buffer, the first kind of rays that was cast.
+std::vector<const TraceRow*> plain(Rows rows) {
+  std::vector<const TraceRow*> found;
+  for (const TraceRow& row : rows) {
+    if (row.drawn() && row.point.item_buffer == "off" && row.point.cast == rows.front().point.cast &&
+        row.point.mailboxes == rows.front().point.mailboxes)
+      found.push_back(&row);
+  }
+  return found;
+}
+
+template <class Value>
+bool has_several(const std::vector<const TraceRow*>& rows, const Value& value) {
+  std::set<double> values;
+  for (const TraceRow* row : rows) values.insert(value(*row));
+  return values.size() > 1;
+}
+
+/// Of the first size of buckets and the first tolerance.
+plots::Plot cells_plot(const std::vector<const TraceRow*>& rows, const std::string& model) {
+  plots::Chart chart{model + ": cells that a ray looks into",
+                     {"cells", plots::Scale::linear, {}, false, true},
+                     {{"rays, %", plots::Scale::linear}},
+                     {},
+                     "trace.csv"};
+  for (const TraceRow* row : rows) {
+    if (row->point.bucket_size != rows.front()->point.bucket_size ||
+        row->point.tolerance != rows.front()->point.tolerance || row->point.directory == "none")
+      continue;
+    std::istringstream counts(row->rays_by_cells);
+    double cells = 0;
+    for (std::uint64_t count = 0; counts >> count; ++cells)
+      add(chart, row->point.directory, 0,
+          {cells, 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, row->rays))});
+  }
+  return {"trace_cells", std::move(chart)};
+}
+
+void add_parts(plots::Chart& chart, const TraceRow& row, std::size_t panel, double x,
+               const software::Priced& processor) {
+  const TraceSeconds seconds = seconds_of(row, processor);
+  if (!processor.processor) {
+    add(chart, row.point.directory, panel, {x, seconds.all});
+    return;
+  }
+  const std::string name = row.point.directory + ": ";
+  add(chart, name + "traversal", panel, {x, seconds.traversal});
+  add(chart, name + "intersection", panel, {x, seconds.intersection});
+  add(chart, name + "classification and shading", panel, {x, seconds.classification + seconds.shading});
+}
+
+plots::Plot buckets_plot(const std::vector<const TraceRow*>& rows, std::span<const software::Priced> processors,
+                         const std::string& model) {
+  plots::Chart chart{model + ": seconds by size of buckets",
+                     {"facets in a bucket", plots::Scale::linear, {}, false, true},
+                     {},
+                     {},
+                     "trace.csv"};
+  for (const software::Priced& processor : processors) {
+    chart.panels.push_back({processor.name + ", s"});
+    for (const TraceRow* row : rows) {
+      if (row->point.tolerance != rows.front()->point.tolerance) continue;
+      add_parts(chart, *row, chart.panels.size() - 1, row->point.bucket_size, processor);
+    }
+  }
+  return {"trace_buckets", std::move(chart)};
+}
+
+plots::Plot polygons_plot(const std::vector<const TraceRow*>& rows, std::span<const software::Priced> processors,
+                          const std::string& model) {
+  plots::Chart chart{
+      model + ": seconds by polygons", {"polygons", plots::Scale::by_range, {}, false, true}, {}, {}, "trace.csv"};
+  for (const software::Priced& processor : processors) {
+    chart.panels.push_back({processor.name + ", s"});
+    for (const TraceRow* row : rows) {
+      if (row->point.bucket_size != rows.front()->point.bucket_size) continue;
+      add(chart, row->point.directory, chart.panels.size() - 1,
+          {static_cast<double>(row->polygons), seconds_of(*row, processor).all});
+    }
+  }
+  for (plots::Series& series : chart.series) std::ranges::sort(series.points, {}, &plots::Point::x);
+  return {"trace_polygons", std::move(chart)};
+}
+
+}  // namespace
+
+std::vector<plots::Plot> plots_of_tracing(Rows rows, std::span<const software::Priced> processors,
+                                          const std::string& model) {
+  const std::vector<const TraceRow*> found = plain(rows);
+  if (found.empty()) return {};
+  std::vector<plots::Plot> plots{cells_plot(found, model)};
+  if (has_several(found, [](const TraceRow& row) { return row.point.bucket_size; }))
+    plots.push_back(buckets_plot(found, processors, model));
+  if (has_several(found, [](const TraceRow& row) { return static_cast<double>(row.polygons); }))
+    plots.push_back(polygons_plot(found, processors, model));
+  return plots;
+}
+
+}  // namespace csgsim::studies

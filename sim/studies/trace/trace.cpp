@@ -1,0 +1,230 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/machines/hash.h"
+#include "sim/report/points.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/version.h"
+#include "sim/software/methods/rows.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/plot_names.h"
+#include "sim/studies/study.h"
+#include "sim/studies/trace/show.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr unsigned most_mirror_depth = 4;
+
+const std::vector<std::string> cast_names{"primary", "shadow", "mirror"};
+const std::vector<std::string> switch_names{"off", "on"};
+
+std::vector<std::string> directories_in(const std::string& text) {
+  return parse_names(text, "directory", software::names_in(software::directories()));
+}
+std::vector<unsigned> bucket_sizes_in(const std::string& text) {
+  constexpr unsigned most = 1000;
+  return parse_numbers(text, 1, most);
+}
+std::vector<std::string> cast_in(const std::string& text) { return parse_names(text, "kind of ray", cast_names); }
+std::vector<std::string> switches_in(const std::string& text) { return parse_names(text, "choice", switch_names); }
+
+std::vector<software::Priced> traced_processors(const std::string& list) {
+  std::vector<software::Priced> processors;
+  for (const std::string& name : parse_words(list)) processors.push_back(software::priced(name));
+  return processors;
+}
+
+/// Pictures do not depend on how rays find what they meet, so all of one tolerance have to be the same.
+std::string difference_of(std::span<const TraceRow> rows) {
+  for (const TraceRow& row : rows) {
+    if (!row.drawn()) continue;
+    const auto first = std::ranges::find_if(
+        rows, [&](const TraceRow& one) { return one.drawn() && one.point.tolerance == row.point.tolerance; });
+    if (row.surfaces != first->surfaces)
+      return fmt::format("{} sees other surfaces than {}", row.point.directory, first->point.directory);
+  }
+  return "";
+}
+
+class Trace : public StudyOf<TraceRow> {
+ public:
+  void add_options(Command& command) override {
+    options_.add_to(command);
+    for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
+      command.remove(of_machines);
+    command
+        .option("--directories", directories_,
+                "List of what rays find facets by, as csgsim manual methods tells of them")
+        .words(software::names_in(software::directories()), is_read_by(directories_in));
+    command.option("--bucket-sizes", bucket_sizes_, "Numbers: facets of a cell, above which it is divided, 1 to 1000")
+        .check(is_read_by(bucket_sizes_in));
+    command.option("--cast", cast_, "List of the rays that are cast, each with those before it")
+        .words(cast_names, is_read_by(cast_in));
+    command.option("--item-buffer", item_buffer_, "List: primary rays, or in their place a projective pass")
+        .words(switch_names, is_read_by(switches_in));
+    command.option("--mailboxes", mailboxes_, "List: a facet of several cells is held against a ray again, or once")
+        .words(switch_names, is_read_by(switches_in));
+    command.option("--reflections", reflections_, "Number: mirrors that are seen in one another, 1 to 4")
+        .between(1U, most_mirror_depth);
+    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
+        .check(is_read_by(tolerances_in))
+        .excludes("--tolerance");
+    command
+        .option("--processors", processors_,
+                "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
+        .check(is_read_by(traced_processors));
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    std::vector<std::filesystem::path> files = options_.inputs();
+    const std::vector<std::filesystem::path> more = input_files({}, parse_words(processors_));
+    files.insert(files.end(), more.begin(), more.end());
+    return files;
+  }
+  [[nodiscard]] std::set<std::string> varied() const override {
+    return {"directories", "bucket-sizes", "cast", "item-buffer", "mailboxes", "tolerances", "processors"};
+  }
+  [[nodiscard]] std::string table_model() const override { return options_.model; }
+  [[nodiscard]] bool is_of_one_machine() const override { return true; }
+
+  std::vector<Asked> ask() override {
+    machine_ = machine_of(options_);
+    ModelFile file = read_model_file(options_);
+    tree_ = std::move(file.tree);
+    inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
+    std::vector<std::optional<double>> tolerances{std::nullopt};
+    if (!tolerances_.empty()) {
+      const std::vector<double> asked = tolerances_in(tolerances_);
+      tolerances.assign(asked.begin(), asked.end());
+    }
+    for (const std::optional<double>& tolerance : tolerances) add_points(tolerance);
+    std::vector<Asked> asked;
+    for (const TracePoint& point : points_) asked.push_back({to_line(point), inputs_});
+    return asked;
+  }
+
+  void print() const override {
+    fmt::print("{}: what tracing its rays takes, as in section 5.3 of the thesis\n",
+               printable(shown_name(options_.model)));
+    print_tracing(rows(), traced_processors(processors_));
+    if (difference_of(rows()).empty()) fmt::print("\nAll ways see the same surfaces, at every pixel.\n");
+  }
+
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    const std::vector<software::Priced> processors = traced_processors(processors_);
+    const SetPoint columns = setter_of(std::span<const TraceRow>(rows()));
+    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+      columns(json, point);
+      const TraceRow& row = rows()[point];
+      if (!row.drawn()) return;
+      for (const software::Priced& processor : processors) {
+        if (!processor.processor) continue;
+        const TraceSeconds seconds = seconds_of(row, processor);
+        json["seconds"][processor.name] = {{"build", build_seconds_of(row, processor)},
+                                           {"projection", seconds.projection},
+                                           {"traversal", seconds.traversal},
+                                           {"intersection", seconds.intersection},
+                                           {"classification", seconds.classification},
+                                           {"shading", seconds.shading},
+                                           {"all", seconds.all}};
+      }
+    });
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    return plots_of_tracing(rows(), traced_processors(processors_), plot_stem(options_.model));
+  }
+
+  [[nodiscard]] std::string page_title() const override { return "What tracing rays takes"; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+
+  void refuse() const override {
+    if (std::ranges::none_of(rows(), &TraceRow::drawn)) throw InputError(rows().front().reason);
+    if (const std::string difference = difference_of(rows()); !difference.empty())
+      throw InputError(difference + "; " + whose_fault(are_read()));
+  }
+
+ protected:
+  [[nodiscard]] TraceRow measured(std::size_t number) override {
+    const TracePoint& point = points_[number];
+    if (!subject_ || subject_tolerance_ != point.tolerance) make_subject(point.tolerance);
+    return measure_trace(point, inputs_, *subject_);
+  }
+
+ private:
+  void add_points(const std::optional<double>& tolerance) {
+    for (const std::string& directory : directories_in(directories_)) {
+      for (const unsigned bucket_size : bucket_sizes_in(bucket_sizes_)) {
+        for (const std::string& cast : cast_in(cast_)) {
+          for (const std::string& mailboxes : switches_in(mailboxes_)) {
+            for (const std::string& item_buffer : switches_in(item_buffer_))
+              points_.push_back({directory, bucket_size, cast, item_buffer, mailboxes, tolerance});
+          }
+        }
+      }
+    }
+  }
+
+  void make_subject(const std::optional<double>& tolerance) {
+    facet::Faceting faceting =
+        tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_of(options_, machine_, tree_);
+    faceting.exact_curves = false;
+    facet::Geometry geometry = facet::make_geometry(tree_, faceting);
+    view::View view = view::make_view(geometry, tree_, camera_of(options_, machine_, tree_, geometry),
+                                      sampling_of(options_, machine_));
+    subject_ =
+        std::make_unique<TraceSubject>(tree_, std::move(geometry), std::move(view), options_.scene(), reflections_);
+    subject_tolerance_ = tolerance;
+  }
+
+  ModelOptions options_;
+  std::string directories_ = "excell,excell-recursive,boxes,octree,grid,kd-tree,bvh";
+  std::string bucket_sizes_ = "8";
+  std::string cast_ = "primary,shadow,mirror";
+  std::string item_buffer_ = "off,on";
+  std::string mailboxes_ = "on";
+  std::string tolerances_;
+  std::string processors_ = "mc68000,i486dx2,this-computer";
+  unsigned reflections_ = 1;
+  machines::Machine machine_;
+  model::Tree tree_;
+  Inputs inputs_;
+  std::vector<TracePoint> points_;
+  std::unique_ptr<TraceSubject> subject_;  ///< of the last point that was measured
+  std::optional<double> subject_tolerance_;
+};
+
+}  // namespace
+
+extern const StudyRow trace_row{
+    .name = "trace",
+    .does = "Count and price what ray tracing a model takes, by every directory of its facets",
+    .example =
+        "  csgsim trace carburettor.csg --camera 220,-255,135,2,0,5 --size 256x256\n"
+        "  csgsim trace carburettor.csg --directories excell --bucket-sizes 1..24 --cast primary --item-buffer off -o "
+        "out\n"
+        "Rays find the facets near them by EXCELL, the spatial directory of the thesis, or by a rival. Pictures are "
+        "the\n"
+        "machines'; rays to lights and in mirrors are cast in real arithmetic, with the scene's lights and mirrors, "
+        "or\n"
+        "with all facets as mirrors where it has none.",
+    .plots = "plots (.png, .svg) of cells a ray, and of seconds by size of buckets and by polygons",
+    .folder = Folder::optional,
+    .is_parallel = false,
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Trace>()); }};
+
+}  // namespace csgsim::studies
