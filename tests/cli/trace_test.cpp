@@ -1,0 +1,98 @@
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "places.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+std::string trace(const std::string& more) {
+  return "trace " + model("thesis_fig_2_3") + " --camera 42,-38,41,10,5.5,2 --size 48x36" + more;
+}
+
+}  // namespace
+
+TEST_CASE("trace counts by every directory, rays and item buffer, prices the parts, and nothing is done twice") {
+  const Folder folder;
+  const Outcome first = run(trace(" -o " + (folder / "t")));
+  CAPTURE(first.err);
+  REQUIRE(first.code == 0);
+  CHECK(first.out.find("All ways see the same surfaces") != std::string::npos);
+  const nlohmann::json points = json(folder / "t/trace.json")["points"];
+  REQUIRE(points.size() == 7 * 3 * 2);
+  std::set<std::string> surfaces;
+  for (const nlohmann::json& point : points) {
+    CAPTURE(point["directory"]);
+    CAPTURE(point["cast"]);
+    surfaces.insert(point["surfaces"].get<std::string>());
+    const nlohmann::json& seconds = point["seconds"]["mc68000"];
+    double sum = 0;
+    for (const char* const part : {"projection", "traversal", "intersection", "classification", "shading"})
+      sum += seconds[part].get<double>();
+    CHECK(seconds["all"].get<double>() == doctest::Approx(sum));
+    CHECK(seconds["all"] > point["seconds"]["i486dx2"]["all"]);
+    CHECK((point["shadow_rays"] > 0) == (point["cast"] != "primary"));
+    CHECK((point["mirror_rays"] > 0) == (point["cast"] == "mirror"));
+    const bool has_items = point["item_buffer"] == "on";
+    if (has_items && point["cast"] == "primary") CHECK(point["facet_tests"] == point["hit_rays"]);
+    CHECK((seconds["projection"] > 0) == has_items);
+    std::istringstream counts(point["rays_by_cells"].get<std::string>());
+    std::uint64_t rays = 0;
+    for (std::uint64_t count = 0; counts >> count;) rays += count;
+    CHECK(point["rays"] == rays);
+  }
+  CHECK(surfaces.size() == 1);
+  CHECK(fs::file_size(folder / "t/trace_cells.svg") > 1000);
+  const std::string table = content(folder / "t/trace.csv");
+  REQUIRE(run(trace(" -o " + (folder / "t"))).code == 0);
+  CHECK(content(folder / "t/trace.csv") == table);
+}
+
+TEST_CASE("trace varies buckets and tolerances, with a plot of each") {
+  const Folder folder;
+  const Outcome outcome =
+      run(trace(" --directories excell --bucket-sizes 2,8 --cast primary --item-buffer off "
+                "--mailboxes off,on --tolerances 1,0.1 --processors mc68000 -o " +
+                (folder / "t")));
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  const nlohmann::json points = json(folder / "t/trace.json")["points"];
+  REQUIRE(points.size() == 2 * 2 * 2);
+  std::set<std::uint64_t> polygons;
+  for (std::size_t i = 0; i < points.size(); i += 2) {
+    polygons.insert(points[i]["polygons"].get<std::uint64_t>());
+    CHECK(points[i]["repeats"] == 0);
+    CHECK(points[i + 1]["repeats"] > 0);
+    CHECK(points[i]["facet_tests"] ==
+          points[i + 1]["facet_tests"].get<std::uint64_t>() + points[i + 1]["repeats"].get<std::uint64_t>());
+  }
+  CHECK(polygons.size() == 2);
+  CHECK(fs::exists(folder / "t/trace_buckets.svg"));
+  CHECK(fs::exists(folder / "t/trace_polygons.svg"));
+}
+
+TEST_CASE("shards of trace are gathered to the table of one run") {
+  const Folder folder;
+  const std::string common = " --directories excell,grid --cast primary --processors mc68000 --no-plots -o ";
+  REQUIRE(run(trace(common + (folder / "s") + " --shard 1/2")).code == 0);
+  REQUIRE(run(trace(common + (folder / "s") + " --shard 2/2")).code == 0);
+  const Outcome gathered = run("gather " + (folder / "s") + " --no-plots");
+  CAPTURE(gathered.err);
+  REQUIRE(gathered.code == 0);
+  CHECK(json(folder / "s/trace.json")["points"].size() == 4);
+}
+
+TEST_CASE("trace refuses what it does not know, with the nearest that there is") {
+  misused(trace(" --directories excel"), "did you mean excell");
+  misused(trace(" --cast shadows"), "did you mean shadow");
+  misused(trace(" --item-buffer yes"), "on");
+  misused(trace(" --bucket-sizes 0"), "1");
+  misused(trace(" --processors mc68001"), "mc68000");
+  misused(trace(" --reflections 5"), "4");
+}

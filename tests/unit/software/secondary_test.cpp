@@ -1,0 +1,190 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "host/read/read.h"
+#include "hw/base/error.h"
+#include "sim/software/tracing/trace.h"
+#include "sim/software/tree/tree.h"
+#include "tests/oracle/random_model.h"
+#include "tests/oracle/ray_picture.h"
+#include "tests/oracle/split_mix.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using software::Seen;
+using testing::Random;
+using testing::Scene;
+
+namespace {
+
+struct Tally {
+  std::uint64_t judged = 0;
+  std::uint64_t pixels = 0;
+  std::uint64_t dark = 0;       ///< in shadow, or turned away
+  std::uint64_t mirrored = 0;   ///< that show another surface
+  std::uint64_t reflected = 0;  ///< that show the background
+};
+
+/// A model of random primitives, none of whose colours is another's.
+Scene colourful(Random& random, std::uint32_t side) {
+  const std::string csg = testing::random_model(random.below(1U << 30U), 2 + static_cast<unsigned>(random.below(6)));
+  model::Tree tree = read::read_csg_text(csg, "test");
+  const auto primitives = static_cast<double>(tree.primitives.size());
+  for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
+    const double part = (static_cast<double>(i) + 1) / (primitives + 1);
+    tree.primitives[i].colour = {part, 1 - part, 0.5 + 0.5 * std::sin(7 * part)};
+    tree.primitives[i].opacity = 1;
+  }
+  const auto projection = random.one_of({view::Projection::orthographic, view::Projection::perspective});
+  const double turn = 2 * std::numbers::pi * random.unit();
+  view::Sampling sampling;
+  sampling.width = side;
+  sampling.height = side;
+  return testing::make_scene(std::move(tree), {{28 * std::cos(turn), 28 * std::sin(turn), 17}, {0, 0, 0}, projection},
+                             sampling);
+}
+
+testing::RayShot shot_of(const Scene& scene) {
+  return {scene.view.camera, scene.view.sampling.width, scene.view.sampling.height, scene.view.depth.near};
+}
+
+std::vector<software::TracedPixel> traced(const Scene& scene, const software::TraceOptions& options,
+                                          const std::string& directory) {
+  const software::Tree tree = software::make_tree(scene.tree, software::Shape::balanced);
+  const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
+  const auto space = software::directory_of(directory).make(traced_scene.shapes(), {4});
+  return software::trace(traced_scene, *space, options, false).pixels;
+}
+
+std::string a_directory(Random& random) {
+  return std::string(software::directories()[random.below(software::directories().size())]->name);
+}
+
+/// What is wrong with the light on a model of one light and no other; empty if nothing is.
+std::string fault_of_shadows(std::uint64_t seed, Tally& tally) {
+  Random random(seed);
+  const Scene scene = colourful(random, 40);
+  scene::Scene look;
+  look.ambient.intensity = 0;
+  scene::Light light;
+  light.intensity = 1;
+  const auto any = [&] { return 2 * random.unit() - 1; };
+  software::TraceOptions options;
+  options.has_shadows = true;
+  options.has_item_buffer = random.below(2) == 0;
+  options.has_mailboxes = random.below(2) == 0;
+  if (random.below(2) == 0) {
+    light.direction = {any(), any(), any() - 0.5};
+    options.lights.push_back({false, -light.direction});
+  } else {
+    light.kind = scene::LightKind::point;
+    light.position = glm::dvec3{any(), any(), any()} * 20.0;
+    options.lights.push_back({true, light.position - scene.geometry.planes.centre()});
+  }
+  look.lights.push_back(light);
+  look.background.colour = {0, 0, 0};
+  testing::RayDoubt doubt;
+  doubt.gap = 3 * scene.view.depth_step;
+  testing::RayEffects effects;
+  effects.has_shadows = true;
+  const std::vector<testing::RayColour> expected =
+      testing::ray_picture(scene.tree, scene.geometry, look, shot_of(scene), effects, doubt);
+  const std::string directory = a_directory(random);
+  const std::vector<software::TracedPixel> pixels = traced(scene, options, directory);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    ++tally.pixels;
+    if (!expected[i].is_certain || expected[i].primitive == model::no_index) continue;
+    ++tally.judged;
+    const bool is_lit = expected[i].colour != glm::dvec3{0};
+    tally.dark += is_lit ? 0U : 1U;
+    if ((pixels[i].surface.lit != 0) != is_lit || pixels[i].surface.owner != expected[i].primitive)
+      return fmt::format("seed {}, {}: pixel {} is {}", seed, directory, i, is_lit ? "lit" : "in shadow");
+  }
+  return "";
+}
+
+/// What a chain of mirrors shows in the end.
+glm::dvec3 shown(const Scene& scene, const software::TracedPixel& pixel) {
+  const std::uint32_t owner = pixel.mirrored.empty() ? pixel.surface.owner : pixel.mirrored.back().owner;
+  return owner == Seen::nothing_seen ? glm::dvec3{0} : *scene.tree.primitives[owner].colour;
+}
+
+/// What is wrong with a model all of whose facets mirror; empty if nothing is.
+std::string fault_of_mirrors(std::uint64_t seed, Tally& tally) {
+  Random random(seed);
+  const Scene scene = colourful(random, 40);
+  scene::Scene look;
+  look.ambient.intensity = 1;
+  scene::Light none;
+  none.intensity = 0;
+  none.direction = {0, 0, -1};
+  look.lights.push_back(none);
+  look.background.colour = {0, 0, 0};
+  testing::RayEffects effects;
+  effects.reflections = 1 + static_cast<unsigned>(random.below(3));
+  for (std::uint32_t i = 0; i < scene.tree.primitives.size(); ++i) effects.mirrors.push_back({i, std::nullopt, 1});
+  software::TraceOptions options;
+  options.mirror_depth = effects.reflections;
+  options.mirrors.assign(scene.geometry.halfspaces(), 1);
+  options.has_item_buffer = random.below(2) == 0;
+  options.has_mailboxes = random.below(2) == 0;
+  testing::RayDoubt doubt;
+  doubt.gap = 3 * scene.view.depth_step;
+  const std::vector<testing::RayColour> expected =
+      testing::ray_picture(scene.tree, scene.geometry, look, shot_of(scene), effects, doubt);
+  const std::string directory = a_directory(random);
+  const std::vector<software::TracedPixel> pixels = traced(scene, options, directory);
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    ++tally.pixels;
+    if (!expected[i].is_certain || expected[i].primitive == model::no_index) continue;
+    ++tally.judged;
+    const bool shows_another =
+        pixels[i].mirrored.size() == effects.reflections && pixels[i].mirrored.back().owner != Seen::nothing_seen;
+    tally.mirrored += shows_another ? 1U : 0U;
+    tally.reflected += shows_another ? 0U : 1U;
+    const glm::dvec3 off = glm::abs(shown(scene, pixels[i]) - expected[i].colour);
+    if (std::max({off.x, off.y, off.z}) > 0.01)
+      return fmt::format("seed {}, {}: pixel {}, of owner {}, shows another colour", seed, directory, i,
+                         pixels[i].surface.owner);
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("rays to a light find what the rays of the oracle find, wherever rounding cannot decide otherwise") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    try {
+      CHECK(fault_of_shadows(seed, tally) == "");
+    } catch (const InputError&) {
+      continue;  // a model of which nothing is left
+    }
+  }
+  MESSAGE(tally.judged, " of ", tally.pixels, " pixels judged, ", tally.dark, " dark");
+  CHECK(tally.judged > tally.pixels / 20);
+  CHECK(tally.dark > tally.judged / 10);
+}
+TEST_CASE("rays in mirrors find what the rays of the oracle find, wherever rounding cannot decide otherwise") {
+  Tally tally;
+  for (std::uint64_t seed = 1; seed <= 150; ++seed) {
+    try {
+      CHECK(fault_of_mirrors(seed, tally) == "");
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  MESSAGE(tally.judged, " of ", tally.pixels, " pixels judged, ", tally.mirrored, " show another surface, ",
+          tally.reflected, " none");
+  CHECK(tally.judged > tally.pixels / 20);
+  CHECK(tally.mirrored > tally.judged / 100);
+}
