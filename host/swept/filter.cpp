@@ -1,0 +1,388 @@
+#include "host/swept/filter.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "host/swept/held_vertices.h"
+
+namespace csgsim::swept {
+
+namespace {
+
+/// Sides of an element, each with vertices between its corners in the order of their places.
+enum Side : std::uint8_t { south, east, north, west };
+
+struct HeldElement {
+  Square square;
+  std::array<std::uint32_t, 4> corners{};
+  std::array<std::vector<std::uint32_t>, 4> sides;
+  std::uint32_t edges = 0;  ///< of the border that are its sides, or parts of these
+};
+
+/// Counter-clockwise from the south-west corner.
+template <class Visit>
+void for_vertices(const HeldElement& element, const Visit& visit) {
+  visit(element.corners[sw]);
+  std::ranges::for_each(element.sides[south], visit);
+  visit(element.corners[se]);
+  std::ranges::for_each(element.sides[east], visit);
+  visit(element.corners[ne]);
+  std::for_each(element.sides[north].rbegin(), element.sides[north].rend(), visit);
+  visit(element.corners[nw]);
+  std::for_each(element.sides[west].rbegin(), element.sides[west].rend(), visit);
+}
+
+/// An edge of the border: the side of an element that has come, or a part of it; or a part of the patch's own edge.
+struct Edge {
+  std::uint32_t from = 0;  ///< along the side of the patch
+  std::uint32_t to = 0;
+  std::uint32_t start = nothing;  ///< vertex; nothing before an element without a wire frame brings it
+  std::uint32_t end = nothing;
+  std::uint32_t element = nothing;  ///< that it is a side of
+  std::uint32_t next = nothing;
+  const WireVertex* between = nullptr;  ///< in a wire frame: the first vertex behind the start
+
+  [[nodiscard]] std::uint32_t size() const { return to - from; }
+};
+
+class Filter {
+ public:
+  Filter(Stream& stream, const PatchEdges* frame, Output& output, RepairCounts& counts)
+      : stream_(stream), frame_(frame), output_(output), counts_(counts), vertices_(output, counts) {}
+
+  void run() {
+    std::uint32_t u_edge = first_edges(frame_ == nullptr ? nullptr : frame_->south);
+    std::uint32_t v_edge = first_edges(frame_ == nullptr ? nullptr : frame_->west);
+    u_first_ = u_edge;
+    v_first_ = v_edge;
+    if (frame_ != nullptr) {
+      north_ = frame_->north->data();
+      east_ = frame_->east->data();
+    }
+    traverse(whole_side, u_edge, v_edge);
+    finish(u_first_, north, frame_ == nullptr ? nullptr : frame_->north);
+    finish(v_first_, east, frame_ == nullptr ? nullptr : frame_->east);
+  }
+
+ private:
+  /// What a leaf gets of one of the lists. Each vertex between has a hold of an edge that is gone.
+  struct Bordering {
+    std::uint32_t start = nothing;
+    std::uint32_t end = nothing;
+    std::vector<std::uint32_t> between;
+  };
+
+  std::uint32_t first_edges(const WireEdge* wire);
+  void traverse(std::uint32_t size, std::uint32_t& u_edge, std::uint32_t& v_edge);
+  void take_in(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_edge);
+  Bordering border_on(std::uint32_t edge, Side side, const Element& leaf);
+  std::vector<std::uint32_t> merge(std::uint32_t edge, std::uint32_t size);
+  void split(std::uint32_t edge, Side side, std::uint32_t size, const glm::dvec3& point);
+  std::uint32_t new_on_edge(const Edge& edge, Side side, std::uint32_t place, const glm::dvec3& point);
+  std::vector<std::uint32_t> known_between(const Edge& edge);
+  std::uint32_t north_east(const Element& leaf);
+  void move(std::uint32_t edge, std::uint32_t element, std::uint32_t start, std::uint32_t end);
+  void let_go(std::uint32_t element);
+  void put_out(const HeldElement& element);
+  void finish(std::uint32_t edge, Side side, const WireEdge* wire);
+  void keep_most();
+
+  void hold(std::uint32_t vertex) {
+    if (vertex != nothing) vertices_.hold_by_edge(vertex);
+  }
+  void drop(std::uint32_t vertex) {
+    if (vertex != nothing) vertices_.drop_by_edge(vertex);
+  }
+  std::uint32_t new_edge();
+  std::uint32_t new_element();
+  std::uint32_t known(const WireVertex& vertex) { return vertices_.add_known(vertex.number, vertex.point); }
+
+  Stream& stream_;
+  const PatchEdges* frame_;
+  Output& output_;
+  RepairCounts& counts_;
+  HeldVertices vertices_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> free_edges_;
+  std::vector<HeldElement> elements_;
+  std::vector<std::uint32_t> free_elements_;
+  std::vector<std::uint32_t> left_;  ///< elements that an edge of the border has just left
+  std::vector<std::uint32_t> numbers_;
+  std::uint64_t held_edges_ = 0;
+  std::uint64_t held_elements_ = 0;
+  std::uint32_t u_first_ = nothing;
+  std::uint32_t v_first_ = nothing;
+  const WireVertex* north_ = nullptr;  ///< of the wire frame, up to where elements have come
+  const WireVertex* east_ = nullptr;
+};
+
+std::uint32_t Filter::new_edge() {
+  ++held_edges_;
+  if (free_edges_.empty()) {
+    edges_.emplace_back();
+    return static_cast<std::uint32_t>(edges_.size() - 1);
+  }
+  const std::uint32_t edge = free_edges_.back();
+  free_edges_.pop_back();
+  edges_[edge] = {};
+  return edge;
+}
+
+std::uint32_t Filter::new_element() {
+  ++held_elements_;
+  if (free_elements_.empty()) {
+    elements_.emplace_back();
+    return static_cast<std::uint32_t>(elements_.size() - 1);
+  }
+  const std::uint32_t element = free_elements_.back();
+  free_elements_.pop_back();
+  elements_[element] = {};
+  return element;
+}
+
+/// The list of one edge, or of a wire frame's segments.
+std::uint32_t Filter::first_edges(const WireEdge* wire) {
+  const std::uint32_t first = new_edge();
+  edges_[first].to = whole_side;
+  if (wire == nullptr) return first;
+  std::uint32_t edge = first;
+  std::uint32_t start = known(wire->front());
+  for (std::size_t i = 1, begin = 0; i < wire->size(); ++i) {
+    if (!(*wire)[i].is_end) continue;
+    if (begin > 0) {
+      const std::uint32_t next = new_edge();
+      edges_[edge].next = next;
+      edge = next;
+    }
+    const std::uint32_t end = known((*wire)[i]);
+    Edge& one = edges_[edge];
+    one.from = (*wire)[begin].place;
+    one.to = (*wire)[i].place;
+    one.start = start;
+    one.end = end;
+    one.between = &(*wire)[begin + 1];
+    hold(start);
+    hold(end);
+    start = end;
+    begin = i;
+  }
+  return first;
+}
+
+/// Algorithm 3.2. Merging keeps the first of several edges, splitting makes the first part of it, and none of them
+/// begins before the element that does it: so the starts that are kept stay those of the lists.
+void Filter::traverse(std::uint32_t size, std::uint32_t& u_edge, std::uint32_t& v_edge) {
+  const std::optional<Node> node = stream_.next();
+  if (!node) throw std::logic_error("a stream of elements has ended before its patch");
+  if (node->is_leaf) {
+    take_in(node->element, u_edge, v_edge);
+    u_edge = edges_[u_edge].next;
+    v_edge = edges_[v_edge].next;
+    return;
+  }
+  std::uint32_t u_start = u_edge;
+  std::uint32_t v_start = v_edge;
+  traverse(size / 2, u_edge, v_edge);
+  traverse(size / 2, u_edge, v_start);
+  traverse(size / 2, u_start, v_edge);
+  traverse(size / 2, u_start, v_start);
+}
+
+void Filter::take_in(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_edge) {
+  ++counts_.elements;
+  const Bordering below = border_on(u_edge, south, leaf);
+  // Without a wire frame both lists begin at a vertex that neither has yet.
+  if (edges_[v_edge].start == nothing) {
+    edges_[v_edge].start = below.start;
+    hold(below.start);
+  }
+  const Bordering beside = border_on(v_edge, west, leaf);
+  if (vertices_.number(below.start) != vertices_.number(beside.start))
+    throw std::logic_error("the two lists of edges do not meet at an element");
+  const std::uint32_t number = new_element();
+  HeldElement& element = elements_[number];
+  element.square = leaf.square;
+  element.corners = {below.start, below.end, beside.end, north_east(leaf)};
+  element.sides[south] = below.between;
+  element.sides[west] = beside.between;
+  for_vertices(element, [&](std::uint32_t vertex) { vertices_.hold_by_element(vertex); });
+  // All that it keeps is held before what it leaves is dropped.
+  move(u_edge, number, element.corners[nw], element.corners[ne]);
+  move(v_edge, number, element.corners[se], element.corners[ne]);
+  for (const Bordering* const side : {&below, &beside}) {
+    for (const std::uint32_t vertex : side->between) drop(vertex);
+    drop(side->start);
+    drop(side->end);
+  }
+  for (const std::uint32_t other : left_) let_go(other);
+  left_.clear();
+  keep_most();
+}
+
+/// Algorithm 3.3 but for the move: makes the edge as long as the element's side.
+Filter::Bordering Filter::border_on(std::uint32_t edge, Side side, const Element& leaf) {
+  ++counts_.edges_visited;
+  const glm::dvec3& end_point = leaf.corners[side == south ? se : nw];
+  if (edges_[edge].start == nothing) {
+    edges_[edge].start = vertices_.add(leaf.corners[sw]);
+    hold(edges_[edge].start);
+  }
+  Bordering found;
+  if (leaf.square.size > edges_[edge].size()) {
+    found.between = merge(edge, leaf.square.size);
+  } else if (leaf.square.size < edges_[edge].size()) {
+    split(edge, side, leaf.square.size, end_point);
+  } else {
+    found.between = known_between(edges_[edge]);
+  }
+  if (edges_[edge].end == nothing) {
+    edges_[edge].end = vertices_.add(end_point);
+    hold(edges_[edge].end);
+  }
+  found.start = edges_[edge].start;
+  found.end = edges_[edge].end;
+  return found;
+}
+
+/// The vertices of smaller elements go onto the side of the larger one.
+std::vector<std::uint32_t> Filter::merge(std::uint32_t edge, std::uint32_t size) {
+  std::vector<std::uint32_t> between;
+  std::vector<std::uint32_t> places;
+  while (edges_[edge].size() < size) {
+    const std::uint32_t next = edges_[edge].next;
+    const Edge gone = edges_[next];
+    between.push_back(gone.start);
+    places.push_back(gone.from);
+    drop(gone.start);  // of two holds
+    left_.push_back(gone.element);
+    edges_[edge].to = gone.to;
+    edges_[edge].end = gone.end;
+    edges_[edge].next = gone.next;
+    free_edges_.push_back(next);
+    --held_edges_;
+    ++counts_.edges_visited;
+    ++counts_.merges;
+  }
+  const Edge& whole = edges_[edge];
+  for (std::size_t i = 0; i < between.size(); ++i)
+    vertices_.put_on_line(between[i], whole.start, whole.end, static_cast<double>(places[i] - whole.from) / size);
+  return between;
+}
+
+void Filter::split(std::uint32_t edge, Side side, std::uint32_t size, const glm::dvec3& point) {
+  ++counts_.splits;
+  const std::uint32_t rest = new_edge();
+  const std::uint32_t middle = edges_[edge].from + size;
+  const std::uint32_t vertex = new_on_edge(edges_[edge], side, middle, point);
+  hold(vertex);
+  edges_[rest] = edges_[edge];
+  edges_[rest].from = middle;
+  edges_[rest].start = vertex;
+  edges_[edge].to = middle;
+  edges_[edge].end = vertex;
+  edges_[edge].next = rest;
+  if (edges_[rest].element != nothing) ++elements_[edges_[rest].element].edges;
+  if (edges_[rest].between != nullptr) ++edges_[rest].between;
+  edges_[edge].between = nullptr;
+}
+
+/// A vertex where a smaller element ends, held as an edge's: on the line of the larger one's side, or as a wire frame
+/// has it, or where the surface is.
+std::uint32_t Filter::new_on_edge(const Edge& edge, Side side, std::uint32_t place, const glm::dvec3& point) {
+  if (edge.between != nullptr) {
+    const std::uint32_t vertex = known(*edge.between);
+    hold(vertex);
+    return vertex;
+  }
+  const std::uint32_t vertex = vertices_.add(point);
+  hold(vertex);
+  if (edge.element == nothing) return vertex;
+  HeldElement& element = elements_[edge.element];
+  element.sides[side == south ? north : east].push_back(vertex);
+  vertices_.hold_by_element(vertex);
+  const std::uint32_t from = side == south ? element.square.x : element.square.y;
+  vertices_.put_on_line(vertex, element.corners[side == south ? nw : se], element.corners[ne],
+                        static_cast<double>(place - from) / element.square.size);
+  return vertex;
+}
+
+/// What the patch on the other side has on a segment of the wire frame.
+std::vector<std::uint32_t> Filter::known_between(const Edge& edge) {
+  std::vector<std::uint32_t> between;
+  if (edge.between == nullptr) return between;
+  for (const WireVertex* one = edge.between; one->place < edge.to; ++one) {
+    between.push_back(known(*one));
+    hold(between.back());
+  }
+  return between;
+}
+
+std::uint32_t Filter::north_east(const Element& leaf) {
+  const std::uint32_t x = leaf.square.x + leaf.square.size;
+  const std::uint32_t y = leaf.square.y + leaf.square.size;
+  if (frame_ == nullptr || (x < whole_side && y < whole_side)) return vertices_.add(leaf.corners[ne]);
+  while (y == whole_side && north_->place < x) ++north_;
+  while (x == whole_side && east_->place < y) ++east_;
+  return known(y == whole_side ? *north_ : *east_);
+}
+
+/// To the other side of the element.
+void Filter::move(std::uint32_t edge, std::uint32_t element, std::uint32_t start, std::uint32_t end) {
+  hold(start);
+  hold(end);
+  left_.push_back(edges_[edge].element);
+  ++elements_[element].edges;
+  edges_[edge].element = element;
+  edges_[edge].start = start;
+  edges_[edge].end = end;
+  edges_[edge].between = nullptr;
+}
+
+void Filter::let_go(std::uint32_t element) {
+  if (element == nothing || --elements_[element].edges > 0) return;
+  put_out(elements_[element]);
+  for_vertices(elements_[element], [&](std::uint32_t vertex) { vertices_.drop_by_element(vertex); });
+  free_elements_.push_back(element);
+  --held_elements_;
+}
+
+void Filter::put_out(const HeldElement& element) {
+  numbers_.clear();
+  for_vertices(element, [&](std::uint32_t vertex) { numbers_.push_back(vertices_.number(vertex)); });
+  output_.element(element.square, numbers_);
+}
+
+/// Along the patch's north or east edge.
+void Filter::finish(std::uint32_t edge, Side side, const WireEdge* wire) {
+  std::size_t at = 0;
+  for (std::uint32_t one = edge; one != nothing; one = edges_[one].next) {
+    HeldElement& element = elements_[edges_[one].element];
+    for (; wire != nullptr && (*wire)[at].place < edges_[one].to; ++at) {
+      if ((*wire)[at].place <= edges_[one].from) continue;
+      element.sides[side].push_back(known((*wire)[at]));
+      vertices_.hold_by_element(element.sides[side].back());
+    }
+  }
+  for (std::uint32_t one = edge; one != nothing; one = edges_[one].next) {
+    drop(edges_[one].start);
+    drop(edges_[one].end);
+  }
+  for (std::uint32_t one = edge; one != nothing; one = edges_[one].next) let_go(edges_[one].element);
+}
+
+void Filter::keep_most() {
+  counts_.most_elements = std::max(counts_.most_elements, held_elements_);
+  counts_.most_vertices = std::max(counts_.most_vertices, vertices_.held());
+  counts_.most_edges = std::max(counts_.most_edges, held_edges_);
+}
+
+}  // namespace
+
+void filter(Stream& stream, const PatchEdges* edges, Output& output, RepairCounts& counts) {
+  Filter(stream, edges, output, counts).run();
+}
+
+}  // namespace csgsim::swept

@@ -1,0 +1,139 @@
+#include "host/swept/spine.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "hw/base/error.h"
+
+namespace csgsim::swept {
+
+namespace {
+
+/// Gauss and Legendre's five places of -1 to 1, and what each counts.
+struct GaussPoint {
+  double place;
+  double weight;
+};
+constexpr std::array gauss_points{GaussPoint{-0.9061798459386640, 0.2369268850561891},
+                                  GaussPoint{-0.5384693101056831, 0.4786286704993665},
+                                  GaussPoint{0, 0.5688888888888889}, GaussPoint{0.5384693101056831, 0.4786286704993665},
+                                  GaussPoint{0.9061798459386640, 0.2369268850561891}};
+
+/// From the start of a segment to t.
+double length_of(const Segment& segment, double t) {
+  if (segment.degree == 1) return t * glm::distance(segment.first(), segment.last());
+  constexpr int parts = 16;
+  const double half = 0.5 * t / parts;
+  double length = 0;
+  for (int i = 0; i < parts; ++i) {
+    for (const auto [place, weight] : gauss_points)
+      length += weight * half * glm::length(slope(segment, half * (2 * i + 1 + place)));
+  }
+  return length;
+}
+
+/// Of a function over 0 to 1.
+glm::dvec3 value(const std::vector<Segment>& function, double place) {
+  const auto count = static_cast<double>(function.size());
+  const double scaled = std::clamp(place, 0.0, 1.0) * count;
+  const double segment = std::min(std::floor(scaled), count - 1);
+  return at(function[static_cast<std::size_t>(segment)], scaled - segment);
+}
+
+Path path_of(const Curve& trajectory) {
+  Path path{segments_of(trajectory), trajectory.closed, trajectory.degree == 1};
+  if (path.has_corners) return path;
+  // Smooth but where points of the curve are one: sections on both sides of such a corner would be two.
+  constexpr double corner = 1e-3;
+  const std::size_t count = path.segments.size();
+  for (std::size_t i = path.is_closed ? 0 : 1; i < count; ++i) {
+    const glm::dvec3 in = path.arriving((i + count - 1) % count);
+    if (glm::distance(in, path.leaving(i)) > corner)
+      throw InputError(fmt::format(
+          "the trajectory has a corner where its segment {} starts; take points apart that are the same, or degree 1",
+          i + 1));
+  }
+  return path;
+}
+
+void check_closing(const Section& first, const Section& last) {
+  const double size = std::max(glm::length(first.u), glm::length(first.v));
+  constexpr double nearly = 1e-9;
+  if (glm::distance(first.u, last.u) > nearly * size || glm::distance(first.v, last.v) > nearly * size)
+    throw InputError(
+        "the contour does not come back to itself where the trajectory closes; let the rotation go on by a multiple of "
+        "360 degrees, and the scale end as it begins");
+}
+
+}  // namespace
+
+Spine::Spine(const Sweep& sweep)
+    : path_(path_of(sweep.trajectory)),
+      orientation_(path_),
+      rotation_(segments_of(sweep.rotation)),
+      scale_(segments_of(sweep.scale)) {
+  measure();
+  const std::size_t count = path_.segments.size();
+  for (std::size_t i = 0; i <= count; ++i) {
+    planes_.push_back(joint_plane(path_.is_closed ? i % count : i));
+    const Segment& segment = path_.segments[std::min(i, count - 1)];
+    joints_.push_back(placed(i < count ? segment.first() : segment.last(), planes_.back(), part_of_length(i, 0)));
+  }
+  if (!path_.is_closed) return;
+  check_closing(joints_.front(), joints_.back());
+  joints_.back() = joints_.front();
+}
+
+void Spine::measure() {
+  lengths_.assign(1, 0);
+  for (const Segment& segment : path_.segments) lengths_.push_back(lengths_.back() + length_of(segment, 1));
+}
+
+double Spine::part_of_length(std::size_t segment, double t) const {
+  const double there = t == 0 ? 0 : length_of(path_.segments[segment], t);
+  return (lengths_[segment] + there) / lengths_.back();
+}
+
+Plane Spine::joint_plane(std::size_t number) const {
+  const auto place = static_cast<double>(number);
+  const glm::dvec3 tangent = path_.tangent(place);
+  const glm::dvec3 v = orientation_.upward(place, tangent);
+  Plane plane{glm::cross(v, tangent), v};
+  const std::size_t count = path_.segments.size();
+  if (!path_.has_corners || (!path_.is_closed && (number == 0 || number == count))) return plane;
+  const glm::dvec3 out = path_.leaving(number);
+  const glm::dvec3 bend = out - glm::dot(out, tangent) * tangent;
+  const double sine = glm::length(bend);
+  if (sine < 1e-12) return plane;
+  const double longer = 1 / glm::dot(out, tangent) - 1;
+  for (glm::dvec3* const axis : {&plane.u, &plane.v}) *axis += longer * glm::dot(*axis, bend / sine) * (bend / sine);
+  return plane;
+}
+
+Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double part) const {
+  const double angle = glm::radians(value(rotation_, part).x);
+  const glm::dvec3 scale = value(scale_, part);
+  return {origin, scale.x * (std::cos(angle) * plane.u + std::sin(angle) * plane.v),
+          scale.y * (std::cos(angle) * plane.v - std::sin(angle) * plane.u)};
+}
+
+Section Spine::section(std::size_t segment, double t, const glm::dvec3& origin) const {
+  const double part = part_of_length(segment, t);
+  if (path_.has_corners) {
+    const Plane& from = planes_[segment];
+    const Plane& to = planes_[segment + 1];
+    return placed(origin, {glm::mix(from.u, to.u, t), glm::mix(from.v, to.v, t)}, part);
+  }
+  const double place = static_cast<double>(segment) + t;
+  const glm::dvec3 tangent = path_.tangent(place);
+  const glm::dvec3 v = orientation_.upward(place, tangent);
+  return placed(origin, {glm::cross(v, tangent), v}, part);
+}
+
+}  // namespace csgsim::swept

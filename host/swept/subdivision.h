@@ -1,0 +1,63 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "host/swept/surface.h"
+#include "hw/base/error.h"
+
+namespace csgsim::swept {
+
+/// Algorithm 3.1 on any surface, with the calls that wait on a stack. A `Part` is a square of the surface;
+/// `Shape` has corners(part), is_flat(part, corners, accuracy, counts) and parts(part, counts), its four parts in the
+/// order of corners.
+template <class Shape>
+class Subdivision : public Stream {
+ public:
+  using Part = typename Shape::Part;
+
+  Subdivision(Shape& shape, Part whole, const Accuracy& accuracy, SubdivisionCounts& counts)
+      : shape_(shape), accuracy_(accuracy), counts_(counts), waiting_{{std::move(whole), {}}} {}
+
+  std::optional<Node> next() override {
+    if (waiting_.empty()) return std::nullopt;
+    const auto [part, square] = std::move(waiting_.back());
+    waiting_.pop_back();
+    accuracy_.work.charge(steps, "subdividing a surface");
+    ++counts_.nodes;
+    counts_.points += 4;
+    Node node{false, {square, shape_.corners(part)}};
+    node.is_leaf = shape_.is_flat(part, node.element.corners, accuracy_, counts_);
+    if (node.is_leaf) {
+      ++counts_.elements;
+    } else {
+      halve(part, square);
+    }
+    return node;
+  }
+
+ private:
+  static constexpr std::uint64_t steps = 100;  ///< of a node; the rest is charged where it is done
+
+  void halve(const Part& part, const Square& square) {
+    if (square.size <= whole_side >> std::min(accuracy_.most_levels, deepest))
+      throw InputError(fmt::format(
+          "a surface is not within {} of its elements where it is halved {} times; take a coarser tolerance, or a "
+          "smoother curve",
+          accuracy_.tolerance, std::min(accuracy_.most_levels, deepest)));
+    const std::uint32_t half = square.size / 2;
+    std::array<Part, 4> parts = shape_.parts(part, counts_);
+    for (std::uint32_t i = 4; i-- > 0;)
+      waiting_.push_back({std::move(parts[i]), {square.x + (i % 2) * half, square.y + (i / 2) * half, half}});
+  }
+
+  Shape& shape_;
+  Accuracy accuracy_;
+  SubdivisionCounts& counts_;
+  std::vector<std::pair<Part, Square>> waiting_;
+};
+
+}  // namespace csgsim::swept

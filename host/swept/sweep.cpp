@@ -1,0 +1,199 @@
+#include "host/swept/sweep.h"
+
+#include <algorithm>
+#include <deque>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "host/swept/flat.h"
+#include "host/swept/spine.h"
+#include "host/swept/subdivision.h"
+
+namespace csgsim::swept {
+
+namespace {
+
+/// A node of the segment tree of a contour: a part of a segment. Halves are made when they are asked for.
+struct ContourNode {
+  Segment segment;
+  glm::dvec3 middle{0};
+  ContourNode* halves = nullptr;  ///< two
+};
+
+/// The same of a trajectory.
+struct TrajectoryNode {
+  Segment segment;
+  std::size_t number = 0;  ///< of the whole segment
+  double from = 0;         ///< on it
+  double to = 1;
+  Section start;
+  Section middle;
+  Section end;
+  TrajectoryNode* halves = nullptr;
+};
+
+/// How far the inner coefficients of a Bernstein form may be off the line between its ends, for the curve to be within
+/// 1 of it.
+double slack(std::uint32_t degree) { return degree == 2 ? 2 : 4.0 / 3; }
+
+class SweptShape {
+ public:
+  struct Part {
+    ContourNode* contour;
+    TrajectoryNode* trajectory;
+  };
+
+  explicit SweptShape(const Sweep& sweep) : spine_(sweep) {
+    for (const Segment& segment : segments_of(sweep.contour)) contours_.push_back({segment, at(segment, 0.5)});
+    for (std::size_t i = 0; i < spine_.segments().size(); ++i) {
+      TrajectoryNode& node = trajectories_.emplace_back();
+      node.segment = spine_.segments()[i];
+      node.number = i;
+      node.start = spine_.joint(i);
+      node.end = spine_.joint(i + 1);
+      find_middle(node);
+    }
+    columns_ = contours_.size();
+    rows_ = trajectories_.size();
+  }
+
+  [[nodiscard]] std::size_t columns() const { return columns_; }
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] bool is_closed() const { return spine_.is_closed(); }
+  Part whole(std::size_t column, std::size_t row) { return {&contours_[column], &trajectories_[row]}; }
+
+  static std::array<glm::dvec3, 4> corners(const Part& part) {
+    const Segment& contour = part.contour->segment;
+    const TrajectoryNode& trajectory = *part.trajectory;
+    return {trajectory.start.at(contour.first()), trajectory.start.at(contour.last()),
+            trajectory.end.at(contour.first()), trajectory.end.at(contour.last())};
+  }
+
+  static bool is_flat(const Part& part, const std::array<glm::dvec3, 4>& corners, const Accuracy& accuracy,
+                      SubdivisionCounts& counts) {
+    ++counts.points;
+    const glm::dvec3 middle = part.trajectory->middle.at(part.contour->middle);
+    if (!swept::is_flat(corners, middle, accuracy.tolerance, counts)) return false;
+    return accuracy.flatness == Flatness::plane || has_straight_sides(part, corners, accuracy.tolerance, counts);
+  }
+
+  std::array<Part, 4> parts(const Part& part, SubdivisionCounts& counts) {
+    if (part.contour->halves == nullptr) halve(*part.contour, counts);
+    if (part.trajectory->halves == nullptr) halve(*part.trajectory, counts);
+    ContourNode* const contour = part.contour->halves;
+    TrajectoryNode* const trajectory = part.trajectory->halves;
+    return {Part{contour, trajectory}, Part{contour + 1, trajectory}, Part{contour, trajectory + 1},
+            Part{contour + 1, trajectory + 1}};
+  }
+
+ private:
+  /// Along the contour by its coefficients, as they are in both sections; along the trajectory by the midpoint.
+  static bool has_straight_sides(const Part& part, const std::array<glm::dvec3, 4>& corners, double tolerance,
+                                 SubdivisionCounts& counts) {
+    const Segment& contour = part.contour->segment;
+    const TrajectoryNode& trajectory = *part.trajectory;
+    for (std::uint32_t i = 1; i < contour.degree; ++i) {
+      const glm::dvec3& inner = contour.coefficients[i];
+      counts.tests += 2;
+      if (off_line(trajectory.start.at(inner), corners[sw], corners[se]) > slack(contour.degree) * tolerance ||
+          off_line(trajectory.end.at(inner), corners[nw], corners[ne]) > slack(contour.degree) * tolerance)
+        return false;
+    }
+    counts.tests += 2;
+    counts.points += 2;
+    if (off_line(trajectory.middle.at(contour.first()), corners[sw], corners[nw]) > tolerance ||
+        off_line(trajectory.middle.at(contour.last()), corners[se], corners[ne]) > tolerance)
+      return false;
+    const Segment& spine = trajectory.segment;
+    for (std::uint32_t i = 1; i < spine.degree; ++i) {
+      ++counts.tests;
+      if (off_line(spine.coefficients[i], spine.first(), spine.last()) > slack(spine.degree) * tolerance) return false;
+    }
+    return true;
+  }
+
+  void find_middle(TrajectoryNode& node) const {
+    node.middle = spine_.section(node.number, 0.5 * (node.from + node.to), at(node.segment, 0.5));
+  }
+
+  void halve(ContourNode& node, SubdivisionCounts& counts) {
+    ++counts.halvings;
+    const auto [left, right] = halves(node.segment);
+    auto& two =
+        contour_halves_.emplace_back(std::array{ContourNode{left, at(left, 0.5)}, ContourNode{right, at(right, 0.5)}});
+    node.halves = two.data();
+  }
+
+  void halve(TrajectoryNode& node, SubdivisionCounts& counts) {
+    ++counts.halvings;
+    auto [left, right] = halves(node.segment);
+    const double middle = 0.5 * (node.from + node.to);
+    auto& two = trajectory_halves_.emplace_back(
+        std::array{TrajectoryNode{left, node.number, node.from, middle, node.start, {}, node.middle},
+                   TrajectoryNode{right, node.number, middle, node.to, node.middle, {}, node.end}});
+    for (TrajectoryNode& half : two) find_middle(half);
+    node.halves = two.data();
+  }
+
+  Spine spine_;
+  std::size_t columns_ = 0;
+  std::size_t rows_ = 0;
+  std::deque<ContourNode> contours_;
+  std::deque<TrajectoryNode> trajectories_;
+  std::deque<std::array<ContourNode, 2>> contour_halves_;
+  std::deque<std::array<TrajectoryNode, 2>> trajectory_halves_;
+};
+
+class SweptSurface : public Surface {
+ public:
+  explicit SweptSurface(const Sweep& sweep) : shape_(sweep) {}
+
+  [[nodiscard]] std::size_t columns() const override { return shape_.columns(); }
+  [[nodiscard]] std::size_t rows() const override { return shape_.rows(); }
+  [[nodiscard]] bool wraps_columns() const override { return true; }
+  [[nodiscard]] bool wraps_rows() const override { return shape_.is_closed(); }
+
+  std::unique_ptr<Stream> subdivide(std::size_t column, std::size_t row, const Accuracy& accuracy,
+                                    SubdivisionCounts& counts) override {
+    return std::make_unique<Subdivision<SweptShape>>(shape_, shape_.whole(column, row), accuracy, counts);
+  }
+
+ private:
+  SweptShape shape_;
+};
+
+std::string named(const char* name, const std::string& fault) {
+  return fault.empty() ? fault : std::string("the ") + name + ": " + fault;
+}
+
+}  // namespace
+
+double turn_of(const Curve& contour) {
+  double twice = 0;
+  for (std::size_t i = 0; i < contour.points.size(); ++i) {
+    const glm::dvec3& from = contour.points[i];
+    const glm::dvec3& to = contour.points[(i + 1) % contour.points.size()];
+    twice += from.x * to.y - to.x * from.y;
+  }
+  return twice;
+}
+
+std::string fault_of(const Sweep& sweep) {
+  for (const auto& [name, curve] : {std::pair("contour", &sweep.contour), std::pair("trajectory", &sweep.trajectory),
+                                    std::pair("rotation", &sweep.rotation), std::pair("scale", &sweep.scale)}) {
+    if (const std::string fault = fault_of(*curve); !fault.empty()) return named(name, fault);
+  }
+  if (!sweep.contour.closed) return "the contour is open; write `closed` in its curve";
+  if (sweep.contour.degree == 0) return "the contour is a point; take degree 1, 2 or 3";
+  if (sweep.trajectory.degree == 0) return "the trajectory is a point; take degree 1, 2 or 3";
+  if (sweep.rotation.closed || sweep.scale.closed) return "rotation and scale go from an end to the other; take `open`";
+  if (turn_of(sweep.contour) == 0) return "the contour goes around nothing; move its points apart";
+  const auto is_below = [](const glm::dvec3& point) { return point.x < 0 || point.y < 0; };
+  if (std::ranges::any_of(sweep.scale.points, is_below))
+    return "a scale is below 0, where the solid would be inside out; take 0 or more";
+  return "";
+}
+
+std::unique_ptr<Surface> surface_of(const Sweep& sweep) { return std::make_unique<SweptSurface>(sweep); }
+
+}  // namespace csgsim::swept

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host/swept/output.h"
+#include "host/swept/surface.h"
+
+namespace csgsim::swept {
+
+/// A vertex of a patch's edge.
+struct WireVertex {
+  std::uint32_t place = 0;   ///< 0 to whole_side, along the edge
+  std::uint32_t number = 0;  ///< in the mesh
+  glm::dvec3 point{0};
+  bool is_end = true;  ///< of a segment; else on one, where elements of one of the patches are smaller
+};
+
+/// In the order of their places, with both ends.
+using WireEdge = std::vector<WireVertex>;
+
+/// The four edges of a patch.
+struct PatchEdges {
+  const WireEdge* south;
+  const WireEdge* west;
+  const WireEdge* north;
+  const WireEdge* east;
+};
+
+/// The edges of all patches, each of segments as large as the larger of the two elements that meet there. What smaller
+/// elements have on a segment is put on its line.
+class WireFrame {
+ public:
+  /// Subdivides each patch once. Gives `output` its vertices.
+  WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCounts& counts, Output& output);
+
+  [[nodiscard]] PatchEdges edges(std::size_t column, std::size_t row) const;
+  /// The edge below a row, or above the last one.
+  [[nodiscard]] const WireEdge& along_u(std::size_t column, std::size_t joint) const;
+  /// The edge west of a column, or east of the last one.
+  [[nodiscard]] const WireEdge& along_v(std::size_t joint, std::size_t row) const;
+
+  [[nodiscard]] std::uint64_t vertices() const { return vertices_; }
+  [[nodiscard]] std::uint64_t snaps() const { return snaps_; }
+
+ private:
+  struct Mark {
+    std::uint32_t place;
+    glm::dvec3 point;
+  };
+  using Marks = std::vector<Mark>;
+
+  [[nodiscard]] std::size_t u_edge(std::size_t column, std::size_t joint) const;
+  [[nodiscard]] std::size_t v_edge(std::size_t joint, std::size_t row) const;
+  void join(WireEdge& edge, const Marks& one, const Marks& other);
+  void number_corners(Output& output);
+
+  std::size_t columns_;
+  std::size_t rows_;
+  std::size_t u_joints_;  ///< edges beside each other, from south to north
+  std::size_t v_joints_;  ///< from west to east
+  std::vector<WireEdge> along_u_;
+  std::vector<WireEdge> along_v_;
+  std::uint64_t vertices_ = 0;
+  std::uint64_t snaps_ = 0;
+};
+
+}  // namespace csgsim::swept

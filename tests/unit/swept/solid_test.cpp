@@ -1,0 +1,187 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+
+#include "host/solids/check.h"
+#include "host/swept/mesh.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/swept/support.h"
+
+using namespace csgsim;
+using namespace csgsim::swept_test;
+using swept::Curve;
+using swept::Sweep;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A closed cubic through a circle about the origin, but for some millionths: its points are as much farther out.
+Curve circle(double radius, std::size_t points, bool in_xz = false) {
+  Curve curve{3, true, {}};
+  const double out = radius * 3 / (2 + std::cos(2 * pi / static_cast<double>(points)));
+  for (std::size_t i = 0; i < points; ++i) {
+    const double angle = 2 * pi * static_cast<double>(i) / static_cast<double>(points);
+    const double x = out * std::cos(angle);
+    const double y = out * std::sin(angle);
+    curve.points.push_back(in_xz ? glm::dvec3{x, 0, y} : glm::dvec3{x, y, 0});
+  }
+  return curve;
+}
+
+Curve square(double half) {
+  return {1, true, {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}};
+}
+
+Curve line(const glm::dvec3& from, const glm::dvec3& to) { return {1, false, {from, to}}; }
+
+std::string fault_of(const swept::SweptSolid& solid) {
+  if (const std::string open = open_edge(solid.mesh.faces); !open.empty()) return open;
+  const solids::Checked checked = solids::check(solid.mesh, 1e-9);
+  return checked.defect ? checked.defect->what : "";
+}
+
+double volume_of(const Sweep& sweep, double tolerance) {
+  const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+  CHECK(fault_of(solid) == "");
+  return volume(solid.mesh);
+}
+
+}  // namespace
+
+TEST_CASE("a square along a line is a block, whichever way its contour runs") {
+  Sweep sweep{square(2), line({0, 0, 1}, {0, 0, 6})};
+  CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
+  std::ranges::reverse(sweep.contour.points);
+  CHECK(volume_of(sweep, 0.1) == doctest::Approx(80));
+  CHECK(swept::solid_of(sweep, {0.1}).mesh.faces.size() == 6);
+}
+
+TEST_CASE("a contour along the z axis is as it is drawn: u is x, v is y") {
+  const Sweep sweep{{1, true, {{1, 0, 0}, {5, 0, 0}, {5, 2, 0}}}, line({0, 0, 0}, {0, 0, 1})};
+  const swept::SweptSolid solid = swept::solid_of(sweep, {0.1});
+  const auto has = [&](const glm::dvec3& point) {
+    return std::ranges::any_of(solid.mesh.points, [&](const auto& one) { return glm::distance(one, point) < 1e-12; });
+  };
+  CHECK(has({1, 0, 0}));
+  CHECK(has({5, 2, 1}));
+  CHECK(has({5, 0, 0}));
+}
+
+TEST_CASE("along the y axis v points back, as on a trajectory that rises towards it; the other way forth") {
+  for (const double up : {1.0, -1.0}) {
+    const Sweep sweep{{1, true, {{0, 0, 0}, {1, 0, 0}, {0, 3, 0}}}, line({0, 0, 0}, {0, up, 0})};
+    const swept::SweptSolid solid = swept::solid_of(sweep, {0.1});
+    const bool found = std::ranges::any_of(solid.mesh.points, [&](const auto& one) {
+      return glm::distance(one, {0, 0, -3 * up}) < 1e-12;
+    });
+    CHECK(found);
+  }
+}
+
+TEST_CASE("a scale that ends at 0 makes a cone, with a third of the volume and one vertex at its tip") {
+  Sweep sweep{square(3), line({0, 0, 0}, {0, 0, 5})};
+  sweep.scale = {1, false, {{1, 1, 0}, {0, 0, 0}}};
+  CHECK(volume_of(sweep, 0.1) == doctest::Approx(60));
+  CHECK(swept::solid_of(sweep, {0.1}).mesh.points.size() == 5);
+  sweep.contour = circle(3, 24);
+  CHECK(volume_of(sweep, 0.001) == doctest::Approx(pi * 9 * 5 / 3).epsilon(0.001));
+}
+
+TEST_CASE("a twisted square keeps its volume") {
+  Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 4})};
+  sweep.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
+  CHECK(volume_of(sweep, 0.002) == doctest::Approx(16).epsilon(0.002));
+}
+
+TEST_CASE(
+    "a frame of a closed trajectory with corners is mitred: the volume is that of the outer less the inner block") {
+  const Sweep sweep{square(1), {1, true, {{10, 0, 0}, {0, 0, 0}, {0, 0, 8}, {10, 0, 8}}}};
+  CHECK(volume_of(sweep, 0.1) == doctest::Approx(2 * (12 * 10 - 8 * 6)));
+}
+
+TEST_CASE("a circle along a circle is a torus: its volume, and how far points are off it, are within the tolerance") {
+  const Sweep sweep{circle(2, 16), circle(7, 24, true)};
+  for (const double tolerance : {0.2, 0.05, 0.01}) {
+    const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+    CHECK(fault_of(solid) == "");
+    const double surface = 4 * pi * pi * 2 * 7;
+    CHECK(std::abs(volume(solid.mesh) - 2 * pi * pi * 4 * 7) < surface * tolerance);
+    double most_off = 0;
+    for (const auto& face : solid.mesh.faces) {
+      glm::dvec3 middle(0);
+      for (const std::uint32_t vertex : face) middle += solid.mesh.points[vertex] / static_cast<double>(face.size());
+      for (const std::uint32_t vertex : face) {
+        for (const double part : {0.0, 0.5, 1.0}) {
+          const glm::dvec3 point = solid.mesh.points[vertex] * part + middle * (1 - part);
+          const double ring = std::hypot(point.x, point.z) - 7;
+          most_off = std::max(most_off, std::abs(std::hypot(ring, point.y) - 2));
+        }
+      }
+    }
+    CHECK(most_off < 2 * tolerance);
+  }
+}
+
+TEST_CASE("a trajectory that passes the y axis is turned over where it does, and stays a solid") {
+  const Sweep sweep{{3, true, {{1, 0, 0}, {0, 0.4, 0}, {-1, 0, 0}, {0, -0.4, 0}}},
+                    {3, false, {{-8, 0, 0}, {-8, 6, 0}, {0, 12, 0}, {8, 6, 1}, {8, 0, 0}}}};
+  CHECK(fault_of(swept::solid_of(sweep, {0.05})) == "");
+}
+
+TEST_CASE("any sweep is closed and runs outwards, and its elements are the quadtree's too") {
+  CHECK(rc::check([] {
+    Sweep sweep;
+    sweep.contour = circle(1 + 0.01 * *rc::gen::inRange(0, 100), *rc::gen::inRange<std::size_t>(4, 9));
+    sweep.contour.degree = *rc::gen::inRange<std::uint32_t>(1, 4);
+    sweep.trajectory.degree = *rc::gen::inRange<std::uint32_t>(1, 4);
+    sweep.trajectory.closed = *rc::gen::arbitrary<bool>();
+    const auto count = *rc::gen::inRange<std::size_t>(4, 8);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double angle =
+          (sweep.trajectory.closed ? 2 * pi : pi) * static_cast<double>(i) / static_cast<double>(count);
+      sweep.trajectory.points.emplace_back(20 * std::cos(angle), 0.05 * *rc::gen::inRange(-100, 101),
+                                           20 * std::sin(angle) + 0.01 * *rc::gen::inRange(-100, 101));
+    }
+    if (!sweep.trajectory.closed) {
+      const double end = 0.01 * *rc::gen::inRange(0, 100);
+      sweep.scale = {2, false, {{1, 1, 0}, {0.5, 1, 0}, {end, end, 0}}};
+      sweep.rotation = {1, false, {{0, 0, 0}, {static_cast<double>(*rc::gen::inRange(-200, 200)), 0, 0}}};
+    }
+    RC_ASSERT(swept::fault_of(sweep).empty());
+    const swept::SweptSolid solid = swept::solid_of(sweep, {0.1});
+    RC_ASSERT(open_edge(solid.mesh.faces).empty());
+    RC_ASSERT(volume(solid.mesh) > 0);
+    const swept::SweptSolid other = swept::solid_of(sweep, {0.1}, swept::Repair::quadtree);
+    RC_ASSERT(other.mesh.faces.size() == solid.mesh.faces.size());
+    RC_ASSERT(std::abs(volume(other.mesh) - volume(solid.mesh)) < 1e-9 * volume(solid.mesh));
+    RC_ASSERT(open_edge(other.mesh.faces).empty());
+  }));
+}
+
+TEST_CASE("sweeps that cannot be say what to do") {
+  const Sweep good{square(1), line({0, 0, 0}, {0, 0, 4})};
+  CHECK(swept::fault_of(good) == "");
+  Sweep open = good;
+  open.contour.closed = false;
+  CHECK(swept::fault_of(open) == "the contour is open; write `closed` in its curve");
+  Sweep below = good;
+  below.scale = {1, false, {{1, 1, 0}, {-1, 1, 0}}};
+  CHECK(swept::fault_of(below) == "a scale is below 0, where the solid would be inside out; take 0 or more");
+  Sweep none = good;
+  none.contour.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  CHECK(swept::fault_of(none) == "the contour goes around nothing; move its points apart");
+  Sweep back = good;
+  back.trajectory.points = {{0, 0, 0}, {0, 0, 4}, {0, 0, 1}};
+  CHECK(testing::error_of([&] { swept::solid_of(back, {0.1}); }) ==
+        "the trajectory turns back at the end of its segment 1; move that point aside");
+  Sweep turned{square(1), circle(9, 8, true)};
+  turned.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
+  CHECK(testing::error_of([&] { swept::solid_of(turned, {0.1}); }) ==
+        "the contour does not come back to itself where the trajectory closes; let the rotation go on by a multiple of "
+        "360 degrees, and the scale end as it begins");
+}
