@@ -31,6 +31,8 @@ bool is_flat(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& middle,
   const std::array plane =
       has_tip ? std::array{corners[ne], corners[nw], corners[se]} : std::array{corners[sw], corners[se], corners[nw]};
   counts.tests += 2;
+  // A normal and its length, once; two points against it.
+  counts.arithmetic += {6 + 3 + 2 + 2 * 5, 6 + 3 + 1 + 2 * 3, 0, 1};
   return off_plane(has_tip ? corners[sw] : corners[ne], plane) <= tolerance && off_plane(middle, plane) <= tolerance;
 }
 

@@ -52,10 +52,14 @@ glm::dvec3 middle(const Grid& grid) {
 /// Whether a cubic is near the line between its ends: it is no farther off than 3/4 of what its inner coefficients are.
 bool is_straight(const Segment& side, double tolerance, SubdivisionCounts& counts) {
   counts.tests += 2;
+  for (int i = 0; i < 2; ++i) counts.arithmetic += line_arithmetic;
   return 0.75 * std::max(off_line(side.coefficients[1], side.first(), side.last()),
                          off_line(side.coefficients[2], side.first(), side.last())) <=
          tolerance;
 }
+
+/// Adding and halving the coordinates of the six points that lie between those of a cubic.
+constexpr std::uint64_t cubic_halves = 2 * 3 * 6;
 
 struct GridShape {
   using Part = Grid;
@@ -67,6 +71,7 @@ struct GridShape {
   static bool is_flat(const Grid& grid, const std::array<glm::dvec3, 4>& corners, const Accuracy& accuracy,
                       SubdivisionCounts& counts) {
     ++counts.points;
+    counts.arithmetic.adds += 5 * cubic_halves;
     if (!swept::is_flat(corners, middle(grid), accuracy.tolerance, counts)) return false;
     if (accuracy.flatness == Flatness::plane) return true;
     const Grid columns = turned(grid);
@@ -76,6 +81,7 @@ struct GridShape {
 
   static std::array<Grid, 4> parts(const Grid& grid, SubdivisionCounts& counts) {
     counts.halvings += 3;
+    counts.arithmetic.adds += 3 * 4 * cubic_halves;
     const auto [south, north] = halves(turned(grid));
     const auto [south_west, south_east] = halves(turned(south));
     const auto [north_west, north_east] = halves(turned(north));

@@ -22,13 +22,31 @@ struct Accuracy {
   Work work{};
 };
 
+/// Operations on coordinates, however a processor does them.
+struct Arithmetic {
+  std::uint64_t adds = 0;  ///< differences and halves, too
+  std::uint64_t products = 0;
+  std::uint64_t quotients = 0;
+  std::uint64_t roots = 0;
+
+  Arithmetic& operator+=(const Arithmetic& more) {
+    adds += more.adds;
+    products += more.products;
+    quotients += more.quotients;
+    roots += more.roots;
+    return *this;
+  }
+};
+
 /// What subdividing did.
 struct SubdivisionCounts {
   std::uint64_t nodes = 0;     ///< of the quadtrees, leaves among them
   std::uint64_t elements = 0;  ///< leaves
   std::uint64_t points = 0;    ///< of the surface that were worked out
   std::uint64_t tests = 0;     ///< distances from a plane or a line
-  std::uint64_t halvings = 0;  ///< of curves; four of a row or column of coefficients are one
+  std::uint64_t halvings = 0;  ///< of curves; of a patch, of its coefficients along u or v
+  std::uint64_t sections = 0;  ///< places of a contour along its trajectory
+  Arithmetic arithmetic;       ///< of all of that
 };
 
 /// Patches in columns (u) and rows (v), each next to the one before.

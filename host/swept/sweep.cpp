@@ -36,6 +36,16 @@ struct TrajectoryNode {
 /// 1 of it.
 double slack(std::uint32_t degree) { return degree == 2 ? 2 : 4.0 / 3; }
 
+/// Adding and halving the coordinates of the points that lie between those of a segment, of so many coordinates.
+std::uint64_t halves_arithmetic(const Segment& segment, std::uint64_t coordinates) {
+  return 2 * coordinates * segment.degree * (segment.degree + 1) / 2;
+}
+
+/// A contour's point in a section: two products a coordinate.
+constexpr Arithmetic point_arithmetic{6, 6, 0, 0};
+/// A section of a tangent: v and u of length 1, turned and scaled; what of the length is behind it is looked up.
+constexpr Arithmetic section_arithmetic{40, 60, 6, 2};
+
 class SweptShape {
  public:
   struct Part {
@@ -72,6 +82,7 @@ class SweptShape {
   static bool is_flat(const Part& part, const std::array<glm::dvec3, 4>& corners, const Accuracy& accuracy,
                       SubdivisionCounts& counts) {
     ++counts.points;
+    for (int i = 0; i < 5; ++i) counts.arithmetic += point_arithmetic;
     const glm::dvec3 middle = part.trajectory->middle.at(part.contour->middle);
     if (!swept::is_flat(corners, middle, accuracy.tolerance, counts)) return false;
     return accuracy.flatness == Flatness::plane || has_straight_sides(part, corners, accuracy.tolerance, counts);
@@ -95,18 +106,24 @@ class SweptShape {
     for (std::uint32_t i = 1; i < contour.degree; ++i) {
       const glm::dvec3& inner = contour.coefficients[i];
       counts.tests += 2;
+      for (int k = 0; k < 2; ++k) counts.arithmetic += line_arithmetic;
       if (off_line(trajectory.start.at(inner), corners[sw], corners[se]) > slack(contour.degree) * tolerance ||
           off_line(trajectory.end.at(inner), corners[nw], corners[ne]) > slack(contour.degree) * tolerance)
         return false;
     }
     counts.tests += 2;
     counts.points += 2;
+    for (int k = 0; k < 2; ++k) {
+      counts.arithmetic += line_arithmetic;
+      counts.arithmetic += point_arithmetic;
+    }
     if (off_line(trajectory.middle.at(contour.first()), corners[sw], corners[nw]) > tolerance ||
         off_line(trajectory.middle.at(contour.last()), corners[se], corners[ne]) > tolerance)
       return false;
     const Segment& spine = trajectory.segment;
     for (std::uint32_t i = 1; i < spine.degree; ++i) {
       ++counts.tests;
+      counts.arithmetic += line_arithmetic;
       if (off_line(spine.coefficients[i], spine.first(), spine.last()) > slack(spine.degree) * tolerance) return false;
     }
     return true;
@@ -118,6 +135,7 @@ class SweptShape {
 
   void halve(ContourNode& node, SubdivisionCounts& counts) {
     ++counts.halvings;
+    counts.arithmetic.adds += halves_arithmetic(node.segment, 2);
     const auto [left, right] = halves(node.segment);
     auto& two =
         contour_halves_.emplace_back(std::array{ContourNode{left, at(left, 0.5)}, ContourNode{right, at(right, 0.5)}});
@@ -126,6 +144,9 @@ class SweptShape {
 
   void halve(TrajectoryNode& node, SubdivisionCounts& counts) {
     ++counts.halvings;
+    counts.sections += 2;
+    counts.arithmetic.adds += halves_arithmetic(node.segment, 3);
+    for (int i = 0; i < 2; ++i) counts.arithmetic += section_arithmetic;
     auto [left, right] = halves(node.segment);
     const double middle = 0.5 * (node.from + node.to);
     auto& two = trajectory_halves_.emplace_back(

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "host/commands/read.h"
 #include "host/convex/extent.h"
 #include "host/csg/positive_tree.h"
 #include "host/effects/rows.h"
@@ -374,16 +375,19 @@ ModelFile read_model_file(const ModelOptions& options) {
   if (!options.imports_from.empty() && !std::filesystem::is_directory(options.imports_from))
     throw InputError(fmt::format("--imports-from: {} is no folder", printable(options.imports_from)));
   return with_memory_for("the model " + options.model, [&] {
-    const bool is_source = subject_in(options.model) == Subject::scad;
+    const Subject subject = subject_in(options.model);
+    const bool is_source = subject == Subject::scad;
     const std::string text = is_source ? csg_of_scad(options.model) : read_file(options.model, read::model_file);
     const std::string name = shown_name(options.model);
     Hash hash;
     hash.add(text);
     hash.add(options.scene_text());
     if (options.snap) hash.add("--snap");
-    model::Tree tree = read::read_csg_text(
-        text, is_source ? name + " (as .csg)" : name,
-        {options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); }, work_of(options)});
+    const read::Options how{options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
+                            work_of(options)};
+    model::Tree tree = subject == Subject::commands
+                           ? commands::read_text(text, name, how)
+                           : read::read_csg_text(text, is_source ? name + " (as .csg)" : name, how);
     tree.file = name;
     return ModelFile{effects::reshaped(std::move(tree), options.scene()), hash.text()};
   });

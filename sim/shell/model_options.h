@@ -62,7 +62,8 @@ struct ModelOptions {
   std::string pruning = "all";  ///< see pruning_of
 
   void add_to(Command& command,
-              const std::string& what = "The model, an OpenSCAD .csg file (- is standard input), or its source, .scad");
+              const std::string& what =
+                  "The model, an OpenSCAD .csg file (- is standard input), its source, .scad, or commands, .jan");
 
   /// What is seen besides the model's solids; read once. Throws InputError, or UsageError for what was set.
   [[nodiscard]] const scene::Scene& scene() const { return loaded_scene().scene; }

@@ -9,9 +9,10 @@ namespace csgsim::shell {
 
 /// What a command is given to draw.
 enum class Subject : std::uint8_t {
-  csg,     ///< a model as OpenSCAD exports it
-  scad,    ///< a model's source, which OpenSCAD evaluates
-  program  ///< compiled, in binary or in text form
+  csg,       ///< a model as OpenSCAD exports it
+  scad,      ///< a model's source, which OpenSCAD evaluates
+  commands,  ///< a model in the thesis's language of commands
+  program    ///< compiled, in binary or in text form
 };
 
 /// What the ending of a name says.
@@ -20,8 +21,8 @@ struct NamedSubject {
   Subject subject;
 };
 
-inline constexpr auto named_subjects =
-    std::to_array<NamedSubject>({{".csg", Subject::csg}, {".scad", Subject::scad}, {".csgt", Subject::program}});
+inline constexpr auto named_subjects = std::to_array<NamedSubject>(
+    {{".csg", Subject::csg}, {".scad", Subject::scad}, {".jan", Subject::commands}, {".csgt", Subject::program}});
 
 /// The one place where it is decided. A file that begins as a Program does is one, whatever its name; any other is what
 /// its name's ending says, and a model's text if that says nothing. Standard input has no name; of a pipe the name

@@ -134,7 +134,7 @@ TEST_CASE("a folder without models is refused") {
   fs::create_directories(folder.path() / "empty");
   const Outcome outcome = run_words({"corpus", "empty", "-o", "out"}, folder.path());
   CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("empty: there is no .csg or .scad file in it") != std::string::npos);
+  CHECK(outcome.err.find("empty: there is no .csg, .scad or .jan file in it") != std::string::npos);
   CHECK(one_line(outcome.err));
 }
 

@@ -101,7 +101,7 @@ void add_debug(CommandLine& line) {
                "Commands come from a file, from standard input, or from the keyboard; `help` lists them.\n"
                "Example:\n  csgsim debug traces/thesis_fig_2_3.csgt -x commands.txt\n  echo 'until Z2[200,200] < "
                "1000000' | csgsim debug traces/thesis_fig_2_3.csgt");
-  options->model.add_to(command, "The model, .csg or its source, .scad; or a Program, .csgt");
+  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
   command.option("-x,--commands", options->commands, "A file of commands, a line each").check(not_empty);
   command.option("--threads", options->threads, "Threads that it works on; the states are the same")
       .between(1U, most_threads);

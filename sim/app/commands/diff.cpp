@@ -235,7 +235,7 @@ void add_diff(CommandLine& line) {
       "Example:\n  csgsim diff old.csgt new.csgt\n  csgsim diff tests/models/carburettor.csg --size 64x64 --level-b "
       "cycle\n  csgsim diff part.csg --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
       "differ.");
-  command.option("A", options->a.subject, "A model, .csg or .scad, or a Program").required();
+  command.option("A", options->a.subject, "A model, .csg, .scad or .jan, or a Program").required();
   command.option("B", options->b.subject, "Another; A again if not given");
   options->both.add_to(command);
   command.remove("MODEL");

@@ -145,7 +145,7 @@ void add_explain(CommandLine& line) {
   Command command = line.add("explain", "Tell why a pixel shows what it shows: its owner, and its story by instruction",
                              "Example:\n  csgsim explain traces/thesis_fig_2_3.csgt --pixel 200,300 --why-not p1\n"
                              "  csgsim explain thesis_fig_2_3.csg --point 10,0,6 --json story.json");
-  options->model.add_to(command, "The model, .csg or its source, .scad; or a Program, .csgt");
+  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
   command.option("--pixel", options->pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
   command.option("--point", options->point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
       .excludes("--pixel");

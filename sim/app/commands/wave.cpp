@@ -177,7 +177,7 @@ void add_wave(CommandLine& line) {
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o last_write.vcd\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --probe tree.x:3 --window i10:i14 -o trees.vcd\n"
       "  gtkwave trees.gtkw");
-  options->model.add_to(command, "The model, .csg or its source, .scad; or a Program, .csgt");
+  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
   command.option("--pixel", options->pixels, "A pixel to look into, x,y; may be given several times");
   command.option("--probe", options->probes,
                  "A pixel too, or a level of a multiplier tree on the way to the pixels: tree.x:3");

@@ -122,7 +122,7 @@ nlohmann::ordered_json distribution_json(const Distribution& one, bool adds_up) 
 class Corpus : public StudyOf<CorpusRow> {
  public:
   void add_options(Command& command) override {
-    command.option("MODEL", models_, "Models, .csg or .scad, and folders that hold such").required();
+    command.option("MODEL", models_, "Models, .csg, .scad or .jan, and folders that hold such").required();
     command.option("--machines", machines_, "List of machines, by name or .toml file")
         .check(is_read_by(check_machines));
     view_.add_view_to(command);

@@ -66,7 +66,7 @@ shell::ModelOptions SweepOptions::at(const SweepPoint& point) const {
 }
 
 void SweepOptions::add_to(shell::Command& command) {
-  command.option("MODEL", models, "The models, OpenSCAD .csg files, or sources, .scad").required();
+  command.option("MODEL", models, "The models, OpenSCAD .csg files, sources, .scad, or commands, .jan").required();
   command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
       .list_of(names_of(emit::strategies), "strategy");
   add_list(command, "--stack-bits", stack_bits, stack_bits_of, "Numbers: bits that strategy bits is given");

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host/commands/lines.h"
+
+namespace csgsim::commands {
+
+/// The items of a line, one after the other.
+class Cursor {
+ public:
+  Cursor(read::Source& source, std::span<const Item> line) : source_(source), line_(line) {}
+
+  [[nodiscard]] bool at_end() const { return at_ == line_.size(); }
+  [[nodiscard]] bool is(std::string_view what) const { return !at_end() && line_[at_].is(what); }
+  [[nodiscard]] bool is(Kind kind) const { return !at_end() && line_[at_].kind == kind; }
+  [[nodiscard]] const Item& peek() const { return line_[at_]; }
+  const Item& take() { return line_[at_++]; }
+  /// Takes the item if it is that.
+  bool take_if(std::string_view what) {
+    if (!is(what)) return false;
+    ++at_;
+    return true;
+  }
+
+  /// The next items, which have to be: `what` says so in messages.
+  const Item& word(std::string_view what) { return expected(Kind::word, what); }
+  double number(std::string_view what) { return expected(Kind::number, what).number; }
+  double above_0(std::string_view what) {
+    const Item& item = expected(Kind::number, what);
+    if (!(item.number > 0)) fail(item.offset, fmt::format("{} has to be above 0", what));
+    return item.number;
+  }
+  void sign(std::string_view text, std::string_view where) {
+    if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, where));
+  }
+  /// All numbers up to what is none.
+  std::vector<double> numbers() {
+    std::vector<double> all;
+    while (is(Kind::number)) all.push_back(take().number);
+    return all;
+  }
+  void end() {
+    if (!at_end()) fail_here("expected the end of the line");
+  }
+
+  /// Of the next item, or the end of the last one.
+  [[nodiscard]] std::uint32_t offset() const {
+    return at_end() ? line_.back().offset + static_cast<std::uint32_t>(line_.back().text.size()) : line_[at_].offset;
+  }
+  [[noreturn]] void fail(std::uint32_t offset, std::string_view message) const { source_.fail(offset, message); }
+  [[noreturn]] void fail_here(std::string_view message) const {
+    fail(offset(), fmt::format("{}, found {}", message,
+                               at_end() ? "the end of the line" : fmt::format("`{}`", read::shown(line_[at_].text))));
+  }
+
+ private:
+  const Item& expected(Kind kind, std::string_view what) {
+    if (!is(kind)) fail_here(fmt::format("expected {}", what));
+    return take();
+  }
+
+  read::Source& source_;
+  std::span<const Item> line_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace csgsim::commands

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "host/read/source.h"
+
+namespace csgsim::commands {
+
+enum class Kind : std::uint8_t { word, number, sign };
+
+/// A word, a number or a sign of a line.
+struct Item {
+  Kind kind = Kind::word;
+  std::string_view text;
+  double number = 0;
+  std::uint32_t offset = 0;  ///< in the text
+
+  [[nodiscard]] bool is(std::string_view what) const { return kind != Kind::number && text == what; }
+};
+
+/// The lines that have something in them. Throws InputError where the text is nothing that a line can have.
+std::vector<std::vector<Item>> lines_of(read::Source& source);
+
+}  // namespace csgsim::commands

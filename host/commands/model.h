@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/mat4x4.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "host/model/tree.h"
+#include "host/swept/net.h"
+#include "host/swept/sweep.h"
+
+namespace csgsim::commands {
+
+inline constexpr std::uint32_t nothing = 0xffffffffU;
+
+/// A sweep of a file.
+struct SweptSolid {
+  std::string_view name;
+  std::uint32_t offset = 0;
+  swept::Sweep sweep;
+  double tolerance = 0;
+};
+
+/// A patch of a file, which bounds no solid.
+struct Patch {
+  std::string_view name;
+  std::uint32_t offset = 0;
+  swept::Net net;
+  double tolerance = 0;
+};
+
+struct Moved {
+  glm::dmat4 matrix{1};
+  std::uint32_t solid = nothing;
+};
+
+struct Coloured {
+  glm::dvec3 colour{0};
+  std::uint32_t solid = nothing;
+};
+
+struct Combined {
+  model::Operator op = model::Operator::unite;
+  std::uint32_t left = nothing;
+  std::uint32_t right = nothing;
+};
+
+struct Swept {
+  std::uint32_t number = 0;  ///< of Model::sweeps
+};
+
+/// A solid that a line makes, of those before it. It may be part of several others.
+struct Solid {
+  std::variant<model::Shape, Swept, Combined, Moved, Coloured> made;
+  model::Location location;
+};
+
+/// What the lines of a file make.
+struct Model {
+  std::vector<Solid> solids;
+  std::vector<SweptSolid> sweeps;
+  std::vector<Patch> patches;
+  std::uint32_t drawn = nothing;  ///< of the solids, `Object`, or else the last that a line names
+};
+
+}  // namespace csgsim::commands
