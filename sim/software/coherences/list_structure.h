@@ -64,11 +64,6 @@ class ListElements {
   /// The surface before it along a ray; none of a first one.
   [[nodiscard]] std::uint32_t father_of(std::uint32_t element) const { return elements_[element].father; }
   [[nodiscard]] std::uint32_t primitive_of(std::uint32_t element) const { return elements_[element].primitive; }
-  /// Its surface.
-  [[nodiscard]] std::uint32_t primitive(std::uint32_t element) const { return elements_[element].primitive; }
-  /// The element of the surfaces before it; none where it is the first.
-  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_[element].father; }
-
   /// Elements that are followed back to the first one.
   void count_back(std::size_t elements, Count& count) const {
     count(Operation::load_long, elements);

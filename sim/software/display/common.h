@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <utility>
 
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/display/phases.h"
 #include "sim/software/display/rows.h"
-#include "sim/software/display/sequences.h"
 #include "sim/software/facets/screen_facets.h"
 #include "sim/software/rays/longs.h"
 

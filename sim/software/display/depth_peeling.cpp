@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/display/common.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/display/scan.h"
-#include "sim/software/display/sequences.h"
 
 namespace csgsim::software {
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/view/projection.h"
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/display/common.h"
 #include "sim/software/display/depth_order.h"
 #include "sim/software/display/faults.h"
@@ -12,7 +13,6 @@
 #include "sim/software/display/rows.h"
 #include "sim/software/display/scan.h"
 #include "sim/software/display/screen_pieces.h"
-#include "sim/software/display/sequences.h"
 #include "sim/software/rays/caster.h"
 
 namespace csgsim::software {
@@ -101,7 +101,7 @@ class ListPriority {
     counts.drawn_cells = drawn_cells;
     std::uint64_t corners = 0;
     std::uint64_t entries = 0;
-    for (const Cell& cell : polygons.cells) {
+    for (const PolygonCell& cell : polygons.cells) {
       if (cell.bucket.size() > subject_.bucket_size) ++counts.overfull_cells;
       entries += cell.bucket.size();
       for (const Piece& piece : cell.bucket) corners += piece.corners.size();

@@ -285,14 +285,15 @@ bool is_outside(const facet::Box& box, const view::EyeSpace& eye, const glm::dve
 
 std::size_t Polygons::pieces() const {
   std::size_t sum = 0;
-  for (const Cell& cell : cells) {
+  for (const PolygonCell& cell : cells) {
     for (const Piece& piece : cell.bucket) sum += piece.corners.size() >= 3 ? 1U : 0U;
   }
   return sum;
 }
 
 std::size_t Polygons::filled() const {
-  return static_cast<std::size_t>(std::ranges::count_if(cells, [](const Cell& cell) { return !cell.bucket.empty(); }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cells, [](const PolygonCell& cell) { return !cell.bucket.empty(); }));
 }
 
 template <class Count>
@@ -310,9 +311,9 @@ std::vector<std::uint32_t> front_to_back(const Polygons& polygons, const view::E
   while (!open.empty()) {
     const std::uint32_t at = open.back();
     open.pop_back();
-    const Cell& cell = polygons.cells[at];
+    const PolygonCell& cell = polygons.cells[at];
     if (is_outside(cell.box, eye, centre, width, height)) continue;
-    if (cell.wall == Cell::none) {
+    if (cell.wall == PolygonCell::none) {
       if (!cell.bucket.empty()) order.push_back(at);
       continue;
     }

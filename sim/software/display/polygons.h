@@ -28,7 +28,7 @@ struct Piece {
 };
 
 /// A cell of space: halved by a wall, or with a bucket of pieces.
-struct Cell {
+struct PolygonCell {
   static constexpr std::uint32_t none = 0xffffffffU;
 
   facet::Box box;
@@ -38,9 +38,10 @@ struct Cell {
   std::vector<Piece> bucket{};
 };
 
-/// The facets of a model clipped against each other, in buckets of a binary partition of space. Cell 0 holds all.
+/// The facets of a model clipped against each other, in buckets of a binary partition of space. PolygonCell 0 holds
+/// all.
 struct Polygons {
-  std::vector<Cell> cells;
+  std::vector<PolygonCell> cells;
   std::vector<facet::Plane> walls;  ///< normals along axes, to the high side
   std::size_t canonical_planes = 0;
 

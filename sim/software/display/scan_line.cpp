@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/display/common.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/display/scan.h"
-#include "sim/software/display/sequences.h"
 #include "sim/software/rays/sort_events.h"
 
 namespace csgsim::software {

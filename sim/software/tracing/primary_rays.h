@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/rays/longs.h"
 #include "sim/software/space/arithmetic.h"
 #include "sim/software/tracing/counts.h"
-#include "sim/software/tracing/sequences.h"
 #include "sim/software/tracing/trace_scene.h"
 
 namespace csgsim::software {
@@ -52,11 +52,11 @@ class PointsOfRay {
       count_(Operation::compare_long);
       count_(Operation::branch);
       events_.push_back(met.event);
-      element_ = sequences_.after(element_, met.event.primitive());
+      element_ = sequences_.after(element_, met.event.primitive(), count_);
     }
-    if (!sequences_.is_in(element_, begin == 0 && point.size() == 1)) return false;
+    if (!sequences_.is_in(element_, point.size(), count_)) return false;
     const std::span<const Event> events(events_);
-    hit_.seen = {point[0].event.depth, sequences_.owner(events.first(begin), events.subspan(begin))};
+    hit_.seen = {point[0].event.depth, sequences_.owner(events.first(begin), events.subspan(begin), count_)};
     hit_.before = before;
     for (const Met& met : point) {
       if (met.event.primitive() == hit_.seen.owner) hit_.facet = met.facet;

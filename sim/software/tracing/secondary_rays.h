@@ -13,9 +13,9 @@
 #include <utility>
 #include <vector>
 
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/space/arithmetic.h"
 #include "sim/software/tracing/counts.h"
-#include "sim/software/tracing/sequences.h"
 #include "sim/software/tracing/trace_scene.h"
 
 namespace csgsim::software {
@@ -120,7 +120,7 @@ class SecondaryRays final : public CellVisitor {
   RealHit trace(const Start& start, const glm::dvec3& direction, double end, bool is_any, RaysMet& met) {
     begin(start, direction, end, met);
     is_any_ = is_any;
-    const std::vector<std::uint32_t> held = sequences_.held_at(start.before);
+    const std::vector<std::uint32_t> held = sequences_.held_at(start.before, meters_.classification);
     for (const std::uint32_t primitive : held) holds_[primitive] = 1;
     events_.clear();
     for (const std::uint32_t primitive : held) events_.push_back({0, 2 * primitive});
@@ -235,16 +235,16 @@ class SecondaryRays final : public CellVisitor {
       if ((holds_[primitive] != 0) != event.leaves) continue;
       holds_[primitive] ^= 1U;
       events_.push_back({1, 2 * primitive + (event.leaves ? 1U : 0U)});
-      element_ = sequences_.after(element_, primitive);
+      element_ = sequences_.after(element_, primitive, meters_.classification);
     }
     if (events_.size() == begin) return;
-    if (!sequences_.is_in(element_, before == Sequences<Count>::none && events_.size() == 1)) return;
+    if (!sequences_.is_in(element_, events_.size() - begin, meters_.classification)) return;
     is_done_ = true;
     hit_.t = place.front().t;
     if (is_any_) return;
     hit_.before = before;
     const std::span<const Event> events(events_);
-    hit_.owner = sequences_.owner(events.first(begin), events.subspan(begin));
+    hit_.owner = sequences_.owner(events.first(begin), events.subspan(begin), meters_.classification);
     for (const RealEvent& event : place) {
       if (scene_.facets().facets[event.facet].primitive == hit_.owner) hit_.facet = event.facet;
     }

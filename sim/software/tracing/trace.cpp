@@ -9,10 +9,10 @@
 #include <optional>
 
 #include "hw/base/error.h"
+#include "sim/software/coherences/sequences.h"
 #include "sim/software/tracing/item_buffer.h"
 #include "sim/software/tracing/primary_rays.h"
 #include "sim/software/tracing/secondary_rays.h"
-#include "sim/software/tracing/sequences.h"
 
 namespace csgsim::software {
 

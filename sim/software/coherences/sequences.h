@@ -24,7 +24,8 @@ class Sequences {
   static constexpr std::uint32_t none = ListElements<Count>::none;
 
   /// Keeps a reference to the tree.
-  Sequences(const Tree& tree, Count& count) : elements_(tree, count), evaluator_(tree), owners_(tree) {}
+  Sequences(const Tree& tree, Count& count)
+      : elements_(tree, count), evaluator_(tree), owners_(tree), held_(tree.leaf_of.size()) {}
 
   /// The element of a surface that comes after those of `element`.
   std::uint32_t after(std::uint32_t element, std::uint32_t primitive, Count& count) {
@@ -32,13 +33,13 @@ class Sequences {
   }
 
   /// The last surface.
-  [[nodiscard]] std::uint32_t primitive(std::uint32_t element) const { return elements_.primitive(element); }
+  [[nodiscard]] std::uint32_t primitive(std::uint32_t element) const { return elements_.primitive_of(element); }
   /// Without the last surface.
-  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.before(element); }
+  [[nodiscard]] std::uint32_t before(std::uint32_t element) const { return elements_.father_of(element); }
 
   /// Whether the points behind an element are in, of whose surfaces the last `at` are at one depth.
   bool is_in(std::uint32_t element, std::size_t at, Count& count) {
-    const bool is_first = at == 1 && elements_.before(element) == none;
+    const bool is_first = at == 1 && elements_.father_of(element) == none;
     return elements_.is_in(
         element, is_first, [&] { return evaluated(element, count); }, count);
   }
@@ -48,6 +49,26 @@ class Sequences {
     follow_back(element);
     const std::span<const Event> events(events_);
     return owners_.seen(events.first(events.size() - at), events.last(at), count);
+  }
+
+  /// The same of a ray whose events are known: those before, and those at that depth.
+  std::uint32_t owner(std::span<const Event> before, std::span<const Event> at, Count& count) {
+    return owners_.seen(before, at, count);
+  }
+
+  /// Primitives that a ray is in behind an element: those that are met an odd number of times on the way back.
+  std::vector<std::uint32_t> held_at(std::uint32_t element, Count& count) {
+    std::vector<std::uint32_t> met;
+    for (std::uint32_t at = element; at != none; at = elements_.father_of(at))
+      met.push_back(elements_.primitive_of(at));
+    elements_.count_back(met.size(), count);
+    for (const std::uint32_t primitive : met) held_[primitive] ^= 1U;
+    std::vector<std::uint32_t> held;
+    for (const std::uint32_t primitive : met) {
+      if (held_[primitive] != 0) held.push_back(primitive);
+      held_[primitive] = 0;
+    }
+    return held;
   }
 
   /// The first of a ray's events that is seen; `farthest` where none is. With `seen_by`, the number of events up to the
@@ -83,7 +104,8 @@ class Sequences {
  private:
   void follow_back(std::uint32_t element) {
     primitives_.clear();
-    for (; element != none; element = elements_.before(element)) primitives_.push_back(elements_.primitive(element));
+    for (; element != none; element = elements_.father_of(element))
+      primitives_.push_back(elements_.primitive_of(element));
     events_.clear();
     for (std::size_t i = primitives_.size(); i-- > 0;) {
       const auto behind = primitives_.begin() + static_cast<std::ptrdiff_t>(i) + 1;
@@ -94,7 +116,8 @@ class Sequences {
 
   bool evaluated(std::uint32_t element, Count& count) {
     primitives_.clear();
-    for (; element != none; element = elements_.before(element)) primitives_.push_back(elements_.primitive(element));
+    for (; element != none; element = elements_.father_of(element))
+      primitives_.push_back(elements_.primitive_of(element));
     elements_.count_back(primitives_.size(), count);
     evaluator_.start(count);
     for (const std::uint32_t primitive : primitives_) evaluator_.flip(primitive, count);
@@ -106,6 +129,7 @@ class Sequences {
   Owners<Count> owners_;
   std::vector<std::uint32_t> primitives_;
   std::vector<Event> events_;
+  std::vector<std::uint8_t> held_;  ///< 0 between calls
 };
 
 }  // namespace csgsim::software
