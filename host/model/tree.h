@@ -93,6 +93,7 @@ struct Tree {
   std::vector<Primitive> primitives;
   std::vector<Node> nodes;
   std::uint32_t root = no_index;
+  bool is_flat = false;  ///< of 2-D shapes alone, which stand there as plates
 };
 
 /// Counts the nodes of the file. Operators count as binary ones: one over k children is k - 1.

@@ -268,6 +268,7 @@ void TreeBuilder::hand_on(OpenNode& open, Result result) {
     add_pieces(open, solids::linear_extrude(result.area, {.height = 1, .center = true}, options_.work));
     open.op = model::Operator::unite;
     join_operands(open, true);
+    tree_.is_flat = true;
   } else if (!is_file && parent.dimensions != 3) {
     parent.areas.push_back(std::move(result.area));
   }

@@ -14,6 +14,7 @@ using namespace shell;  // in whose words commands are written
   COMMAND(run)                   \
   COMMAND(rerun)                 \
   COMMAND(disasm)                \
+  COMMAND(convert)               \
   COMMAND(debug)                 \
   COMMAND(diff)                  \
   COMMAND(explain)               \

@@ -1,0 +1,111 @@
+#include "sim/software/convert/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "host/facet/solid.h"
+
+namespace csgsim::software::convert {
+
+namespace {
+
+/// By which boxes are wider than what they hold: more than corners are off where planes meet at small angles.
+constexpr double box_margin = 1e-9;
+
+/// In single precision, outwards.
+csg::BoxIndex::Box index_box(const UnitBox& box) {
+  csg::BoxIndex::Box result;
+  constexpr float far = std::numeric_limits<float>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    result.low[i] = std::nextafter(static_cast<float>(box.low[axis]), -far);
+    result.high[i] = std::nextafter(static_cast<float>(box.high[axis]), far);
+  }
+  return result;
+}
+
+class BodyMaker {
+ public:
+  BodyMaker(facet::PlaneTable& planes, double unit) : planes_(planes), unit_(unit) {}
+
+  Body make(const facet::Solid& solid) {
+    Body body;
+    for (const glm::dvec3& vertex : solid.vertices) stretch(body.box, vertex);
+    std::vector<std::uint32_t> face_of(solid.faces.size());
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;
+    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+      const facet::Halfspace halfspace = planes_.add(solid.faces[i].plane);
+      const auto [entry, is_new] = known.try_emplace({halfspace.plane, halfspace.positive}, body.faces.size());
+      face_of[i] = entry->second;
+      if (is_new) body.faces.push_back({halfspace, {}, {}});
+      for (const std::uint32_t corner : solid.faces[i].corners)
+        stretch(body.faces[face_of[i]].box, solid.vertices[corner]);
+    }
+    find_neighbours(solid, face_of, body);
+    for (BodyFace& face : body.faces)
+      if (face.box.empty()) face.box = body.box;
+    return body;
+  }
+
+ private:
+  void stretch(UnitBox& box, const glm::dvec3& vertex) const {
+    const glm::dvec3 place = (vertex - planes_.centre()) / unit_;
+    const bool is_first = box.empty();
+    box.low = is_first ? place - box_margin : glm::min(box.low, place - box_margin);
+    box.high = is_first ? place + box_margin : glm::max(box.high, place + box_margin);
+  }
+
+  static void find_neighbours(const facet::Solid& solid, const std::vector<std::uint32_t>& face_of, Body& body) {
+    std::vector<std::vector<std::uint32_t>> at(solid.vertices.size());
+    for (std::size_t i = 0; i < solid.faces.size(); ++i)
+      for (const std::uint32_t corner : solid.faces[i].corners) at[corner].push_back(face_of[i]);
+    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+      std::vector<std::uint32_t>& neighbours = body.faces[face_of[i]].neighbours;
+      for (const std::uint32_t corner : solid.faces[i].corners)
+        neighbours.insert(neighbours.end(), at[corner].begin(), at[corner].end());
+    }
+    for (std::uint32_t i = 0; i < body.faces.size(); ++i) {
+      std::vector<std::uint32_t>& neighbours = body.faces[i].neighbours;
+      std::ranges::sort(neighbours);
+      const auto [first, last] = std::ranges::unique(neighbours);
+      neighbours.erase(first, last);
+      std::erase(neighbours, i);
+    }
+  }
+
+  facet::PlaneTable& planes_;
+  double unit_;
+};
+
+csg::BoxIndex index_of(const std::vector<Body>& bodies) {
+  std::vector<csg::BoxIndex::Entry> entries;
+  for (std::uint32_t i = 0; i < bodies.size(); ++i)
+    if (!bodies[i].box.empty()) entries.push_back({index_box(bodies[i].box), i});
+  return csg::BoxIndex(entries);
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> Bodies::meeting(const UnitBox& box) const {
+  std::vector<std::uint32_t> found;
+  index.meeting(index_box(box), found);
+  std::ranges::sort(found);
+  return found;
+}
+
+Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting) {
+  facet::Geometry geometry = facet::make_geometry(tree, faceting);
+  WholePlanes planes(geometry.planes);
+  std::vector<Body> bodies;
+  BodyMaker maker(geometry.planes, planes.unit());
+  for (const model::Primitive& primitive : tree.primitives)
+    bodies.push_back(maker.make(facet::make_solid(primitive, faceting)));
+  csg::BoxIndex index = index_of(bodies);
+  return {std::move(geometry), std::move(planes), std::move(bodies), std::move(index)};
+}
+
+}  // namespace csgsim::software::convert

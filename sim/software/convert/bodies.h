@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "host/csg/box_index.h"
+#include "host/facet/geometry.h"
+#include "host/model/tree.h"
+#include "sim/software/convert/unit_box.h"
+#include "sim/software/convert/whole_planes.h"
+
+namespace csgsim::software::convert {
+
+/// A face of a body, in the plane of a half-space.
+struct BodyFace {
+  facet::Halfspace halfspace;
+  std::vector<std::uint32_t> neighbours;  ///< faces that share a corner with it; none if that is not known
+  UnitBox box;                            ///< holds it
+};
+
+/// A primitive as a convex solid.
+struct Body {
+  std::vector<BodyFace> faces;
+  UnitBox box;
+};
+
+/// The primitives of a model, faceted.
+struct Bodies {
+  facet::Geometry geometry;
+  WholePlanes planes;
+  std::vector<Body> bodies;  ///< one a primitive
+  csg::BoxIndex index;       ///< of the bodies' boxes
+
+  /// Bodies whose boxes have a point in common with that one, ascending.
+  [[nodiscard]] std::vector<std::uint32_t> meeting(const UnitBox& box) const;
+};
+
+/// Throws InputError, naming the primitive's place in the file, where one cannot be faceted.
+Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting);
+
+}  // namespace csgsim::software::convert

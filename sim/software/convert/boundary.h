@@ -1,0 +1,14 @@
+#pragma once
+
+#include "host/facet/faceting.h"
+#include "host/model/tree.h"
+#include "hw/base/work.h"
+#include "sim/software/convert/outlines.h"
+
+namespace csgsim::software::convert {
+
+/// The boundary of a model (thesis 5.4.2), of its primitives in facets. Throws InputError, naming the primitive's place
+/// in the file, where one cannot be faceted, and WorkError past the limit on work.
+Outlines boundary(const model::Tree& tree, const facet::Faceting& faceting = {}, const Work& work = {});
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,210 @@
+#include "sim/software/convert/division.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <string_view>
+#include <utility>
+
+namespace csgsim::software::convert {
+
+namespace {
+
+constexpr std::string_view converting = "converting the model to a boundary";
+
+/// Where as many bodies cut a region, it is halved first, so that no cut goes through parts that it does not matter to.
+constexpr std::size_t most_cutting = 6;
+
+std::vector<Known> knowns(const std::vector<Operand>& operands) {
+  std::vector<Known> all;
+  all.reserve(operands.size());
+  for (const Operand& operand : operands) all.push_back(operand.known);
+  return all;
+}
+
+std::vector<bool> differing(const std::vector<Operand>& operands) {
+  std::vector<bool> all;
+  all.reserve(operands.size());
+  for (const Operand& operand : operands) all.push_back(operand.is_coplanar && !operand.owns);
+  return all;
+}
+
+constexpr Known outside{true, {false, false}};
+
+}  // namespace
+
+Known Division::value_in(const Operand& operand) const {
+  if (!operand.is_coplanar) return {true, {true, true}};
+  return {true, {operand.is_behind, !operand.is_behind}};
+}
+
+/// Whether the region is in the operand or outside of it; if neither, the planes that pass through the region.
+Known Division::look(const Region& region, const Bounds& bounds, Operand& operand) const {
+  const Body& body = bodies_.bodies[operand.body];
+  if (are_apart(body.box, bounds.box)) return outside;
+  std::vector<std::uint32_t> crossing;
+  const std::size_t count = operand.tests_all ? body.faces.size() : operand.tests.size();
+  work_.charge(1 + count / 4, converting);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint32_t face = operand.tests_all ? static_cast<std::uint32_t>(i) : operand.tests[i];
+    const facet::Halfspace halfspace = body.faces[face].halfspace;
+    if (halfspace.plane == sheet_.plane()) continue;
+    const std::array<double, 4>& near = bodies_.planes.near(halfspace.plane);
+    const double height = near[0] * bounds.middle.x + near[1] * bounds.middle.y + near[2] * bounds.middle.z + near[3];
+    const double out = halfspace.positive ? height : -height;
+    if (out < -bounds.radius - place_error) continue;
+    if (out > bounds.radius + place_error) return outside;
+    const Sheet::Sides sides = sheet_.sides(region, halfspace);
+    if (!sides.any_in) return outside;
+    if (sides.any_out) crossing.push_back(face);
+  }
+  if (crossing.empty()) return value_in(operand);
+  operand.tests = std::move(crossing);
+  operand.tests_all = false;
+  return {};
+}
+
+Division::Fate Division::keep(const Region& region, Fate fate) {
+  if (fate != Fate::none) parts_.push_back({region, fate});
+  return fate;
+}
+
+/// What of the region is in the operand, all of whose planes that matter are known.
+Region Division::section(const Region& region, const Operand& operand) {
+  Region part = region;
+  for (const std::uint32_t face : operand.tests) {
+    work_.charge(part.corners.size(), converting);
+    part = sheet_.clip(part, bodies_.bodies[operand.body].faces[face].halfspace);
+    if (part.empty()) break;
+  }
+  return part;
+}
+
+Division::Fate Division::divide(const Region& region, const LocalTree& tree, std::vector<Operand> operands) {
+  const Bounds bounds = sheet_.bounds(region);
+  std::vector<bool> is_used(operands.size(), false);
+  for (const LocalTree::Node& node : tree.nodes())
+    if (node.kind == LocalTree::Node::Kind::leaf) is_used[node.operand] = true;
+  std::size_t cutting = 0;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    Operand& operand = operands[i];
+    if (operand.known.is_known || !(is_used[i] || operand.owns)) continue;
+    Known known = look(region, bounds, operand);
+    if (operand.owns && known.is_known && known.value != Both{}) return Fate::none;
+    operand.known = known;
+    if (!known.is_known) ++cutting;
+  }
+  // What is owned by others is not in the operands that own it, elsewhere.
+  std::vector<Known> known = knowns(operands);
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    if (operands[i].owns) known[i] = outside;
+  const LocalTree left = tree.reduced(known, differing(operands));
+  if (left.value().is_known && left.value().value.behind == left.value().value.before) return Fate::none;
+  if (!left.value().is_known && !left.may_differ()) return Fate::none;
+  Fate fate = Fate::none;
+  if (cutting > most_cutting && halve(region, bounds, left, operands, fate)) return fate;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (!operands[i].owns || operands[i].known.is_known) continue;
+    const Region within = section(region, operands[i]);
+    if (!within.empty()) return split(region, left, operands, i, within);
+    operands[i].known = outside;
+  }
+  if (left.value().is_known) return keep(region, left.value().value.behind ? Fate::front : Fate::back);
+  // The operand nearest to the root: it may decide most.
+  for (std::size_t i = left.nodes().size(); i-- > 0;) {
+    const LocalTree::Node& node = left.nodes()[i];
+    if (node.kind != LocalTree::Node::Kind::leaf) continue;
+    const Region within = section(region, operands[node.operand]);
+    if (!within.empty()) return split(region, left, operands, node.operand, within);
+    operands[node.operand].known = outside;
+    return divide(region, left, std::move(operands));
+  }
+  return Fate::none;
+}
+
+/// Divides the region along the sides of its section with an operand.
+Division::Fate Division::split(const Region& region, const LocalTree& tree, const std::vector<Operand>& operands,
+                               std::size_t by, const Region& section) {
+  const std::size_t before = parts_.size();
+  std::vector<Operand> operands_there = operands;
+  Fate all = Fate::mixed;
+  bool is_first = true;
+  const auto handle = [&](const Region& part, Known known) {
+    operands_there[by].known = known;
+    const Fate fate = divide(part, tree, operands_there);
+    all = is_first || all == fate ? fate : Fate::mixed;
+    is_first = false;
+  };
+  Region rest = region;
+  const Body& body = bodies_.bodies[operands[by].body];
+  for (const std::uint32_t face : operands[by].tests) {
+    const facet::Halfspace halfspace = body.faces[face].halfspace;
+    if (std::ranges::find(section.planes, halfspace.plane) == section.planes.end()) continue;
+    work_.charge(rest.corners.size(), converting);
+    Parts parts = sheet_.cut(rest, halfspace);
+    if (!parts.out.empty()) handle(parts.out, outside);
+    rest = std::move(parts.in);
+  }
+  if (!operands[by].owns) {
+    handle(rest, value_in(operands[by]));
+  } else {
+    all = is_first || all == Fate::none ? Fate::none : Fate::mixed;
+  }
+  if (all == Fate::mixed || all == Fate::none) return all;
+  parts_.resize(before);
+  return keep(region, all);
+}
+
+/// Divides the region by a wall, if that leaves fewer operands on either side. Sets its fate if so.
+bool Division::halve(const Region& region, const Bounds& bounds, const LocalTree& tree,
+                     const std::vector<Operand>& operands, Fate& fate) {
+  const glm::dvec3 size = bounds.box.high - bounds.box.low;
+  const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  std::vector<double> places;
+  for (const Operand& operand : operands) {
+    if (operand.known.is_known || operand.tests_all) continue;
+    const UnitBox& box = bodies_.bodies[operand.body].box;
+    places.push_back((std::max(box.low[axis], bounds.box.low[axis]) + std::min(box.high[axis], bounds.box.high[axis])) /
+                     2.0);
+  }
+  if (places.empty()) return false;
+  const auto middle = places.begin() + static_cast<std::ptrdiff_t>(places.size() / 2);
+  std::ranges::nth_element(places, middle);
+  const std::uint32_t wall = bodies_.planes.wall_near(axis, *middle);
+  const double place = bodies_.planes.place_of(wall);
+  std::size_t lower = 0;
+  std::size_t higher = 0;
+  for (const Operand& operand : operands) {
+    if (operand.known.is_known || operand.tests_all) continue;
+    const UnitBox& box = bodies_.bodies[operand.body].box;
+    if (box.low[axis] <= place) ++lower;
+    if (box.high[axis] >= place) ++higher;
+  }
+  if (4 * std::max(lower, higher) > 3 * places.size()) return false;
+  const std::size_t before = parts_.size();
+  const Parts parts = sheet_.cut(region, {wall, true});
+  if (parts.in.empty() || parts.out.empty()) return false;
+  const Fate one = divide(parts.in, tree, operands);
+  const Fate other = divide(parts.out, tree, operands);
+  fate = one == other ? one : Fate::mixed;
+  if (fate == Fate::front || fate == Fate::back) {
+    parts_.resize(before);
+    keep(region, fate);
+  }
+  return true;
+}
+
+void Division::operator()(const Region& face, const LocalTree& tree, std::vector<Operand> operands) {
+  parts_.clear();
+  divide(face, tree, std::move(operands));
+  for (const Part& part : parts_) {
+    Fragment fragment{sheet_.plane(), part.fate == Fate::front, {}};
+    for (const std::uint32_t corner : part.region.corners)
+      fragment.corners.push_back({sheet_.point(corner).planes, sheet_.place(corner)});
+    if (!fragment.is_front) std::ranges::reverse(fragment.corners);
+    found_.push_back(std::move(fragment));
+  }
+}
+
+}  // namespace csgsim::software::convert

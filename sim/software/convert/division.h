@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hw/base/work.h"
+#include "sim/software/convert/bodies.h"
+#include "sim/software/convert/fragments.h"
+#include "sim/software/convert/local_tree.h"
+#include "sim/software/convert/sheet.h"
+
+namespace csgsim::software::convert {
+
+/// A body besides the one whose face is divided.
+struct Operand {
+  std::uint32_t body = 0;
+  bool is_coplanar = false;  ///< has a face in the plane, on that side
+  bool is_behind = false;    ///< if so: the body is behind the plane
+  bool owns = false;         ///< what it shares of the plane is its own, and is left out
+  bool tests_all = true;     ///< all faces' planes are to be looked at, not only those of `tests`
+  std::vector<std::uint32_t> tests{};
+  Known known{};
+};
+
+/// Divides a face of a body by others into parts of the boundary and parts that are none.
+class Division {
+ public:
+  /// Keeps references.
+  Division(const Bodies& bodies, Sheet& sheet, std::vector<Fragment>& found, const Work& work)
+      : bodies_(bodies), sheet_(sheet), found_(found), work_(work) {}
+
+  void operator()(const Region& face, const LocalTree& tree, std::vector<Operand> operands);
+
+ private:
+  /// What has become of a region.
+  enum class Fate : std::uint8_t { none, front, back, mixed };
+  struct Part {
+    Region region;
+    Fate fate;
+  };
+
+  Fate divide(const Region& region, const LocalTree& tree, std::vector<Operand> operands);
+  [[nodiscard]] Known value_in(const Operand& operand) const;
+  [[nodiscard]] Known look(const Region& region, const Bounds& bounds, Operand& operand) const;
+  Fate keep(const Region& region, Fate fate);
+  bool halve(const Region& region, const Bounds& bounds, const LocalTree& tree, const std::vector<Operand>& operands,
+             Fate& fate);
+  Fate split(const Region& region, const LocalTree& tree, const std::vector<Operand>& operands, std::size_t by,
+             const Region& section);
+  [[nodiscard]] Region section(const Region& region, const Operand& operand);
+
+  const Bodies& bodies_;
+  Sheet& sheet_;
+  std::vector<Fragment>& found_;
+  const Work& work_;
+  std::vector<Part> parts_;  ///< that are kept of the present face
+};
+
+}  // namespace csgsim::software::convert

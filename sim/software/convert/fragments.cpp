@@ -1,0 +1,120 @@
+#include "sim/software/convert/fragments.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "host/csg/tree_paths.h"
+#include "sim/software/convert/division.h"
+#include "sim/software/convert/local_tree.h"
+#include "sim/software/convert/sheet.h"
+
+namespace csgsim::software::convert {
+
+namespace {
+
+/// The faces of bodies one after another.
+class Evaluation {
+ public:
+  Evaluation(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work)
+      : bodies_(bodies),
+        tree_(tree),
+        paths_(tree),
+        work_(work),
+        sheet_(bodies.planes),
+        divide_(bodies, sheet_, found_, work) {}
+
+  void add(std::uint32_t body) {
+    near_ = bodies_.meeting(bodies_.bodies[body].box);
+    const auto own = std::ranges::lower_bound(near_, body);
+    if (own == near_.end() || *own != body) return;
+    const LocalTree tree(tree_, paths_, near_);
+    for (std::uint32_t face = 0; face < bodies_.bodies[body].faces.size(); ++face) add_face(body, face, tree);
+  }
+
+  std::vector<Fragment> result() { return std::move(found_); }
+
+ private:
+  /// The face, exactly: what the other half-spaces leave of its plane.
+  Region polygon_of(const Body& body, const BodyFace& face) {
+    Region region = sheet_.begin(face.halfspace.plane);
+    for (const std::uint32_t neighbour : face.neighbours) {
+      if (region.empty()) return region;
+      if (body.faces[neighbour].halfspace.plane != face.halfspace.plane)
+        region = sheet_.clip(region, body.faces[neighbour].halfspace);
+    }
+    if (!face.neighbours.empty()) return region;
+    for (const BodyFace& other : body.faces) {
+      if (region.empty()) return region;
+      if (other.halfspace.plane != face.halfspace.plane) region = sheet_.clip(region, other.halfspace);
+    }
+    return region;
+  }
+
+  /// Whether a box has points on both sides of the plane, or may have.
+  [[nodiscard]] bool meets_plane(const UnitBox& box, std::uint32_t plane) const {
+    const std::array<double, 4>& near = bodies_.planes.near(plane);
+    const glm::dvec3 normal(near[0], near[1], near[2]);
+    const glm::dvec3 middle = (box.low + box.high) / 2.0;
+    const glm::dvec3 half = (box.high - box.low) / 2.0;
+    const double height = glm::dot(normal, middle) + near[3];
+    return std::abs(height) <= glm::dot(glm::abs(normal), half);
+  }
+
+  [[nodiscard]] Operand operand_of(std::uint32_t number, std::uint32_t body, facet::Halfspace halfspace,
+                                   const UnitBox& box) const {
+    Operand operand{.body = number};
+    const Body& other = bodies_.bodies[number];
+    if (are_apart(other.box, box) || !meets_plane(other.box, halfspace.plane)) {
+      operand.known = {true, {}};
+      return operand;
+    }
+    int fronts = 0;
+    int backs = 0;
+    for (const BodyFace& face : other.faces) {
+      if (face.halfspace.plane != halfspace.plane) continue;
+      ++(face.halfspace.positive ? fronts : backs);
+    }
+    if (fronts > 0 && backs > 0) operand.known = {true, {}};  // it has no volume
+    operand.is_coplanar = fronts + backs > 0;
+    operand.is_behind = fronts > 0;
+    operand.owns = operand.is_coplanar && number < body && !operand.known.is_known;
+    return operand;
+  }
+
+  void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
+    const BodyFace& face = bodies_.bodies[body].faces[number];
+    const facet::Halfspace halfspace = face.halfspace;
+    std::vector<Operand> operands;
+    operands.reserve(near_.size());
+    for (const std::uint32_t other : near_) {
+      operands.push_back(operand_of(other, body, halfspace, face.box));
+      if (other != body) continue;
+      if (operands.back().known.is_known) return;
+      operands.back().known = {true, {halfspace.positive, !halfspace.positive}};
+      operands.back().owns = false;
+    }
+    const Region region = polygon_of(bodies_.bodies[body], face);
+    if (!region.empty()) divide_(region, tree, std::move(operands));
+  }
+
+  const Bodies& bodies_;
+  const csg::PositiveTree& tree_;
+  csg::TreePaths paths_;
+  const Work& work_;
+  Sheet sheet_;
+  std::vector<Fragment> found_;
+  Division divide_;
+  std::vector<std::uint32_t> near_;  ///< bodies that may meet the present one, and itself
+};
+
+}  // namespace
+
+std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work) {
+  if (tree.root == model::no_index) return {};
+  Evaluation evaluation(bodies, tree, work);
+  for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i) evaluation.add(i);
+  return evaluation.result();
+}
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/csg/positive_tree.h"
+#include "hw/base/work.h"
+#include "sim/software/convert/bodies.h"
+
+namespace csgsim::software::convert {
+
+/// A corner of a fragment.
+struct FragmentCorner {
+  Triple planes{};      ///< three that it is on
+  glm::dvec3 place{0};  ///< in units
+};
+
+/// A convex part of the boundary. The corners run counter-clockwise as seen from outside of the solid.
+struct Fragment {
+  std::uint32_t plane = 0;
+  bool is_front = true;  ///< the solid is behind the plane, else it is before it
+  std::vector<FragmentCorner> corners;
+};
+
+/// The boundary of what a tree leaves of the bodies, exactly, in convex parts that do not overlap. The face of a body
+/// is divided by those others alone that meet it and that the tree depends on there; where faces are in one plane, what
+/// is behind them and before them is asked at once. Throws WorkError past the limit on work.
+std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work);
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/model/tree.h"
+#include "sim/software/convert/bodies.h"
+#include "sim/software/convert/fragments.h"
+
+namespace csgsim::software::convert {
+
+/// From one point to another.
+using Side = std::array<std::uint32_t, 2>;
+
+/// All of the boundary that is in one plane and has the solid on one side of it: its sides run counter-clockwise around
+/// it as seen from outside, clockwise around holes. A side may stand there more than once.
+struct Outline {
+  glm::dvec3 outward{0};  ///< of length 1
+  std::vector<Side> sides;
+};
+
+/// Outlines that share points; wherever a side runs, as many run back, of other outlines or the same.
+struct Outlines {
+  std::vector<glm::dvec3> points;  ///< model space
+  std::vector<Outline> outlines;
+};
+
+/// Fragments joined where they are in one plane. Points nearer to each other than the tolerance of host/convex are one,
+/// a corner of a primitive where there is one; sides end at every point that is on them, and go on through points where
+/// nothing but straight sides meet. Throws std::logic_error if the outcome is not closed.
+Outlines join(const Bodies& bodies, const std::vector<Fragment>& fragments);
+
+}  // namespace csgsim::software::convert

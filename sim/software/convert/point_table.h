@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <unordered_map>
+#include <vector>
+
+#include "host/facet/coincidence.h"
+
+namespace csgsim::software::convert {
+
+/// Points of which those that are nearer to each other than 10^-10 of a model's diagonal, in each coordinate, are one:
+/// the first.
+class PointTable {
+ public:
+  PointTable(const glm::dvec3& centre, double diagonal) : centre_(centre), scale_(1.0 / (times * diagonal)) {}
+
+  /// In model space.
+  std::uint32_t add(const glm::dvec3& point) {
+    const glm::dvec3 place = (point - centre_) * scale_;
+    const facet::Key<3> key{place.x, place.y, place.z};
+    std::uint32_t found = none;
+    facet::for_cells_near(key, [&](const facet::Key<3>& cell) {
+      const auto [first, last] = at_.equal_range(facet::hash_of(cell));
+      for (auto one = first; one != last; ++one)
+        if (facet::are_near(key, keys_[one->second])) found = std::min(found, one->second);
+    });
+    if (found != none) return found;
+    const auto added = static_cast<std::uint32_t>(points_.size());
+    points_.push_back(point);
+    keys_.push_back(key);
+    at_.emplace(facet::hash_of(facet::cell_of(key)), added);
+    return added;
+  }
+
+  [[nodiscard]] const std::vector<glm::dvec3>& points() const { return points_; }
+
+ private:
+  static constexpr std::uint32_t none = 0xffffffffU;
+  static constexpr double times = 10;  ///< the tolerance of host/convex, as a part of that of coinciding surfaces
+
+  glm::dvec3 centre_;
+  double scale_;
+  std::vector<glm::dvec3> points_;
+  std::vector<facet::Key<3>> keys_;
+  std::unordered_multimap<std::uint64_t, std::uint32_t> at_;  ///< by the hash of the cell
+};
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace csgsim::software::convert {
+
+/// Sets of the numbers from 0, which are joined; each is known by its least number.
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0U); }
+
+  std::uint32_t find(std::uint32_t one) {
+    while (parents_[one] != one) one = parents_[one] = parents_[parents_[one]];
+    return one;
+  }
+
+  void join(std::uint32_t one, std::uint32_t other) {
+    one = find(one);
+    other = find(other);
+    parents_[std::max(one, other)] = std::min(one, other);
+  }
+
+ private:
+  std::vector<std::uint32_t> parents_;
+};
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "host/facet/planes.h"
+#include "sim/software/convert/unit_box.h"
+#include "sim/software/convert/whole_planes.h"
+
+namespace csgsim::software::convert {
+
+/// A convex polygon of a sheet, counter-clockwise as seen from where the plane's normal points to. None if it has no
+/// corners.
+struct Region {
+  std::vector<std::uint32_t> corners;  ///< points of the sheet
+  std::vector<std::uint32_t> planes;   ///< along the side from each corner to the next
+
+  [[nodiscard]] bool empty() const { return corners.empty(); }
+};
+
+/// What a cut leaves; one of them is empty where the plane does not pass through the region.
+struct Parts {
+  Region in;
+  Region out;
+};
+
+/// A ball and a box that hold a region, in units.
+struct Bounds {
+  glm::dvec3 middle{0};
+  double radius = 0;
+  UnitBox box;
+};
+
+/// A plane of the model, in which regions are cut by others, exactly.
+class Sheet {
+ public:
+  /// Keeps a reference to the planes.
+  explicit Sheet(const WholePlanes& planes) : planes_(planes) {}
+
+  /// Forgets all points. Returns all of the plane that is within the outermost walls.
+  Region begin(std::uint32_t plane);
+
+  [[nodiscard]] std::uint32_t plane() const { return plane_; }
+  [[nodiscard]] const Meeting& point(std::uint32_t corner) const { return points_[corner]; }
+  [[nodiscard]] const glm::dvec3& place(std::uint32_t corner) const { return places_[corner]; }
+  [[nodiscard]] Bounds bounds(const Region& region) const;
+
+  /// Where the region's corners are to a half-space.
+  struct Sides {
+    bool any_in = false;
+    bool any_out = false;
+  };
+  [[nodiscard]] Sides sides(const Region& region, facet::Halfspace halfspace) const;
+
+  /// Both sides of the half-space's plane.
+  Parts cut(const Region& region, facet::Halfspace halfspace);
+
+  /// What is in the half-space alone.
+  Region clip(const Region& region, facet::Halfspace halfspace);
+
+ private:
+  std::uint32_t add(std::uint32_t one, std::uint32_t other);
+  template <class In, class Out>
+  void trace(const Region& region, std::uint32_t plane, const In& to_in, const Out& to_out);
+  void find_sides(const Region& region, facet::Halfspace halfspace);
+
+  const WholePlanes& planes_;
+  std::uint32_t plane_ = 0;
+  std::vector<Meeting> points_;
+  std::vector<glm::dvec3> places_;  ///< of the points, in units
+  std::vector<std::int8_t> sides_;  ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
+};
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,201 @@
+#include "sim/software/convert/triangulate.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace csgsim::software::convert {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_2;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+/// How often the outline runs around a face, once it is known.
+using FaceBase =
+    CGAL::Constrained_triangulation_face_base_2<Kernel,
+                                                CGAL::Triangulation_face_base_with_info_2<std::optional<int>, Kernel>>;
+using Storage = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Storage,
+                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
+
+/// Points as seen from outside of a plane, along the axis that it faces most.
+class Seen {
+ public:
+  Seen(const std::vector<glm::dvec3>& points, const glm::dvec3& outward) : points_(points) {
+    int axis = 0;
+    for (int other = 1; other < 3; ++other)
+      if (std::abs(outward[other]) > std::abs(outward[axis])) axis = other;
+    across_ = (axis + 1) % 3;
+    up_ = (axis + 2) % 3;
+    if (outward[axis] < 0) std::swap(across_, up_);
+  }
+
+  [[nodiscard]] Point operator()(std::uint32_t point) const { return {points_[point][across_], points_[point][up_]}; }
+
+ private:
+  const std::vector<glm::dvec3>& points_;
+  int across_ = 0;
+  int up_ = 0;
+};
+
+void add_fan(const std::vector<std::uint32_t>& round, std::vector<Triangle>& triangles) {
+  for (std::size_t i = 1; i + 1 < round.size(); ++i) triangles.push_back({round[0], round[i], round[i + 1]});
+}
+
+/// Whether the turn is to the left by more than rounding can make of none: a corner in the middle of a straight side
+/// would make a triangle without area.
+bool turns_left(const Point& before, const Point& here, const Point& after) {
+  constexpr double least_sine = 1e-6;
+  const Kernel::Vector_2 in = here - before;
+  const Kernel::Vector_2 out = after - here;
+  return CGAL::determinant(in, out) > least_sine * std::sqrt(in.squared_length() * out.squared_length());
+}
+
+bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {
+  const std::size_t count = round.size();
+  std::size_t lowest = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point before = seen(round[(i + count - 1) % count]);
+    const Point here = seen(round[i]);
+    const Point after = seen(round[(i + 1) % count]);
+    if (!turns_left(before, here, after)) return false;
+    if (here < before && here < after) ++lowest;
+  }
+  return lowest == 1;
+}
+
+/// The triangulation of an outline's points with its sides. None if sides cross.
+class Covering {
+ public:
+  Covering(const Outline& outline, const Seen& seen) {
+    for (const Side& side : outline.sides)
+      for (const std::uint32_t point : side) handle_of(point, seen);
+    for (const Side& side : outline.sides) {
+      triangulation_.insert_constraint(handles_.at(side[0]), handles_.at(side[1]));
+      ++surplus_[side];
+    }
+  }
+
+  std::vector<Triangle> triangles() {
+    if (triangulation_.dimension() < 2) return {};
+    spread();
+    std::vector<Triangle> found;
+    for (const Triangulation::Face_handle face : triangulation_.finite_face_handles()) {
+      const int times = face->info().value_or(0);
+      Triangle triangle{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+      if (times < 0) std::swap(triangle[1], triangle[2]);
+      for (int i = 0; i < std::abs(times); ++i) found.push_back(triangle);
+    }
+    return found;
+  }
+
+ private:
+  void handle_of(std::uint32_t point, const Seen& seen) {
+    if (handles_.contains(point)) return;
+    const Triangulation::Vertex_handle handle = triangulation_.insert(seen(point), near_);
+    handle->info() = point;
+    near_ = handle->face();
+    handles_.emplace(point, handle);
+  }
+
+  [[nodiscard]] int surplus(std::uint32_t from, std::uint32_t to) const {
+    const auto found = surplus_.find({from, to});
+    return found == surplus_.end() ? 0 : found->second;
+  }
+
+  /// From the infinite face inwards.
+  void spread() {
+    std::vector<Triangulation::Face_handle> open{triangulation_.infinite_face()};
+    open.front()->info() = 0;
+    while (!open.empty()) {
+      const Triangulation::Face_handle face = open.back();
+      open.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const Triangulation::Face_handle other = face->neighbor(i);
+        if (other->info()) continue;
+        int times = *face->info();
+        if (face->is_constrained(i)) {
+          // The face runs along its side from one end to the other, its neighbour back.
+          const std::uint32_t from = face->vertex(Triangulation::ccw(i))->info();
+          const std::uint32_t to = face->vertex(Triangulation::cw(i))->info();
+          times += surplus(to, from) - surplus(from, to);
+        }
+        other->info() = times;
+        open.push_back(other);
+      }
+    }
+  }
+
+  Triangulation triangulation_;
+  Triangulation::Face_handle near_;
+  std::map<std::uint32_t, Triangulation::Vertex_handle> handles_;
+  std::map<Side, int> surplus_;
+};
+
+/// Every side of the outline, and others only with their backs.
+bool is_bounded_by(const std::vector<Triangle>& triangles, const Outline& outline) {
+  std::map<Side, int> sums;
+  for (const Triangle& triangle : triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = triangle[i];
+      const std::uint32_t to = triangle[(i + 1) % 3];
+      sums[{std::min(from, to), std::max(from, to)}] += from < to ? 1 : -1;
+    }
+  }
+  for (const Side& side : outline.sides)
+    sums[{std::min(side[0], side[1]), std::max(side[0], side[1])}] -= side[0] < side[1] ? 1 : -1;
+  return std::ranges::all_of(sums, [](const auto& sum) { return sum.second == 0; });
+}
+
+}  // namespace
+
+std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline) {
+  std::vector<Side> sides = outline.sides;
+  std::ranges::sort(sides);
+  std::vector<bool> is_taken(sides.size(), false);
+  std::vector<std::vector<std::uint32_t>> rounds;
+  for (std::size_t first = 0; first < sides.size(); ++first) {
+    std::vector<std::uint32_t> round;
+    std::size_t at = first;
+    while (at < sides.size() && !is_taken[at]) {
+      is_taken[at] = true;
+      round.push_back(sides[at][0]);
+      const std::uint32_t next = sides[at][1];
+      at = static_cast<std::size_t>(std::ranges::lower_bound(sides, Side{next, 0}) - sides.begin());
+      while (at < sides.size() && sides[at][0] == next && is_taken[at]) ++at;
+      if (at < sides.size() && sides[at][0] != next) break;
+    }
+    if (!round.empty()) rounds.push_back(std::move(round));
+  }
+  return rounds;
+}
+
+std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& points, const Outline& outline) {
+  const Seen seen(points, outline.outward);
+  std::vector<Triangle> triangles;
+  const std::vector<std::vector<std::uint32_t>> rounds = rounds_of(outline);
+  if (rounds.size() == 1 && is_convex(rounds.front(), seen)) {
+    add_fan(rounds.front(), triangles);
+    return triangles;
+  }
+  try {
+    triangles = Covering(outline, seen).triangles();
+    if (is_bounded_by(triangles, outline)) return triangles;
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    // As below.
+  }
+  triangles.clear();
+  for (const std::vector<std::uint32_t>& round : rounds) add_fan(round, triangles);
+  return triangles;
+}
+
+}  // namespace csgsim::software::convert

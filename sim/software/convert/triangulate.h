@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "sim/software/convert/outlines.h"
+
+namespace csgsim::software::convert {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// What an outline encloses, as triangles on its points that run counter-clockwise as seen from outside, and whose
+/// sides leave those of the outline. By a constrained Delaunay triangulation of the plane; an outline whose sides cross
+/// each other, which rounding can do to slivers alone, is cut into triangles from a corner of each of its rounds.
+std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& points, const Outline& outline);
+
+/// The rounds that sides make, each once.
+std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline);
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <glm/vec3.hpp>
+
+namespace csgsim::software::convert {
+
+/// More than the place of a point is off that was rounded, in units (WholePlanes).
+inline constexpr double place_error = 1e-13;
+
+/// A box in units, from the middle of the model; empty if a low is above its high.
+struct UnitBox {
+  glm::dvec3 low{1};
+  glm::dvec3 high{0};
+
+  [[nodiscard]] bool empty() const { return low.x > high.x; }
+};
+
+/// Whether the boxes have no point in common.
+inline bool are_apart(const UnitBox& one, const UnitBox& other) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (one.low[axis] > other.high[axis] || one.high[axis] < other.low[axis]) return true;
+  return false;
+}
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <vector>
+
+#include "host/facet/planes.h"
+#include "sim/software/convert/wide.h"
+
+namespace csgsim::software::convert {
+
+/// Numbers of three planes that meet in one point, ascending.
+using Triple = std::array<std::uint32_t, 3>;
+
+/// Where three planes meet: x : y : z : w, with w above 0.
+struct Meeting {
+  Triple planes{};
+  std::array<Wide, 4> exact{};
+  std::array<double, 4> near{};  ///< the same, rounded
+};
+
+/// The planes of a model as whole numbers, so that what is worked out of them is exact. A coefficient is a multiple of
+/// 2^-53; lengths are in units of a power of two that is no less than the model's diagonal, from PlaneTable::centre().
+/// So no plane moves by more than doubles that stand for points of the model are apart.
+///
+/// After the model's planes come walls, which are across the axes and divide the model where nothing else does.
+class WholePlanes {
+ public:
+  /// Walls across an axis, evenly from one side of the model to the other; the first and last are outside of it.
+  static constexpr std::uint32_t walls = 1025;
+
+  explicit WholePlanes(const facet::PlaneTable& planes);
+
+  /// How far apart units are, in model units.
+  [[nodiscard]] double unit() const { return unit_; }
+  [[nodiscard]] std::uint32_t wall(int axis, std::uint32_t number) const {
+    return first_wall_ + static_cast<std::uint32_t>(axis) * walls + number;
+  }
+  /// The wall nearest to a place, but for the outermost ones.
+  [[nodiscard]] std::uint32_t wall_near(int axis, double place) const;
+  /// Its place, in units.
+  [[nodiscard]] double place_of(std::uint32_t wall) const { return -near_[wall][3]; }
+
+  /// The coefficients, rounded to no more than they are: normal and offset, in units.
+  [[nodiscard]] const std::array<double, 4>& near(std::uint32_t plane) const { return near_[plane]; }
+
+  /// The planes have to have one point in common.
+  [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
+
+  /// -1 behind the plane, 0 on it, 1 before it; exact.
+  [[nodiscard]] int side(const Meeting& point, std::uint32_t plane) const;
+
+ private:
+  using Row = std::array<std::int64_t, 4>;
+
+  void add(const std::array<double, 4>& coefficients);
+
+  double unit_ = 1;
+  std::uint32_t first_wall_ = 0;
+  std::vector<Row> rows_;
+  std::vector<std::array<double, 4>> near_;
+};
+
+/// Its place in units.
+inline glm::dvec3 place_of(const Meeting& point) {
+  return glm::dvec3(point.near[0], point.near[1], point.near[2]) / point.near[3];
+}
+
+}  // namespace csgsim::software::convert

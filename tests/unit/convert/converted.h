@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "host/model/tree.h"
+#include "sim/software/convert/surface.h"
+#include "tests/unit/convert/mesh_judge.h"
+
+namespace csgsim::testing {
+
+software::convert::Surface converted(const model::Tree& tree);
+
+/// Of a model's text.
+software::convert::Surface converted(const std::string& csg);
+
+JudgedMesh judged(const software::convert::Surface& surface);
+
+/// Whether the tree holds a point, by the planes of its primitives; none where it is nearer to one than that.
+enum class Held { in, out, unsure };
+Held held_by(const model::Tree& tree, const glm::dvec3& point, double near);
+
+}  // namespace csgsim::testing
