@@ -62,6 +62,30 @@ Path path_of(const Curve& trajectory) {
   return path;
 }
 
+/// Across a straight segment, which runs along `along`.
+Plane flattened(const Plane& plane, const glm::dvec3& along) {
+  return {plane.u - glm::dot(plane.u, along) * along, plane.v - glm::dot(plane.v, along) * along};
+}
+
+/// How far a plane reaches along a segment, above a vector across it.
+double reach(const glm::dvec3& across, const Plane& plane, const glm::dvec3& along) {
+  const glm::dvec3 normal = glm::cross(plane.u, plane.v);
+  return -glm::dot(across, normal) / glm::dot(along, normal);
+}
+
+/// A plane of a straight segment between those at its ends: across the segment it is turned evenly, and it leans
+/// evenly.
+Plane between(const Plane& from, const Plane& to, const glm::dvec3& along, double t) {
+  const Plane start = flattened(from, along);
+  const Plane end = flattened(to, along);
+  const double angle = t * std::atan2(glm::dot(end.v, -start.u), glm::dot(end.v, start.v));
+  Plane plane{std::cos(angle) * start.u + std::sin(angle) * start.v,
+              std::cos(angle) * start.v - std::sin(angle) * start.u};
+  for (glm::dvec3* const axis : {&plane.u, &plane.v})
+    *axis += glm::mix(reach(*axis, from, along), reach(*axis, to, along), t) * along;
+  return plane;
+}
+
 void check_closing(const Section& first, const Section& last) {
   const double size = std::max(glm::length(first.u), glm::length(first.v));
   constexpr double nearly = 1e-9;
@@ -125,11 +149,8 @@ Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double part)
 
 Section Spine::section(std::size_t segment, double t, const glm::dvec3& origin) const {
   const double part = part_of_length(segment, t);
-  if (path_.has_corners) {
-    const Plane& from = planes_[segment];
-    const Plane& to = planes_[segment + 1];
-    return placed(origin, {glm::mix(from.u, to.u, t), glm::mix(from.v, to.v, t)}, part);
-  }
+  if (path_.has_corners)
+    return placed(origin, between(planes_[segment], planes_[segment + 1], path_.leaving(segment), t), part);
   const double place = static_cast<double>(segment) + t;
   const glm::dvec3 tangent = path_.tangent(place);
   const glm::dvec3 v = orientation_.upward(place, tangent);

@@ -22,8 +22,8 @@ struct Section {
 };
 
 /// The trajectory and the sections along it. Corners of trajectories of degree 1 are mitred: there the plane halves the
-/// angle, the contour is as much longer as keeps what is swept as thick, and between two corners sections go evenly
-/// from one to the other.
+/// angle, the contour is as much longer as keeps what is swept as thick, and between two corners sections turn and lean
+/// evenly from one to the other.
 class Spine {
  public:
   /// Of a sweep without fault. Throws InputError for a trajectory that has no direction somewhere, or a corner that

@@ -89,6 +89,8 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "item-buffer", "LIST"},
     {varied, "mailboxes", "LIST"},
     {varied, "reflections"},
+    {varied, "flatness", "LIST"},
+    {varied, "repairs", "LIST"},
     {varied, "processors", "LIST", FileRole::processors},
     {varied, "levels"},
     {varied, "subdivisions"},

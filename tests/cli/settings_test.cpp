@@ -107,6 +107,8 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"item-buffer", "\"off\""},
                                                  {"mailboxes", "\"off\""},
                                                  {"reflections", "2"},
+                                                 {"flatness", "\"sides\""},
+                                                 {"repairs", "\"quadtree\""},
                                                  {"processors", "\"mc68000\""},
                                                  {"with", "\"mc68000:weave\""},
                                                  {"parts", "\"speed\""}};

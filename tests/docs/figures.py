@@ -52,6 +52,9 @@ class Figures:
         return self.runs.run(f"csgsim classify {self.model(model)}{view} --processors {processors} {options} --no-plots --progress none "
                              "-o $OUT/classify").json("classify/classify.json").points
 
+    def mesh(self, model, options=""):
+        return self.runs.run(f"csgsim mesh {self.model(model)} {options} --no-plots --progress none -o $OUT/mesh").json("mesh/mesh.json").points
+
     def effects(self, model, options=""):
         return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")
 
@@ -87,7 +90,7 @@ class Figures:
 
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "classify", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "curved", "examples")
+        own = ("render", "clocks", "compare", "classify", "sweep", "accuracy", "subdivide", "mesh", "effects", "shown", "advise", "curved", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

@@ -161,6 +161,7 @@ def of_sources() -> list[Sample]:
 
     add("csg", ["tests/models/*.csg", "tests/corpus/*.csg", "tests/fuzz/corpus/read/*"], "m.csg",
         [RENDER, ["explain", "m.csg", *SMALL, "--pixel", "8,8"]], RENDERED, longest=3000)
+    add("commands", ["tests/models/*.jan", "tests/fuzz/corpus/commands/*"], "m.jan", [["render", "m.jan", *SMALL, "-o", "p.png"]], RENDERED, longest=3000)
     if shutil.which("openscad"):
         add("scad", ["tests/corpus/*.scad"], "m.scad", [["render", "m.scad", *SMALL, "-o", "p.png"]], RENDERED, longest=2000)
     flat = "linear_extrude(height = 2, center = false, convexity = 1, scale = [1, 1], $fn = 0, $fa = 12, $fs = 2) {\n" \

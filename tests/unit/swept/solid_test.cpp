@@ -104,6 +104,14 @@ TEST_CASE(
   CHECK(volume_of(sweep, 0.1) == doctest::Approx(2 * (12 * 10 - 8 * 6)));
 }
 
+TEST_CASE("a straight part along the y axis is turned over evenly, as the rule has it, and does not cross itself") {
+  const Sweep sweep{square(1), {1, true, {{14, 14, 0}, {-14, 14, 0}, {-14, -14, 0}, {14, -14, 0}}}};
+  const swept::SweptSolid solid = swept::solid_of(sweep, {0.02});
+  CHECK(fault_of(solid) == "");
+  CHECK(!solids::check(solid.mesh, 1e-9).crossing);
+  CHECK(volume(solid.mesh) == doctest::Approx(4 * 4 * 28).epsilon(0.02));
+}
+
 TEST_CASE("a circle along a circle is a torus: its volume, and how far points are off it, are within the tolerance") {
   const Sweep sweep{circle(2, 16), circle(7, 24, true)};
   for (const double tolerance : {0.2, 0.05, 0.01}) {
@@ -125,6 +133,16 @@ TEST_CASE("a circle along a circle is a torus: its volume, and how far points ar
     }
     CHECK(most_off < 2 * tolerance);
   }
+}
+
+TEST_CASE("the thesis's test takes the flat side of a ring for one element a patch; that of its sides does not") {
+  const Sweep ring{square(1), circle(8, 8, true)};
+  const double exact = 2 * pi * 8 * 4;
+  const auto off = [&](swept::Flatness flatness) {
+    return std::abs(volume(swept::solid_of(ring, {0.01, flatness}).mesh) / exact - 1);
+  };
+  CHECK(off(swept::Flatness::plane) > 0.05);
+  CHECK(off(swept::Flatness::sides) < 0.005);
 }
 
 TEST_CASE("a trajectory that passes the y axis is turned over where it does, and stays a solid") {

@@ -1,0 +1,175 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/read/source.h"
+#include "hw/base/error.h"
+#include "hw/base/hash.h"
+#include "hw/base/input_file.h"
+#include "hw/base/text.h"
+#include "sim/report/points.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/version.h"
+#include "sim/software/work.h"
+#include "sim/studies/mesh/price.h"
+#include "sim/studies/mesh/show.h"
+#include "sim/studies/plot_names.h"
+#include "sim/studies/study.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+const std::vector<std::string> flatnesses{of_plane, of_sides};
+const std::vector<std::string> repairs{by_filter, by_quadtree};
+
+std::vector<std::string> flatness_in(const std::string& text) {
+  return parse_names(text, "test of flatness", flatnesses);
+}
+std::vector<std::string> repairs_in(const std::string& text) { return parse_names(text, "repair", repairs); }
+
+std::vector<double> tolerances_in(const std::string& text) {
+  std::vector<double> tolerances;
+  for (const std::string& word : parse_words(text)) {
+    std::size_t end = 0;
+    double value = 0;
+    try {
+      value = std::stod(word, &end);
+    } catch (const std::exception&) {
+      end = 0;
+    }
+    if (end != word.size() || !(value > 0) || !std::isfinite(value))
+      throw InputError(printable(word) + " is no tolerance; take a number of model units above 0");
+    tolerances.push_back(value);
+  }
+  return tolerances;
+}
+
+std::vector<software::Priced> meshing_processors(const std::string& list) {
+  std::vector<software::Priced> processors;
+  for (const std::string& name : parse_words(list)) {
+    processors.push_back(software::priced(name));
+    if (!processors.back().processor) throw InputError(name + " has no prices; take a processor by name or .toml file");
+  }
+  return processors;
+}
+
+class Mesh : public StudyOf<MeshRow> {
+ public:
+  void add_options(Command& command) override {
+    command.option("MODEL", model_, "Commands, .jan, with sweeps or patches").required();
+    command.option("--tolerances", tolerances_, "List of tolerances, model units").check(is_read_by(tolerances_in));
+    command
+        .option("--flatness", flatness_,
+                "List of tests that let an element be: plane, the thesis's; sides, which takes its sides too")
+        .words(flatnesses, is_read_by(flatness_in));
+    command
+        .option("--repairs", repairs_, "List of ways to make elements meet: filter, the thesis's; quadtree, its rival")
+        .words(repairs, is_read_by(repairs_in));
+    command.option("--processors", processors_, "List of processors that the work is priced for, by name or .toml file")
+        .check(is_read_by(meshing_processors));
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    std::vector<std::filesystem::path> files = input_files({model_}, parse_words(processors_));
+    return files;
+  }
+  [[nodiscard]] std::set<std::string> varied() const override {
+    return {"tolerances", "flatness", "repairs", "processors"};
+  }
+  [[nodiscard]] std::string table_model() const override { return model_; }
+
+  std::vector<Asked> ask() override {
+    const std::string text = read_file(model_, read::model_file);
+    Hash hash;
+    hash.add(text);
+    inputs_ = {hash.text(), "none", version_and_build()};
+    surfaces_ = commands::surfaces_in(text, shown_name(model_));
+    if (surfaces_.empty())
+      throw InputError(fmt::format("{}: there is no sweep and no patch in it, which a mesh is made of",
+                                   printable(shown_name(model_))));
+    std::vector<Asked> asked;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      for (const std::string& flatness : flatness_in(flatness_)) {
+        for (const std::string& repair : repairs_in(repairs_)) {
+          for (const double tolerance : tolerances_in(tolerances_)) {
+            points_.push_back({surfaces_[i].name, tolerance, flatness, repair});
+            numbers_.push_back(i);
+            asked.push_back({to_line(points_.back()), inputs_});
+          }
+        }
+      }
+    }
+    return asked;
+  }
+
+  void print() const override {
+    fmt::print("{}: elements of its surfaces, as in table 3.1 of the thesis\n", printable(shown_name(model_)));
+    print_meshes(rows(), meshing_processors(processors_));
+  }
+
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    const std::vector<software::Priced> processors = meshing_processors(processors_);
+    const SetPoint columns = setter_of(std::span<const MeshRow>(rows()));
+    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+      columns(json, point);
+      const MeshRow& row = rows()[point];
+      if (!row.is_meshed()) return;
+      for (const software::Priced& processor : processors) {
+        const MeshSeconds seconds = seconds_of(row, *processor.processor);
+        json["seconds"][processor.name] = {{"subdividing", seconds.subdividing}, {"repairing", seconds.repairing}};
+      }
+    });
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_meshes(rows(), plot_stem(model_)); }
+
+  [[nodiscard]] std::string page_title() const override { return "Meshes of surfaces"; }
+  [[nodiscard]] PageSubject page_subject() const override { return {{}, {}, false, model_}; }
+
+  void refuse() const override {
+    if (std::ranges::none_of(rows(), &MeshRow::is_meshed)) throw InputError(rows().front().reason);
+  }
+
+ protected:
+  [[nodiscard]] MeshRow measured(std::size_t point) override {
+    return studies::measure(points_[point], inputs_, surfaces_[numbers_[point]]);
+  }
+
+ private:
+  std::string model_;
+  std::string tolerances_ = "0.1,0.05,0.01,0.001";
+  std::string flatness_ = of_plane;
+  std::string repairs_ = "filter,quadtree";
+  std::string processors_ = "mc68000,i486dx2";
+  Inputs inputs_;
+  std::vector<commands::NamedSurface> surfaces_;
+  std::vector<MeshPoint> points_;
+  std::vector<std::size_t> numbers_;  ///< of each point, its surface
+};
+
+}  // namespace
+
+extern const StudyRow mesh_row{
+    .name = "mesh",
+    .does = "Count what meshing sweeps and patches takes: elements, vertices, what the integrity filter holds",
+    .example =
+        "  csgsim mesh patch.jan\n"
+        "  csgsim mesh vase.jan --tolerances 0.1,0.05 --flatness plane,sides -o out\n"
+        "Surfaces are those of a file of commands; docs/sweeps.md has the language. Both repairs make the same mesh; "
+        "the\n"
+        "filter holds what is next to the border of what has come, the quadtree holds all.",
+    .plots = "plots (.png, .svg) of elements by tolerance",
+    .folder = Folder::optional,
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Mesh>()); }};
+
+}  // namespace csgsim::studies

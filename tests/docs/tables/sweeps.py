@@ -1,0 +1,41 @@
+"""docs/sweeps.md: table 3.1 of the thesis, whose own figures stand in italics."""
+
+from figures import point, ruled
+
+TOLERANCES = (0.1, 0.05, 0.01, 0.001)
+TABLE_3_1 = {
+    "elements": (49, 103, 442, 4_093),
+    "vertices": (78, 145, 549, 4_478),
+    "most_elements": (16, 23, 50, 142),
+    "most_vertices": (38, 51, 115, 327),
+}
+# Seconds of a PDP-11/44.
+SECONDS = ("0.10", "0.24", "1.02", "11.04")
+NAMES = {
+    "elements": "elements",
+    "vertices": "vertices",
+    "most_elements": "most elements held",
+    "most_vertices": "most vertices held",
+}
+
+
+def table_3_1(figures):
+    points = figures.mesh("tests/models/thesis_fig_3_9.jan")
+    of = {(repair, tolerance): point(points, repair=repair, tolerance=tolerance) for repair in ("filter", "quadtree") for tolerance in TOLERANCES}
+    head = ["tolerance"]
+    for tolerance in TOLERANCES:
+        head += [f"{tolerance:g}", "*thesis*"]
+    rows = []
+    for key, name in NAMES.items():
+        cells = [name]
+        for i, tolerance in enumerate(TOLERANCES):
+            cells += [f"{of['filter', tolerance][key]:,}", f"*{TABLE_3_1[key][i]:,}*"]
+        rows.append(cells)
+    for key, name in (("most_edges", "nodes of the quadtree"), ("most_vertices", "vertices it holds")):
+        rows.append([name, *(cell for tolerance in TOLERANCES for cell in (f"{of['quadtree', tolerance][key]:,}", ""))])
+    for what, repair, name in (("repairing", "filter", "the filter, s"), ("repairing", "quadtree", "the quadtree, s"), ("subdividing", "filter", "subdividing, s")):
+        cells = [f"MC68000: {name}"]
+        for i, tolerance in enumerate(TOLERANCES):
+            cells += [f"{of[repair, tolerance].seconds.mc68000[what]:.3g}", f"*{SECONDS[i]}*" if name == "the filter, s" else ""]
+        rows.append(cells)
+    return ruled(head, rows)

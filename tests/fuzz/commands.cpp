@@ -1,0 +1,39 @@
+// Models by the thesis's commands.
+
+#include <string>
+
+#include "host/commands/read.h"
+#include "tests/fuzz/property.h"
+#include "tests/unit/read/tree_invariants.h"
+
+namespace fuzz = csgsim::fuzz;
+
+namespace {
+
+/// What a mutation may take: a second or so.
+constexpr std::uint64_t most_work = 20'000'000;
+
+}  // namespace
+
+/// Any bytes are either a tree that keeps its promises or one line of error; so are the surfaces in them.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text = fuzz::text_of(data, size);
+  try {
+    csgsim::read::Options options;
+    options.work = csgsim::Work(most_work);
+    const csgsim::model::Tree tree = csgsim::commands::read_text(text, "fuzz.jan", options);
+    const std::string promise = csgsim::read_test::broken_promise(tree);
+    fuzz::require(promise.empty(), promise);
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.jan");
+  }
+  try {
+    for (const csgsim::commands::NamedSurface& surface : csgsim::commands::surfaces_in(text, "fuzz.jan")) {
+      fuzz::require(surface.tolerance > 0, "a tolerance is above 0");
+      fuzz::require(surface.location.line > 0, "a surface has a place");
+    }
+  } catch (const csgsim::InputError& error) {
+    fuzz::check_message(error, "fuzz.jan");
+  }
+  return 0;
+}
