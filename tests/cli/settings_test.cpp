@@ -98,6 +98,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"alu-bits", "2"},
                                                  {"memory-bits", "96"},
                                                  {"methods", "\"standard\""},
+                                                 {"bucket-size", "\"12\""},
                                                  {"coherences", "\"one-list\""},
                                                  {"shapes", "\"written\""},
                                                  {"reduced", "\"cells\""},
@@ -120,6 +121,7 @@ std::string sample(const std::string& command, const Key& key) {
   const auto found = samples.find(key.name);
   const bool is_text = key.value.starts_with('"');
   if (command == "levels" && key.name == "levels") return "\"cycle\"";
+  if (command == "display" && key.name == "methods") return "\"scan-line\"";
   if (found != samples.end()) {
     const bool needs_quotes = is_text && !found->second.starts_with('"');
     return needs_quotes ? "\"" + found->second + "\"" : found->second;

@@ -55,6 +55,13 @@ class Figures:
     def mesh(self, model, options=""):
         return self.runs.run(f"csgsim mesh {self.model(model)} {options} --no-plots --progress none -o $OUT/mesh").json("mesh/mesh.json").points
 
+    def display(self, model, options=""):
+        """The points of csgsim display, in perspective; `cylinders` are those of docs/display.md."""
+        cylinders = "tests/models/crossing_cylinders.csg --camera 300,-380,260,0,0,5"
+        of = cylinders if model == "cylinders" else self.model(model)
+        return self.runs.run(f"csgsim display {of}{PERSPECTIVE} --processors mc68000,i486dx2 {options} --no-plots --progress none "
+                             "-o $OUT/display").json("display/display.json").points
+
     def effects(self, model, options=""):
         return self.runs.run(f"csgsim effects {self.model(model)} {options} -o $OUT/effects").json("effects/effects.json")
 
@@ -90,7 +97,7 @@ class Figures:
 
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "classify", "sweep", "accuracy", "subdivide", "mesh", "effects", "shown", "advise", "curved", "examples")
+        own = ("render", "clocks", "compare", "classify", "display", "sweep", "accuracy", "subdivide", "mesh", "effects", "shown", "advise", "curved", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
+
+#include "sim/software/display/rows.h"
+#include "sim/software/facets/facets.h"
 
 namespace csgsim::testing {
 
@@ -99,6 +103,27 @@ std::string SoftwareScene::fault_of_some(std::uint64_t number, std::size_t ways,
   return "";
 }
 
+namespace {
+
+/// What methods that draw facet by facet draw otherwise, where there are facets; of a large model one of them.
+std::string fault_of_display(const software::DisplaySubject& subject, bool is_large,
+                             const std::vector<Seen>& expected) {
+  for (const software::DisplayRow* const row : software::display_methods()) {
+    if (!row->is_exact || row->name == "rays" || (is_large && row->name != "scan-line")) continue;
+    const software::Picture picture = row->run(subject, false).picture;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      const software::Seen& seen = picture.seen[i];
+      if (seen.depth == expected[i].depth && seen.owner == expected[i].owner) continue;
+      const std::uint32_t width = subject.view.sampling.width;
+      return fmt::format("{}: pixel {}, {} is {} at {}, not {} at {}", row->name, i % width, i / width, seen.owner,
+                         seen.depth, expected[i].owner, expected[i].depth);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
                               const view::View& view, const observe::Frame& frame) {
   constexpr std::size_t ways = 6;
@@ -109,6 +134,14 @@ std::string fault_of_software(const std::string& csg, const model::Tree& tree, c
   const SoftwareScene software(tree, geometry, view);
   // Where rays meet hundreds of surfaces most methods take long, and all do where a surface has thousands of facets.
   const bool is_large = tree.primitives.size() > 100 || view.planes.size() > 5000;
+  const bool is_curved =
+      std::ranges::any_of(geometry.solids, [](const auto& solid) { return !solid.quadrics.empty(); });
+  if (!is_curved) {
+    const software::Facets facets = software::facets_of(tree, geometry);
+    const software::DisplaySubject subject{tree, geometry, view, software.tree(Shape::written), facets};
+    std::string fault = fault_of_display(subject, is_large, expected);
+    if (!fault.empty()) return fault;
+  }
   return is_large ? software.fault_of(way_of("status"), expected)
                   : software.fault_of_some(number % all_ways().size(), ways, expected);
 }

@@ -63,7 +63,8 @@ class SoftwareScene {
   std::array<software::Tree, 3> trees_;  ///< by shape
 };
 
-/// What some methods of software, others for each text, draw of a model that is not that picture; empty if all draw it.
+/// What some methods of software, others for each text, and those that draw facet by facet, draw of a model that is not
+/// that picture; empty if all draw it.
 std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
                               const view::View& view, const observe::Frame& frame);
 

@@ -19,6 +19,7 @@
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/usage.h"
 #include "sim/software/cost/processor.h"
+#include "sim/software/display/rows.h"
 #include "sim/software/methods/rows.h"
 #include "sim/software/space/directory.h"
 
@@ -100,6 +101,9 @@ void print_methods(const Options& /*options*/) {
   fmt::print("\nWhat csgsim trace finds facets by (--directories)\n");
   for (const software::DirectoryRow* const row : software::directories())
     fmt::print("  {:<21}{} ({})\n", row->name, row->help, row->source);
+  fmt::print("\nMethods that draw facet by facet (display --methods)\n");
+  for (const software::DisplayRow* const row : software::display_methods())
+    fmt::print("  {:<27}{} ({})\n", row->name, row->help, row->source);
   fmt::print(
       "\ncompare --with takes PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE; csgsim manual processors lists "
       "processors.\n");
@@ -113,7 +117,7 @@ struct Topic {
 
 constexpr std::array topics{
     Topic{"machines", "the machines; of one that is named every figure, with where it comes from", print_machines},
-    Topic{"methods", "the methods of software that csgsim classify counts, with their sources", print_methods},
+    Topic{"methods", "the methods of software that csgsim classify and display count, with their sources", print_methods},
     Topic{"processors", "the processors that these are priced for; of one that is named every figure",
           print_processors},
     Topic{"instructions", "the page of the broadcast instruction set, in Markdown",

@@ -44,9 +44,10 @@ class Sequences {
         element, is_first, [&] { return evaluated(element, count); }, count);
   }
 
-  /// Whose surface is seen, if the last `at` are at one depth and lead in.
+  /// Whose surface is seen, if the last `at`, in any order, are at one depth and lead in.
   std::uint32_t owner(std::uint32_t element, std::size_t at, Count& count) {
     follow_back(element);
+    std::sort(events_.end() - static_cast<std::ptrdiff_t>(at), events_.end());
     const std::span<const Event> events(events_);
     return owners_.seen(events.first(events.size() - at), events.last(at), count);
   }

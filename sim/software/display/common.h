@@ -21,11 +21,7 @@ inline double seconds_from(std::chrono::steady_clock::time_point begin) {
 /// products of words, and divided by its distance; a plane takes three quotients of sums of two such products, and an
 /// edge two products.
 template <class Count>
-void count_transformation(const DisplaySubject& subject, const ScreenFacets& seen, Count& count) {
-  if constexpr (!Count::counts) return;
-  const std::uint64_t corners = subject.facets.corners.size();
-  const std::uint64_t planes = seen.facets.size();
-  const std::uint64_t edges = seen.linears.size();
+void count_transformation(std::uint64_t corners, std::uint64_t planes, std::uint64_t edges, Count& count) {
   const std::uint64_t products = 9 * corners + 6 * planes + 2 * edges;
   const std::uint64_t quotients = 2 * corners + 3 * planes;
   constexpr std::uint64_t words_of_product = 4;
@@ -53,7 +49,8 @@ Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
   Ledger<Count> ledger;
   const auto begin = std::chrono::steady_clock::now();
   const ScreenFacets seen = screen_facets(subject.model, subject.geometry, subject.view, subject.facets);
-  count_transformation(subject, seen, ledger[Phase::transformation]);
+  count_transformation(subject.facets.corners.size(), seen.facets.size(), seen.linears.size(),
+                       ledger[Phase::transformation]);
   result.picture.seen.assign(subject.pixels(), Seen{subject.farthest(), Seen::nothing_seen});
   ledger[Phase::initialisation](Operation::store_long, 2 * subject.pixels());
   ledger[Phase::initialisation](Operation::branch_taken, subject.pixels());

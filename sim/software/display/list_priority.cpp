@@ -45,22 +45,23 @@ class ListPriority {
 
   void draw(const Polygons& polygons, const ScreenFacets& seen) {
     const view::EyeSpace eye = view::eye_space(subject_.view.camera, subject_.view.sampling);
-    const std::vector<std::uint32_t> cells = front_to_back(polygons, eye, subject_.geometry.planes.centre(),
-                                                           subject_.view.sampling.width, subject_.view.sampling.height);
-    const ScreenPieces screen = screen_pieces(polygons, cells, seen, subject_.geometry, subject_.view);
-    count_retrieval(polygons, cells.size());
+    const CellOrder order = front_to_back(polygons, eye, subject_.geometry.planes.centre(),
+                                          subject_.view.sampling.width, subject_.view.sampling.height);
+    const ScreenPieces screen = screen_pieces(polygons, order.cells, seen, subject_.geometry, subject_.view);
+    count_retrieval(order);
+    count_pieces(polygons, order, seen, screen);
     // Rays that begin in a primitive do so before all polygons.
     for (const ScreenFacet& facet : seen.facets) {
       if (facet.facet == ScreenFacet::near_cap) draw_piece(seen, facet);
     }
     const std::uint64_t longs = longs_of(subject_.view.sampling);
-    DepthOrder<Count> order(screen.pieces, longs, ledger_[Phase::sorting]);
+    DepthOrder<Count> sorted(screen.pieces, longs, ledger_[Phase::sorting]);
     for (std::size_t cell = 0; cell + 1 < screen.begins.size(); ++cell) {
-      for (const std::uint32_t piece : order.of(screen.begins[cell], screen.begins[cell + 1]))
+      for (const std::uint32_t piece : sorted.of(screen.begins[cell], screen.begins[cell + 1]))
         draw_piece(screen.pieces, screen.pieces.facets[piece]);
     }
-    tell(polygons, cells.size(), screen);
-    result_.counts.conflicts = order.conflicts();
+    tell(polygons, order.cells.size(), screen);
+    result_.counts.conflicts = sorted.conflicts();
   }
 
   /// Counts the pixels that are wrong.
@@ -82,15 +83,26 @@ class ListPriority {
 
  private:
   /// A cell takes the side of a wall that the eye is on, four sides of what is seen at eight corners, its box.
-  void count_retrieval(const Polygons& polygons, std::size_t drawn) {
+  void count_retrieval(const CellOrder& order) {
     Count& count = ledger_[Phase::sorting];
-    const std::uint64_t cells = polygons.cells.size();
+    const std::uint64_t cells = order.looked_at;
     count(Operation::load_long, 8 * cells);
     count(Operation::compare_long, (1 + 32) * cells);
     count(Operation::multiply, 4 * 24 * cells);
     count(Operation::add_long, 4 * 30 * cells);
     count(Operation::branch, (1 + 32) * cells);
-    count(Operation::store_long, 2 * drawn);
+    count(Operation::store_long, 2 * order.cells.size());
+  }
+
+  /// Corners are those of the pieces in cells that are drawn, and so are edges; planes are those of facets.
+  void count_pieces(const Polygons& polygons, const CellOrder& order, const ScreenFacets& seen,
+                    const ScreenPieces& screen) {
+    std::uint64_t corners = 0;
+    for (const std::uint32_t cell : order.cells) {
+      for (const Piece& piece : polygons.cells[cell].bucket) corners += piece.corners.size();
+    }
+    ledger_[Phase::transformation] = {};
+    count_transformation(corners, seen.facets.size(), screen.pieces.linears.size(), ledger_[Phase::transformation]);
   }
 
   void tell(const Polygons& polygons, std::size_t drawn_cells, const ScreenPieces& screen) {

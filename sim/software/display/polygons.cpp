@@ -304,17 +304,18 @@ Polygons clipped(const Facets& facets, const facet::Geometry& geometry, std::siz
 template Polygons clipped(const Facets&, const facet::Geometry&, std::size_t, CountingMethod&);
 template Polygons clipped(const Facets&, const facet::Geometry&, std::size_t, UncountedMethod&);
 
-std::vector<std::uint32_t> front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
-                                         std::uint32_t width, std::uint32_t height) {
-  std::vector<std::uint32_t> order;
+CellOrder front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
+                        std::uint32_t width, std::uint32_t height) {
+  CellOrder order;
   std::vector<std::uint32_t> open{0};
   while (!open.empty()) {
     const std::uint32_t at = open.back();
     open.pop_back();
+    ++order.looked_at;
     const PolygonCell& cell = polygons.cells[at];
     if (is_outside(cell.box, eye, centre, width, height)) continue;
     if (cell.wall == PolygonCell::none) {
-      if (!cell.bucket.empty()) order.push_back(at);
+      if (!cell.bucket.empty()) order.cells.push_back(at);
       continue;
     }
     const facet::Plane& wall = polygons.walls[cell.wall];

@@ -57,8 +57,13 @@ template <class Count>
 Polygons clipped(const Facets& facets, const facet::Geometry& geometry, std::size_t bucket_size, Count& count);
 
 /// Cells with a bucket that is not empty, the nearest first: of two that a ray meets, the one that it meets first.
+struct CellOrder {
+  std::vector<std::uint32_t> cells;
+  std::size_t looked_at = 0;  ///< cells of any kind
+};
+
 /// `centre`: PlaneTable::centre(). What the picture cannot show is left out.
-std::vector<std::uint32_t> front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
-                                         std::uint32_t width, std::uint32_t height);
+CellOrder front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
+                        std::uint32_t width, std::uint32_t height);
 
 }  // namespace csgsim::software

@@ -11,14 +11,15 @@ namespace csgsim::software {
 
 extern const DisplayRow depth_lists_row;
 extern const DisplayRow depth_peeling_row;
+extern const DisplayRow rays_row;
 extern const DisplayRow scan_line_row;
 extern const DisplayRow list_priority_row;
 extern const DisplayRow depth_buffer_row;
 
 namespace {
 
-constexpr std::array display_rows{&depth_lists_row, &list_priority_row, &depth_buffer_row, &scan_line_row,
-                                  &depth_peeling_row};
+constexpr std::array display_rows{&depth_lists_row, &list_priority_row, &depth_buffer_row,
+                                  &scan_line_row,   &depth_peeling_row, &rays_row};
 
 }  // namespace
 

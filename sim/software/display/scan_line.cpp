@@ -162,7 +162,7 @@ class ScanLines {
     for (const std::size_t active : inside_) {
       const ActiveFacet& one = active_[active];
       count_depth(scanning, facets_.opposites_of(*one.facet).size(), facets_.fraction_bits, longs_);
-      scanning(Operation::multiply, 2 * longs_);
+      scanning(Operation::multiply, longs_);
       scanning(Operation::load_long, longs_);
       const std::optional<Event> event = facets_.event_at(*one.facet, column, row_, one.value(column));
       if (event) left_.push_back({*event, active});
@@ -246,7 +246,7 @@ class ScanLines {
   void count_ends(std::size_t opposites) {
     Count& count = ledger_[Phase::scan_conversion];
     const std::uint64_t values = 1 + 2 * opposites;  // the facet's left one was worked out before
-    count(Operation::multiply, 2 * longs_ * values);
+    count(Operation::multiply, longs_ * values);
     count(Operation::load_long, 2 * longs_ * values);
     count(Operation::add_long, longs_ * (values + 2 * opposites));
     count(Operation::compare_long, 4 + 2 * opposites);

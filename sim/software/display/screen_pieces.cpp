@@ -50,6 +50,10 @@ class PieceMaker {
       linears.resize(made.bounds);
       return;
     }
+    // A convex region on which a function is above 0 throughout is no larger without it.
+    const auto first = linears.begin() + static_cast<std::ptrdiff_t>(made.bounds);
+    const auto is_slack = [&](const FixedLinear& bound) { return region.is_surely_at_least(bound, 1); };
+    linears.erase(std::remove_if(first, linears.end(), is_slack), linears.end());
     made.opposites = linears.size();
     for (const FixedLinear& opposite : seen_.opposites_of(*facet)) linears.push_back(opposite);
     made.end = linears.size();

@@ -316,10 +316,10 @@ TEST_CASE("list priority draws each event once, and its wrong pixels have surfac
   Wrong wrong;
   CHECK(rc::check([&] {
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    for (std::uint64_t i = 0; i < 8; ++i) {
+    for (std::uint64_t i = 0; i < 4; ++i) {
       const std::optional<Scene> scene = testing::random_scene(seed + i);
       if (!scene || is_curved(*scene)) continue;
-      const std::string fault = fault_of_priority(*scene, 1 + (seed + i) % 30, wrong);
+      const std::string fault = fault_of_priority(*scene, 4 + (seed + i) % 30, wrong);
       if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
     }
   }));
@@ -327,9 +327,9 @@ TEST_CASE("list priority draws each event once, and its wrong pixels have surfac
   if (!testing::draws_usual_cases()) return;
   CHECK(wrong.faults.coincident > 0);
   CHECK(wrong.faults.three_way > 0);
-  CHECK(wrong.with_depth_buffer.all() < wrong.faults.all());
+  CHECK(wrong.with_depth_buffer.all() < wrong.faults.all() / 20);
   CHECK(wrong.faults.all() < wrong.pixels / 20);
-  CHECK(wrong.lost < wrong.events / 100);
+  CHECK(wrong.lost < wrong.events / 20);
   CHECK(wrong.pieces > 2 * wrong.polygons);
 }
 TEST_CASE("list priority draws the thesis's objects but for surfaces near each other") {
@@ -341,6 +341,10 @@ TEST_CASE("list priority draws the thesis's objects but for surfaces near each o
     }
   }
   tell(wrong);
+  CHECK(wrong.faults.all() > 0);
+  CHECK(wrong.faults.all() < 50);
+  CHECK(wrong.with_depth_buffer.all() == 0);
+  CHECK(wrong.lost == 0);
 }
 
 namespace {
@@ -457,11 +461,11 @@ TEST_CASE("each pixel of a facet is in one of its pieces, whatever the size of b
 TEST_CASE("pieces of different primitives do not cross, and a facet's have its area") {
   std::uint64_t scenes = 0;
   std::uint64_t before = 0;
-  for (std::uint64_t seed = 1; scenes < 40; ++seed) {
+  for (std::uint64_t seed = 1; scenes < 24; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
     if (!scene || is_curved(*scene)) continue;
     const Shown shown(*scene);
-    if (shown.facets.facets.size() > 150) continue;
+    if (shown.facets.facets.size() > 60) continue;
     CAPTURE(seed);
     const software::Polygons polygons = polygons_of(shown, 12);
     const double margin = 1e-6 * scene->geometry.planes.diagonal();
@@ -484,7 +488,7 @@ TEST_CASE("pieces of different primitives do not cross, and a facet's have its a
     }
     ++scenes;
   }
-  CHECK(before > 100);
+  CHECK(before > 50);
 }
 TEST_CASE("a wrong pixel is for what came out of order there") {
   const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {40, 3}, {41, 5}, {60, 7}};

@@ -1,0 +1,207 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/machines/hash.h"
+#include "sim/report/points.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/version.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/methods/rows.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/display/show.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/plot_names.h"
+#include "sim/studies/study.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr unsigned most_display_fragments = 4096;
+constexpr unsigned most_bucket_size = 10'000;
+
+std::vector<std::string> display_methods_in(const std::string& text) {
+  return parse_names(text, "method", software::names_in(software::display_methods()));
+}
+std::vector<unsigned> display_fragments_in(const std::string& text) {
+  return parse_numbers(text, 3, most_display_fragments);
+}
+std::vector<unsigned> bucket_sizes_in(const std::string& text) { return parse_numbers(text, 1, most_bucket_size); }
+
+std::vector<software::Priced> display_processors_in(const std::string& list) {
+  std::vector<software::Priced> processors;
+  for (const std::string& name : parse_words(list)) processors.push_back(software::priced(name));
+  return processors;
+}
+
+/// Exact methods see the same surfaces of the same facets.
+std::string display_difference(std::span<const DisplayStudyRow> rows) {
+  const auto is_judged = [](const DisplayStudyRow& row) {
+    return row.drawn() && software::display_method(row.point.method).is_exact;
+  };
+  for (const DisplayStudyRow& one : rows) {
+    for (const DisplayStudyRow& other : rows) {
+      const bool are_alike =
+          one.point.tolerance == other.point.tolerance && one.point.fragments == other.point.fragments;
+      if (is_judged(one) && is_judged(other) && are_alike && one.surfaces != other.surfaces) {
+        return fmt::format("{} sees other surfaces than {}, of facets {}", other.point.method, one.point.method,
+                           facets_text(one.point));
+      }
+    }
+  }
+  return "";
+}
+
+class Display : public StudyOf<DisplayStudyRow> {
+ public:
+  void add_options(Command& command) override {
+    options_.add_to(command);
+    for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
+      command.remove(of_machines);
+    command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
+        .words(software::names_in(software::display_methods()), is_read_by(display_methods_in));
+    command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
+        .check(is_read_by(tolerances_in))
+        .excludes("--tolerance");
+    command.option("--fragments", fragments_, "Numbers of $fn that curved solids are faceted with, whatever they say")
+        .check(is_read_by(display_fragments_in))
+        .excludes("--tolerances");
+    command.option("--bucket-size", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
+        .check(is_read_by(bucket_sizes_in));
+    command
+        .option("--processors", processors_,
+                "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
+        .check(is_read_by(display_processors_in));
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    std::vector<std::filesystem::path> files = options_.inputs();
+    const std::vector<std::filesystem::path> more = input_files({}, parse_words(processors_));
+    files.insert(files.end(), more.begin(), more.end());
+    return files;
+  }
+  [[nodiscard]] std::set<std::string> varied() const override {
+    return {"methods", "tolerances", "fragments", "bucket-size", "processors"};
+  }
+  [[nodiscard]] std::string table_model() const override { return options_.model; }
+  [[nodiscard]] bool is_of_one_machine() const override { return true; }
+
+  std::vector<Asked> ask() override {
+    machine_ = machine_of(options_);
+    ModelFile file = read_model_file(options_);
+    tree_ = std::move(file.tree);
+    faceting_ = faceting_of(options_, machine_, tree_);
+    inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
+    std::vector<Asked> asked;
+    for (const std::string& method : display_methods_in(methods_)) {
+      const bool has_buckets = method.starts_with("list-priority");
+      for (const unsigned size : has_buckets ? bucket_sizes_in(bucket_sizes_) : std::vector<unsigned>{0})
+        add(method, size);
+    }
+    for (const DisplayPoint& point : points_) asked.push_back({to_line(point), inputs_});
+    return asked;
+  }
+
+  void print() const override {
+    fmt::print("{}: what displaying it facet by facet takes, as in table 5.1 of the thesis\n",
+               printable(shown_name(options_.model)));
+    print_display(rows(), display_processors_in(processors_));
+    if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces, at every pixel.\n");
+  }
+
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    const std::vector<software::Priced> processors = display_processors_in(processors_);
+    const SetPoint columns = setter_of(std::span<const DisplayStudyRow>(rows()));
+    return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
+      columns(json, point);
+      const DisplayStudyRow& row = rows()[point];
+      if (!row.drawn()) return;
+      for (const software::Priced& processor : processors) {
+        if (!processor.processor) continue;
+        const DisplaySeconds seconds = display_seconds(row, processor);
+        nlohmann::ordered_json& told = json["seconds"][processor.name];
+        for (std::size_t phase = 0; phase < software::phases; ++phase)
+          told[software::phase_rows[phase].name] = seconds.of[phase].value_or(0);
+        told["total"] = seconds.total;
+      }
+    });
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override {
+    return plots_of_display(rows(), display_processors_in(processors_), plot_stem(options_.model));
+  }
+
+  [[nodiscard]] std::string page_title() const override { return "What displaying facets takes"; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+
+  void refuse() const override {
+    if (std::ranges::none_of(rows(), &DisplayStudyRow::drawn)) throw InputError(rows().front().reason);
+    if (const std::string difference = display_difference(rows()); !difference.empty())
+      throw InputError(difference + "; " + whose_fault(are_read()));
+  }
+
+ protected:
+  [[nodiscard]] DisplayStudyRow measured(std::size_t number) override {
+    const DisplayPoint& point = points_[number];
+    facet::Faceting faceting = faceting_;
+    if (point.tolerance) faceting = {.tolerance = point.tolerance};
+    if (point.fragments != 0) faceting = {.fragments = point.fragments};
+    const facet::Geometry geometry = facet::make_geometry(tree_, faceting);
+    const view::View view = view::make_view(geometry, tree_, camera_of(options_, machine_, tree_, geometry),
+                                            sampling_of(options_, machine_));
+    return measure_display(point, inputs_, tree_, geometry, view);
+  }
+
+ private:
+  void add(const std::string& method, unsigned bucket_size) {
+    if (!tolerances_.empty()) {
+      for (const double tolerance : tolerances_in(tolerances_)) points_.push_back({method, tolerance, 0, bucket_size});
+    } else if (!fragments_.empty()) {
+      for (const unsigned fragments : display_fragments_in(fragments_))
+        points_.push_back({method, std::nullopt, fragments, bucket_size});
+    } else {
+      points_.push_back({method, std::nullopt, 0, bucket_size});
+    }
+  }
+
+  ModelOptions options_;
+  std::string methods_ = fmt::format("{}", fmt::join(software::names_in(software::display_methods()), ","));
+  std::string tolerances_;
+  std::string fragments_;
+  std::string bucket_sizes_ = "24";
+  std::string processors_ = "mc68000,i486dx2,this-computer";
+  machines::Machine machine_;
+  model::Tree tree_;
+  facet::Faceting faceting_;  ///< of points without facets of their own
+  Inputs inputs_;
+  std::vector<DisplayPoint> points_;
+};
+
+}  // namespace
+
+extern const StudyRow display_row{
+    .name = "display",
+    .does = "Count and price what software takes to draw a model facet by facet, by every method",
+    .example =
+        "  csgsim display crossing_cylinders.csg --size 256x256 --fragments 12,18,24,32\n"
+        "  csgsim display carburettor.csg --methods scan-line,depth-peeling --tolerances 1,0.5 -o out\n"
+        "Methods are those of section 5.2 of the thesis and its rivals, on the integers that machines draw by. Their\n"
+        "operations are counted by kind; a processor's file prices them. Pixels of list priority that are not as\n"
+        "machines draw them are counted by why.",
+    .plots = "a plot (.png, .svg) of seconds by polygons",
+    .folder = Folder::optional,
+    .is_parallel = false,
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Display>()); }};
+
+}  // namespace csgsim::studies

@@ -1,0 +1,99 @@
+#include "sim/studies/display/measure.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/facets/facets.h"
+#include "sim/software/tree/tree.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+void tell(const software::DisplayCounts& counts, DisplayStudyRow& row) {
+  row.polygons = counts.polygons;
+  row.clipped_polygons = counts.pieces;
+  row.drawn_polygons = counts.drawn_polygons;
+  row.cells = counts.cells;
+  row.drawn_cells = counts.drawn_cells;
+  row.overfull_cells = counts.overfull_cells;
+  row.conflicts = counts.conflicts;
+  row.passes = counts.passes;
+  row.spans = counts.spans;
+  row.splits = counts.splits;
+  row.pixel_events = counts.pixel_events;
+  row.points = counts.csg.points;
+  row.evaluations = counts.csg.evaluations;
+  row.list_steps = counts.csg.list_steps;
+  row.list_elements = counts.csg.list_elements;
+  row.words_polygons = counts.words.polygons;
+  row.words_buckets = counts.words.buckets;
+  row.words_pixels = counts.words.pixels;
+  row.words_sequences = counts.words.sequences;
+  row.words = counts.words.all();
+  for (std::size_t phase = 0; phase < software::phases; ++phase) row.operations[phase] = {counts.operations[phase]};
+}
+
+/// The least of several times, five at most, until a fifth of a second has passed.
+void take_time(const software::DisplayRow& method, const software::DisplaySubject& subject, DisplayStudyRow& row) {
+  constexpr unsigned most_times = 5;
+  constexpr double enough = 0.2;
+  row.wall_seconds_preprocessing = row.wall_seconds_drawing = std::numeric_limits<double>::infinity();
+  double spent = 0;
+  for (unsigned i = 0; i < most_times && spent < enough; ++i) {
+    const software::Displayed displayed = method.run(subject, false);
+    row.wall_seconds_preprocessing = std::min(row.wall_seconds_preprocessing, displayed.preprocessing_seconds);
+    row.wall_seconds_drawing = std::min(row.wall_seconds_drawing, displayed.drawing_seconds);
+    spent += displayed.preprocessing_seconds + displayed.drawing_seconds;
+  }
+}
+
+}  // namespace
+
+DisplaySeconds display_seconds(const DisplayStudyRow& row, const software::Priced& processor) {
+  DisplaySeconds seconds;
+  if (!processor.processor) {
+    seconds.of[0] = row.wall_seconds_preprocessing;
+    seconds.total = row.wall_seconds_drawing;
+    return seconds;
+  }
+  for (std::size_t phase = 0; phase < software::phases; ++phase) {
+    seconds.of[phase] = software::seconds(row.operations[phase].operations, *processor.processor);
+    if (phase != 0) seconds.total += *seconds.of[phase];
+  }
+  return seconds;
+}
+
+DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs, const model::Tree& tree,
+                                const facet::Geometry& geometry, const view::View& view) {
+  DisplayStudyRow row;
+  row.point = point;
+  row.inputs = inputs;
+  try {
+    const software::DisplayRow& method = software::display_method(point.method);
+    const software::Tree balanced = software::make_tree(tree, software::Shape::balanced);
+    const software::Facets facets = software::facets_of(tree, geometry);
+    const software::DisplaySubject subject{tree, geometry, view, balanced, facets, point.bucket_size};
+    const software::Displayed displayed = method.run(subject, true);
+    tell(displayed.counts, row);
+    row.primitives = tree.primitives.size();
+    row.halfspaces = geometry.halfspaces();
+    row.wrong = displayed.faults.all();
+    row.wrong_coincident = displayed.faults.coincident;
+    row.wrong_three_way = displayed.faults.three_way;
+    row.wrong_order = displayed.faults.order;
+    row.surfaces = software::hash_of(displayed.picture);
+    take_time(method, subject, row);
+  } catch (const InputError& error) {
+    row = {};
+    row.point = point;
+    row.inputs = inputs;
+    row.reason = escaped(error.what());
+  }
+  return row;
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "host/facet/geometry.h"
+#include "host/model/tree.h"
+#include "host/view/projection.h"
+#include "sim/software/display/phases.h"
+#include "sim/software/work.h"
+#include "sim/studies/classify/operations_cell.h"
+#include "sim/studies/inputs.h"
+
+namespace csgsim::studies {
+
+/// A way to display a model, and how many polygons it has.
+struct DisplayPoint {
+  std::string method;
+  std::optional<double> tolerance;  ///< of facets, model units; none as the model or `fragments` say
+  unsigned fragments = 0;           ///< of a circle; 0 for facets as the model asks for them
+  unsigned bucket_size = 0;         ///< polygons that a bucket takes; 0 for a method without buckets
+
+  static void columns(auto& point, const auto& visit) {
+    visit("method", point.method);
+    visit("tolerance", point.tolerance);
+    visit("fragments", point.fragments);
+    visit("bucket_size", point.bucket_size);
+  }
+};
+
+/// What it takes. Operations are told by kind and by what they are for, so that they can be priced for any processor.
+struct DisplayStudyRow {
+  static constexpr std::size_t point_columns = 4;
+
+  DisplayPoint point;
+  Inputs inputs;
+  std::uint64_t primitives = 0;
+  std::uint64_t halfspaces = 0;
+  std::uint64_t polygons = 0;
+  std::uint64_t clipped_polygons = 0;
+  std::uint64_t drawn_polygons = 0;
+  std::uint64_t cells = 0;
+  std::uint64_t drawn_cells = 0;
+  std::uint64_t overfull_cells = 0;
+  std::uint64_t conflicts = 0;
+  std::uint64_t passes = 0;
+  std::uint64_t spans = 0;
+  std::uint64_t splits = 0;
+  std::uint64_t pixel_events = 0;
+  std::uint64_t points = 0;
+  std::uint64_t evaluations = 0;
+  std::uint64_t list_steps = 0;
+  std::uint64_t list_elements = 0;
+  std::uint64_t words_polygons = 0;
+  std::uint64_t words_buckets = 0;
+  std::uint64_t words_pixels = 0;
+  std::uint64_t words_sequences = 0;
+  std::uint64_t words = 0;
+  std::uint64_t wrong = 0;
+  std::uint64_t wrong_coincident = 0;
+  std::uint64_t wrong_three_way = 0;
+  std::uint64_t wrong_order = 0;
+  std::array<OperationsCell, software::phases> operations{};
+  double wall_seconds_preprocessing = 0;
+  double wall_seconds_drawing = 0;
+  std::string surfaces;  ///< hash of depth and owner of every pixel
+  std::string reason;
+
+  [[nodiscard]] bool drawn() const { return reason.empty(); }
+
+  static void columns(auto& row, const auto& visit) {
+    DisplayPoint::columns(row.point, visit);
+    Inputs::columns(row.inputs, visit);
+    visit("primitives", row.primitives);
+    visit("halfspaces", row.halfspaces);
+    visit("polygons", row.polygons);
+    visit("clipped_polygons", row.clipped_polygons);
+    visit("drawn_polygons", row.drawn_polygons);
+    visit("cells", row.cells);
+    visit("drawn_cells", row.drawn_cells);
+    visit("overfull_cells", row.overfull_cells);
+    visit("conflicts", row.conflicts);
+    visit("passes", row.passes);
+    visit("spans", row.spans);
+    visit("splits", row.splits);
+    visit("pixel_events", row.pixel_events);
+    visit("points", row.points);
+    visit("evaluations", row.evaluations);
+    visit("list_steps", row.list_steps);
+    visit("list_elements", row.list_elements);
+    visit("words_polygons", row.words_polygons);
+    visit("words_buckets", row.words_buckets);
+    visit("words_pixels", row.words_pixels);
+    visit("words_sequences", row.words_sequences);
+    visit("words", row.words);
+    visit("wrong", row.wrong);
+    visit("wrong_coincident", row.wrong_coincident);
+    visit("wrong_three_way", row.wrong_three_way);
+    visit("wrong_order", row.wrong_order);
+    visit("operations_preprocessing", row.operations[0]);
+    visit("operations_transformation", row.operations[1]);
+    visit("operations_sorting", row.operations[2]);
+    visit("operations_scan_conversion", row.operations[3]);
+    visit("operations_depth_test", row.operations[4]);
+    visit("operations_initialisation", row.operations[5]);
+    visit("wall_seconds_preprocessing", row.wall_seconds_preprocessing);
+    visit("wall_seconds_drawing", row.wall_seconds_drawing);
+    visit("surfaces", row.surfaces);
+    visit("reason", row.reason);
+  }
+};
+
+/// Seconds as table 5.1 of the thesis has them. Of this computer, preprocessing and total are measured alone.
+struct DisplaySeconds {
+  std::array<std::optional<double>, software::phases> of{};
+  double total = 0;  ///< of all but preprocessing
+
+  [[nodiscard]] double preprocessing() const { return of[0].value_or(0); }
+};
+
+DisplaySeconds display_seconds(const DisplayStudyRow& row, const software::Priced& processor);
+
+/// Draws a model from a camera, once counting and then to take the time. A method that cannot is a row that says why.
+DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs, const model::Tree& tree,
+                                const facet::Geometry& geometry, const view::View& view);
+
+}  // namespace csgsim::studies
