@@ -91,7 +91,6 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "reflections"},
     {varied, "flatness", "LIST"},
     {varied, "repairs", "LIST"},
-    {varied, "bucket-size", "LIST"},
     {varied, "processors", "LIST", FileRole::processors},
     {varied, "levels"},
     {varied, "subdivisions"},

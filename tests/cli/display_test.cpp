@@ -48,7 +48,7 @@ TEST_CASE("display counts by every method with more and more polygons, and all e
 TEST_CASE("display facets by tolerances, with buckets of several sizes, and measures nothing twice") {
   const Folder folder;
   const std::string few = " --methods list-priority,scan-line --tolerances 2,0.5 --no-plots -o " + (folder / "d");
-  REQUIRE(run(display(few + " --bucket-size 6,24")).code == 0);
+  REQUIRE(run(display(few + " --bucket-sizes 6,24")).code == 0);
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   REQUIRE(points.size() == 6);
   CHECK(points[0]["tolerance"] == 2);
@@ -56,7 +56,7 @@ TEST_CASE("display facets by tolerances, with buckets of several sizes, and meas
   CHECK(points[0]["cells"] > points[2]["cells"]);
   CHECK(points[4]["bucket_size"] == 0);
   const std::string table = content(folder / "d/display.csv");
-  REQUIRE(run(display(few + " --bucket-size 6,24 --processors mc68000")).code == 0);
+  REQUIRE(run(display(few + " --bucket-sizes 6,24 --processors mc68000")).code == 0);
   CHECK(content(folder / "d/display.csv") == table);
 }
 
@@ -87,7 +87,7 @@ TEST_CASE("shards of display are gathered to the table of one run, and what it d
   REQUIRE(run("gather " + (folder / "s")).code == 0);
   CHECK(json(folder / "s/display.json")["points"].size() == 2);
   misused(display(" --methods scanline"), "did you mean scan-line");
-  misused(display(" --bucket-size 0"), "--bucket-size");
+  misused(display(" --bucket-sizes 0"), "--bucket-sizes");
   misused(display(" --fragments 2"), "--fragments");
   const Outcome curved = run(display(" --curves exact --machine pixel-planes-5"));
   CHECK(curved.code != 0);

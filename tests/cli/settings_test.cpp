@@ -98,7 +98,6 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"alu-bits", "2"},
                                                  {"memory-bits", "96"},
                                                  {"methods", "\"standard\""},
-                                                 {"bucket-size", "\"12\""},
                                                  {"coherences", "\"one-list\""},
                                                  {"shapes", "\"written\""},
                                                  {"reduced", "\"cells\""},

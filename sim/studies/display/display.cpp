@@ -77,7 +77,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     command.option("--fragments", fragments_, "Numbers of $fn that curved solids are faceted with, whatever they say")
         .check(is_read_by(display_fragments_in))
         .excludes("--tolerances");
-    command.option("--bucket-size", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
+    command.option("--bucket-sizes", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
         .check(is_read_by(bucket_sizes_in));
     command
         .option("--processors", processors_,
@@ -92,7 +92,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     return files;
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    return {"methods", "tolerances", "fragments", "bucket-size", "processors"};
+    return {"methods", "tolerances", "fragments", "bucket-sizes", "processors"};
   }
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
