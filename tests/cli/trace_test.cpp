@@ -39,7 +39,7 @@ TEST_CASE("trace counts by every directory, rays and item buffer, prices the par
     CHECK(seconds["all"] > point["seconds"]["i486dx2"]["all"]);
     CHECK((point["shadow_rays"] > 0) == (point["cast"] != "primary"));
     CHECK((point["mirror_rays"] > 0) == (point["cast"] == "mirror"));
-    const bool has_items = point["item_buffer"] == "on";
+    const bool has_items = point["item_buffer"] == "with";
     if (has_items && point["cast"] == "primary") CHECK(point["facet_tests"] == point["hit_rays"]);
     CHECK((seconds["projection"] > 0) == has_items);
     std::istringstream counts(point["rays_by_cells"].get<std::string>());
@@ -57,8 +57,8 @@ TEST_CASE("trace counts by every directory, rays and item buffer, prices the par
 TEST_CASE("trace varies buckets and tolerances, with a plot of each") {
   const Folder folder;
   const Outcome outcome =
-      run(trace(" --directories excell --bucket-sizes 2,8 --cast primary --item-buffer off "
-                "--mailboxes off,on --tolerances 1,0.1 --processors mc68000 -o " +
+      run(trace(" --directories excell --bucket-sizes 2,8 --cast primary --item-buffer without "
+                "--mailboxes without,with --tolerances 1,0.1 --processors mc68000 -o " +
                 (folder / "t")));
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
@@ -91,7 +91,7 @@ TEST_CASE("shards of trace are gathered to the table of one run") {
 TEST_CASE("trace refuses what it does not know, with the nearest that there is") {
   misused(trace(" --directories excel"), "did you mean excell");
   misused(trace(" --cast shadows"), "did you mean shadow");
-  misused(trace(" --item-buffer yes"), "on");
+  misused(trace(" --item-buffer wihtout"), "did you mean without");
   misused(trace(" --bucket-sizes 0"), "1");
   misused(trace(" --processors mc68001"), "mc68000");
   misused(trace(" --reflections 5"), "4");

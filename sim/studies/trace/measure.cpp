@@ -123,8 +123,8 @@ TraceSubject::TraceSubject(const model::Tree& model, facet::Geometry geometry, v
 
 software::TraceOptions TraceSubject::options_of(const TracePoint& point) const {
   software::TraceOptions options;
-  options.has_item_buffer = point.item_buffer == "on";
-  options.has_mailboxes = point.mailboxes == "on";
+  options.has_item_buffer = point.item_buffer == "with";
+  options.has_mailboxes = point.mailboxes == "with";
   options.has_shadows = point.cast != "primary";
   options.mirror_depth = point.cast == "mirror" ? mirror_depth_ : 0;
   options.lights = lights_;

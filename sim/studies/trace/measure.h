@@ -23,8 +23,8 @@ struct TracePoint {
   std::string directory;
   std::uint32_t bucket_size = 0;    ///< facets of a cell
   std::string cast;                 ///< rays: primary; shadow, these too; mirror, all three
-  std::string item_buffer;          ///< on or off
-  std::string mailboxes;            ///< on or off
+  std::string item_buffer;          ///< with or without
+  std::string mailboxes;            ///< with or without
   std::optional<double> tolerance;  ///< model units, that curved solids are faceted with; the options' if empty
 
   bool operator==(const TracePoint&) const = default;

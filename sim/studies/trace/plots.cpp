@@ -26,7 +26,7 @@ void add(plots::Chart& chart, const std::string& name, std::size_t panel, const 
 std::vector<const TraceRow*> plain(Rows rows) {
   std::vector<const TraceRow*> found;
   for (const TraceRow& row : rows) {
-    if (row.drawn() && row.point.item_buffer == "off" && row.point.cast == rows.front().point.cast &&
+    if (row.drawn() && row.point.item_buffer == "without" && row.point.cast == rows.front().point.cast &&
         row.point.mailboxes == rows.front().point.mailboxes)
       found.push_back(&row);
   }

@@ -30,7 +30,7 @@ namespace {
 constexpr unsigned most_mirror_depth = 4;
 
 const std::vector<std::string> cast_names{"primary", "shadow", "mirror"};
-const std::vector<std::string> switch_names{"off", "on"};
+const std::vector<std::string> switch_names{"without", "with"};
 
 std::vector<std::string> directories_in(const std::string& text) {
   return parse_names(text, "directory", software::names_in(software::directories()));
@@ -195,8 +195,8 @@ class Trace : public StudyOf<TraceRow> {
   std::string directories_ = "excell,excell-recursive,boxes,octree,grid,kd-tree,bvh";
   std::string bucket_sizes_ = "8";
   std::string cast_ = "primary,shadow,mirror";
-  std::string item_buffer_ = "off,on";
-  std::string mailboxes_ = "on";
+  std::string item_buffer_ = "without,with";
+  std::string mailboxes_ = "with";
   std::string tolerances_;
   std::string processors_ = "mc68000,i486dx2,this-computer";
   unsigned reflections_ = 1;
@@ -215,7 +215,8 @@ extern const StudyRow trace_row{
     .does = "Count and price what ray tracing a model takes, by every directory of its facets",
     .example =
         "  csgsim trace carburettor.csg --camera 220,-255,135,2,0,5 --size 256x256\n"
-        "  csgsim trace carburettor.csg --directories excell --bucket-sizes 1..24 --cast primary --item-buffer off -o "
+        "  csgsim trace carburettor.csg --directories excell --bucket-sizes 1..24 --cast primary --item-buffer without "
+        "-o "
         "out\n"
         "Rays find the facets near them by EXCELL, the spatial directory of the thesis, or by a rival. Pictures are "
         "the\n"

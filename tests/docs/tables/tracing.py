@@ -1,0 +1,106 @@
+"""docs/tracing.md: table 5.2 and figures 5.7 to 5.9 of the thesis, whose own figures stand in italics, and rivals of EXCELL."""
+
+from figures import THESIS_MODELS, point, ruled
+from tables.software import italic, three_digits, whole
+
+CAST = ("primary", "shadow", "mirror")
+NAMES = {"primary": "primary rays", "shadow": "and to lights", "mirror": "and in mirrors"}
+DIRECTORIES = ("excell", "excell-recursive", "boxes", "octree", "grid", "kd-tree", "bvh")
+BUCKETS = (1, 2, 4, 6, 8, 12, 16, 20, 24)
+TOLERANCES = "2,0.5,0.1,0.02,0.005"
+# Without and with item buffer: facets tested a ray, facets met a ray, minutes.
+TABLE_5_2 = {"primary": (("15.70", "0.32"), ("0.59", "0.32"), ("81.88", "18.12")),
+             "shadow": (("22.36", "6.95"), ("1.23", "0.96"), ("109.06", "46.18")),
+             "mirror": (("29.58", "14.20"), ("1.83", "1.55"), ("140.35", "76.55"))}
+
+
+def excell(figures, model):
+    """Points of EXCELL, all rays, with and without item buffer."""
+    return figures.trace(model, "--directories excell")
+
+
+def minutes(one):
+    return one.seconds.mc68000.all / 60
+
+
+def a_ray(one, key):
+    return f"{one[key] / one.rays:.2f}"
+
+
+def table_5_2(figures):
+    rows = []
+    for cast in CAST:
+        measures = (("facets tested a ray", lambda one: a_ray(one, "facet_tests")), ("facets met a ray", lambda one: a_ray(one, "facets_met")),
+                    ("mc68000, minutes", lambda one: three_digits(minutes(one))))
+        for (name, get), theirs in zip(measures, TABLE_5_2[cast]):
+            cells = [italic(each) for each in theirs]
+            for model in THESIS_MODELS:
+                cells += [get(point(excell(figures, model), cast=cast, item_buffer=buffer)) for buffer in ("without", "with")]
+            rows.append((f"{NAMES[cast]}: {name}", *cells))
+    head = ["without, with item buffer", "*thesis*", ""]
+    for model in THESIS_MODELS:
+        head += [model, ""]
+    return ruled(head, rows)
+
+
+def primary(figures, model):
+    """Points of all directories, primary rays without item buffer."""
+    return figures.trace(model, f"--directories {','.join(DIRECTORIES)} --cast primary --item-buffer without")
+
+
+def directories(figures):
+    rows = []
+    for model in THESIS_MODELS:
+        for directory in DIRECTORIES:
+            one = point(primary(figures, model), directory=directory)
+            seconds = one.seconds.mc68000
+            rows.append((f"{model}, `{directory}`", whole(one.cells), a_ray(one, "cell_visits"), a_ray(one, "facet_tests"),
+                         *(three_digits(each) for each in (seconds.traversal, seconds.intersection, seconds.all, one.seconds.i486dx2.all)),
+                         three_digits(seconds.build), whole(one.directory_words + one.bucket_words)))
+    return ruled(("primary rays", "cells", "cells a ray", "facets tested a ray", "mc68000, s: cells", "facets", "all", "i486dx2, s",
+                  "mc68000, s: building", "words"), rows)
+
+
+def histogram(figures):
+    """Rays by cells: shares of all, in EXCELL."""
+    rows = []
+    most = 16
+    for model in THESIS_MODELS:
+        one = point(primary(figures, model), directory="excell")
+        counts = [int(each) for each in one.rays_by_cells.split()]
+        shares = [100 * each / one.rays for each in counts]
+        groups = [sum(shares[first:last]) for first, last in ((0, 1), (1, 3), (3, 5), (5, 9), (9, most + 1), (most + 1, len(shares)))]
+        rows.append((model, a_ray(one, "cell_visits"), *(f"{each:.1f}" for each in groups)))
+    return ruled(("EXCELL, % of rays", "cells a ray", "none", "1 to 2", "3 to 4", "5 to 8", "9 to 16", "more"), rows)
+
+
+def buckets(figures):
+    points = figures.trace("carburettor", f"--directories excell --cast primary --item-buffer without --bucket-sizes {','.join(map(str, BUCKETS))}",
+                           "mc68000")
+    rows = []
+    for size in BUCKETS:
+        one = point(points, bucket_size=size)
+        seconds = one.seconds.mc68000
+        rows.append((size, whole(one.cells), whole(one.directory_words + one.bucket_words), a_ray(one, "cell_visits"), a_ray(one, "facet_tests"),
+                     *(three_digits(each) for each in (seconds.traversal, seconds.intersection, seconds.classification + seconds.shading, seconds.all,
+                                                       seconds.build))))
+    return ruled(("facets in a bucket", "cells", "words", "cells a ray", "facets tested a ray", "s: cells", "facets", "classification and shading",
+                  "all", "building"), rows)
+
+
+GROWING = ("excell", "boxes", "octree", "grid", "kd-tree", "bvh")
+
+
+def growing(figures):
+    """Points of the carburettor by tolerance."""
+    return figures.trace("carburettor", f"--directories {','.join(GROWING)} --cast primary --item-buffer without --tolerances {TOLERANCES}", "mc68000")
+
+
+def polygons(figures):
+    rows = []
+    points = growing(figures)
+    for tolerance in (float(each) for each in TOLERANCES.split(",")):
+        own = [point(points, directory=directory, tolerance=tolerance) for directory in GROWING]
+        rows.append((whole(own[0].polygons), *(three_digits(each.seconds.mc68000.all) for each in own), a_ray(own[0], "facet_tests"),
+                     a_ray(own[1], "facet_tests")))
+    return ruled(("mc68000, s, by polygons", *GROWING, "facets tested, excell", "boxes"), rows, numbers_from=0)
