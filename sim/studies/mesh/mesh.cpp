@@ -165,9 +165,9 @@ extern const StudyRow mesh_row{
     .example =
         "  csgsim mesh patch.jan\n"
         "  csgsim mesh vase.jan --tolerances 0.1,0.05 --flatness plane,sides -o out\n"
-        "Surfaces are those of a file of commands; docs/sweeps.md has the language. Both repairs make the same mesh; "
-        "the\n"
-        "filter holds what is next to the border of what has come, the quadtree holds all.",
+        "Surfaces are those of a file of commands: docs/sweeps.md. Both repairs make\n"
+        "the same mesh; the filter holds what the border of what has come runs along,\n"
+        "the quadtree holds all.",
     .plots = "plots (.png, .svg) of elements by tolerance",
     .folder = Folder::optional,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Mesh>()); }};

@@ -370,3 +370,32 @@ TEST_CASE("the quadtree with its neighbours makes the same mesh, and holds all o
     RC_ASSERT(kept.counts.most_vertices == kept.counts.vertices);
   }));
 }
+
+TEST_CASE("between patches no vertex is on a side that does not have it, by either repair") {
+  CHECK(rc::check([] {
+    const auto surface = swept::surface_of(random_net(5, 6, 40));
+    const auto way = *rc::gen::element(swept::Repair::filter, swept::Repair::quadtree);
+    const swept::Patchwork made = swept::patchwork_of(*surface, {1.0}, way);
+    std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+    for (const auto& element : made.elements) {
+      for (std::size_t i = 0; i < element.size(); ++i)
+        RC_ASSERT(edges.emplace(element[i], element[(i + 1) % element.size()]).second);
+    }
+    // The patches' parameters are x and y, from 10 to 40 and to 30.
+    const auto is_at = [](double value, double edge) { return std::abs(value - edge) < 1e-6; };
+    std::size_t outer = 0;
+    for (const auto& [from, to] : edges) {
+      if (edges.contains({to, from})) continue;
+      ++outer;
+      const glm::dvec3& a = made.points[from];
+      const glm::dvec3& b = made.points[to];
+      RC_ASSERT((is_at(a.x, b.x) && (is_at(a.x, 10) || is_at(a.x, 40))) ||
+                (is_at(a.y, b.y) && (is_at(a.y, 10) || is_at(a.y, 30))));
+    }
+    RC_ASSERT(outer >= 10U);
+    RC_ASSERT(made.repair.vertices == made.points.size());
+    // Euler: faces, edges and vertices of a disc.
+    const auto sides = static_cast<std::int64_t>((edges.size() + outer) / 2);
+    RC_ASSERT(static_cast<std::int64_t>(made.points.size() + made.elements.size()) - sides == 1);
+  }));
+}

@@ -39,8 +39,8 @@ TEST_CASE("corners of a patch's elements are points of the surface") {
       for (std::size_t column = 0; column < 3; ++column) {
         for (const swept::Element& leaf : leaves_of(*surface, column, row, {0.5})) {
           for (std::uint32_t corner = 0; corner < 4; ++corner) {
-            const double u = leaf.square.x + (corner % 2) * leaf.square.size;
-            const double v = leaf.square.y + (corner / 2) * leaf.square.size;
+            const double u = static_cast<double>(leaf.square.x + (corner % 2) * leaf.square.size);
+            const double v = static_cast<double>(leaf.square.y + (corner >> 1U) * leaf.square.size);
             const glm::dvec3 expected = by_basis(net, static_cast<double>(column) + u / swept::whole_side,
                                                  static_cast<double>(row) + v / swept::whole_side);
             RC_ASSERT(glm::distance(leaf.corners[corner], expected) < 1e-10);
