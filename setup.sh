@@ -46,7 +46,7 @@ TEXT
 
 build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libpng-dev
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
-  libcgal-dev libpolyclipping-dev libpugixml-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
+  libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"

@@ -18,6 +18,9 @@ pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO)
 pkg_check_modules(polyclipping REQUIRED IMPORTED_TARGET GLOBAL polyclipping)
 find_package(pugixml REQUIRED)
 
+# Of zipped meshes; the static library, which no start has to load.
+find_library(CSGSIM_MINIZIP libminizip.a REQUIRED)
+
 # Of the module of text.
 pkg_check_modules(fontconfig REQUIRED IMPORTED_TARGET GLOBAL fontconfig)
 pkg_check_modules(freetype REQUIRED IMPORTED_TARGET GLOBAL freetype2)

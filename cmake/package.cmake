@@ -26,6 +26,6 @@ set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "Headers, static libraries, the CMak
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libcsgsim-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "csgsim (= ${PROJECT_VERSION})" libboost-dev libfmt-dev libglm-dev
-  libhwy-dev libpng-dev libpolyclipping-dev libpugixml-dev libsystemc-dev libtomlplusplus-dev nlohmann-json3-dev
+  libhwy-dev libminizip-dev libpng-dev libpolyclipping-dev libpugixml-dev libsystemc-dev libtomlplusplus-dev nlohmann-json3-dev
   tao-pegtl-dev zlib1g-dev)
 include(CPack)

@@ -32,6 +32,28 @@ std::vector<bool> differing(const std::vector<Operand>& operands) {
 
 constexpr Known outside{true, {false, false}};
 
+std::vector<bool> used_operands(const LocalTree& tree, std::size_t count) {
+  std::vector<bool> is_used(count, false);
+  for (const LocalTree::Node& node : tree.nodes())
+    if (node.kind == LocalTree::Node::Kind::leaf) is_used[node.operand] = true;
+  return is_used;
+}
+
+/// Leaves out the operands that nothing depends on any more.
+void drop_unused(LocalTree& tree, std::vector<Operand>& operands) {
+  const std::vector<bool> is_used = used_operands(tree, operands.size());
+  std::vector<std::uint32_t> numbers(operands.size(), 0);
+  std::uint32_t kept = 0;
+  for (std::size_t i = 0; i < operands.size(); ++i) {
+    if (operands[i].known.is_known || !(is_used[i] || operands[i].owns)) continue;
+    numbers[i] = kept;
+    if (kept != i) operands[kept] = std::move(operands[i]);
+    ++kept;
+  }
+  operands.resize(kept);
+  tree.renumber(numbers);
+}
+
 }  // namespace
 
 Known Division::value_in(const Operand& operand) const {
@@ -83,9 +105,7 @@ Region Division::section(const Region& region, const Operand& operand) {
 
 Division::Fate Division::divide(const Region& region, const LocalTree& tree, std::vector<Operand> operands) {
   const Bounds bounds = sheet_.bounds(region);
-  std::vector<bool> is_used(operands.size(), false);
-  for (const LocalTree::Node& node : tree.nodes())
-    if (node.kind == LocalTree::Node::Kind::leaf) is_used[node.operand] = true;
+  const std::vector<bool> is_used = used_operands(tree, operands.size());
   std::size_t cutting = 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {
     Operand& operand = operands[i];
@@ -99,9 +119,10 @@ Division::Fate Division::divide(const Region& region, const LocalTree& tree, std
   std::vector<Known> known = knowns(operands);
   for (std::size_t i = 0; i < operands.size(); ++i)
     if (operands[i].owns) known[i] = outside;
-  const LocalTree left = tree.reduced(known, differing(operands));
+  LocalTree left = tree.reduced(known, differing(operands));
   if (left.value().is_known && left.value().value.behind == left.value().value.before) return Fate::none;
   if (!left.value().is_known && !left.may_differ()) return Fate::none;
+  drop_unused(left, operands);
   Fate fate = Fate::none;
   if (cutting > most_cutting && halve(region, bounds, left, operands, fate)) return fate;
   for (std::size_t i = 0; i < operands.size(); ++i) {

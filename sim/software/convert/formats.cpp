@@ -8,7 +8,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-constexpr std::array<const Format*, 2> rows{&stl_format, &off_format};
+constexpr std::array<const Format*, 3> rows{&stl_format, &off_format, &three_mf_format};
 
 bool ends_so(std::string_view path, std::string_view ending) {
   const auto is_same = [](char one, char other) { return std::tolower(static_cast<unsigned char>(one)) == other; };

@@ -24,6 +24,7 @@ struct Format {
 
 extern const Format stl_format;
 extern const Format off_format;
+extern const Format three_mf_format;
 
 std::span<const Format* const> formats();
 

@@ -89,6 +89,11 @@ LocalTree::LocalTree(const csg::PositiveTree& tree, const csg::TreePaths& paths,
   }
 }
 
+void LocalTree::renumber(std::span<const std::uint32_t> numbers) {
+  for (Node& node : nodes_)
+    if (node.kind == Kind::leaf) node.operand = numbers[node.operand];
+}
+
 LocalTree LocalTree::reduced(std::span<const Known> operands, const std::vector<bool>& may_differ) const {
   LocalTree result;
   if (value_.is_known) {

@@ -44,6 +44,9 @@ class LocalTree {
   /// plane than before it.
   [[nodiscard]] LocalTree reduced(std::span<const Known> operands, const std::vector<bool>& may_differ) const;
 
+  /// The same with operands of other numbers: `numbers` has the new one of each.
+  void renumber(std::span<const std::uint32_t> numbers);
+
   /// None if the value depends on operands; else it is the same wherever they are.
   [[nodiscard]] const Known& value() const { return value_; }
   /// Whether the value behind the plane and before it may differ.

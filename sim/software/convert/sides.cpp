@@ -11,6 +11,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "host/facet/geometry.h"
+
 namespace csgsim::software::convert {
 
 namespace {
@@ -33,7 +35,10 @@ std::uint64_t key_of(const Side& side) { return static_cast<std::uint64_t>(side[
 class PointsOnLines {
  public:
   PointsOnLines(const std::vector<glm::dvec3>& points, const std::vector<bool>& is_used, double tolerance)
-      : points_(points), tolerance_(tolerance), tree_(items(points, is_used)) {}
+      : points_(points),
+        tolerance_(tolerance),
+        size_(facet::box_of(points).diagonal()),
+        tree_(items(points, is_used)) {}
 
   [[nodiscard]] std::vector<std::uint32_t> between(std::uint32_t from, std::uint32_t to) const {
     const glm::dvec3 start = points_[from];
@@ -44,7 +49,7 @@ class PointsOnLines {
     const glm::dvec3 across = glm::abs(way);
     const double widest = std::max({across.x, across.y, across.z});
     const double second = across.x + across.y + across.z - widest - std::min({across.x, across.y, across.z});
-    const int pieces = second > tolerance_ ? 8 : 1;
+    const int pieces = second > tolerance_ ? static_cast<int>(std::ceil(8.0 * std::min(1.0, 4.0 * length / size_))) : 1;
     for (int piece = 0; piece < pieces; ++piece) {
       const glm::dvec3 one = start + way * (static_cast<double>(piece) / pieces);
       const glm::dvec3 other = start + way * (static_cast<double>(piece + 1) / pieces);
@@ -76,6 +81,7 @@ class PointsOnLines {
 
   const std::vector<glm::dvec3>& points_;
   double tolerance_;
+  double size_;  ///< of all points
   Tree tree_;
 };
 
