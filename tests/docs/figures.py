@@ -61,6 +61,7 @@ class Figures:
         of = cylinders if model == "cylinders" else self.model(model)
         return self.runs.run(f"csgsim display {of}{PERSPECTIVE} --processors mc68000,i486dx2 {options} --no-plots --progress none "
                              "-o $OUT/display").json("display/display.json").points
+
     def trace(self, model, options, processors="mc68000,i486dx2"):
         """The points of csgsim trace of a picture of 256 x 256, in perspective."""
         return self.runs.run(f"csgsim trace {self.model(model)}{PERSPECTIVE} --size 256x256 --processors {processors} {options} "
@@ -101,8 +102,7 @@ class Figures:
 
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "classify", "display", "sweep", "accuracy", "subdivide", "mesh", "effects", "shown", "advise", "curved", "examples")
-        own = ("render", "clocks", "compare", "classify", "trace", "sweep", "accuracy", "subdivide", "effects", "shown", "advise", "curved", "examples")
+        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "mesh", "effects", "shown", "advise", "curved", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 
