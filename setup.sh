@@ -27,6 +27,8 @@ Usage: ./setup.sh COMMAND
   docs [OPTIONS...]
          make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
+  reproduce
+         make every table of the thesis again, ours beside its own, and show what changed: docs/reproduction.md
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   report-test
@@ -225,6 +227,7 @@ case "${1:-}" in
     shift
     docs "$@"
     ;;
+  reproduce) docs --page docs/reproduction.md --exact ;;
   performance) performance ;;
   build)
     # shellcheck disable=SC2086
