@@ -117,7 +117,7 @@ struct Topic {
 
 constexpr std::array topics{
     Topic{"machines", "the machines; of one that is named every figure, with where it comes from", print_machines},
-    Topic{"methods", "the methods of software that csgsim classify and display count, with their sources", print_methods},
+    Topic{"methods", "what csgsim classify, display and trace count, with sources", print_methods},
     Topic{"processors", "the processors that these are priced for; of one that is named every figure",
           print_processors},
     Topic{"instructions", "the page of the broadcast instruction set, in Markdown",

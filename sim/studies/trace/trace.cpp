@@ -183,6 +183,7 @@ class Trace : public StudyOf<TraceRow> {
     facet::Faceting faceting =
         tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_of(options_, machine_, tree_);
     faceting.exact_curves = false;
+    faceting.fast_spheres = false;
     facet::Geometry geometry = facet::make_geometry(tree_, faceting);
     view::View view = view::make_view(geometry, tree_, camera_of(options_, machine_, tree_, geometry),
                                       sampling_of(options_, machine_));

@@ -114,6 +114,56 @@ TEST_CASE("ray tracing sees what the rules say of the thesis's objects, and next
   MESSAGE(tally.tested, " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets);
   CHECK(tally.loose_facets < tally.facets / 20);
 }
+TEST_CASE("what is counted of primary rays is what cells and facets say") {
+  for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
+    CAPTURE(one.name);
+    const Scene scene = testing::thesis_scene(one, 40, 30);
+    const software::Tree tree = software::make_tree(scene.tree, software::Shape::balanced);
+    const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
+    const auto met = [&](const char* directory, bool has_mailboxes) {
+      const auto space = software::directory_of(directory).make(traced_scene.shapes(), {6});
+      software::TraceOptions options;
+      options.has_mailboxes = has_mailboxes;
+      return software::trace(traced_scene, *space, options, true).counts.primary;
+    };
+    const software::RaysMet all = met("none", true);
+    CHECK(all.rays == 40 * 30);
+    CHECK(all.cells == all.rays);
+    CHECK(all.tested - all.loose == all.rays * traced_scene.shapes().placed().size());
+    const software::RaysMet points = met("excell", true);
+    const software::RaysMet halves = met("excell-recursive", true);
+    CHECK(points.cells == halves.cells);
+    CHECK(points.tested == halves.tested);
+    CHECK(points.rays_by_cells == halves.rays_by_cells);
+    CHECK(points.hits == all.hits);
+    CHECK(points.met <= all.met);
+    const software::RaysMet again = met("excell", false);
+    CHECK(again.repeats == 0);
+    CHECK(again.tested == points.tested + points.repeats);
+    CHECK(again.met >= points.met);
+    std::uint64_t rays = 0;
+    std::uint64_t cells = 0;
+    for (std::size_t i = 0; i < points.rays_by_cells.size(); ++i) {
+      rays += points.rays_by_cells[i];
+      cells += i * points.rays_by_cells[i];
+    }
+    CHECK(rays == points.rays);
+    CHECK(cells == points.cells);
+  }
+}
+TEST_CASE("the rays that meet a box alone are held against its six facets, in one cell") {
+  const view::Camera front{{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic};
+  const Scene scene = scene_of("cube(size=[8,8,8],center=true);", front, 64, 64);
+  const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
+  const software::TraceScene traced_scene(scene.tree, scene.geometry, scene.view, tree);
+  const auto space = software::directory_of("excell").make(traced_scene.shapes(), {6});
+  const software::RaysMet met = software::trace(traced_scene, *space, {}, true).counts.primary;
+  CHECK(met.hits > 200);
+  CHECK(met.cells >= met.hits);
+  CHECK(met.cells <= met.hits + 4 * 64);  // the cell reaches a little beyond the box
+  CHECK(met.tested == 6 * met.cells);
+  CHECK(met.met == 2 * met.hits);
+}
 TEST_CASE("ray tracing sees nothing of an empty model, and of what is behind the eye") {
   Tally tally;
   const view::Camera aside{{18, -25, 21}, {0, 0, 0}, view::Projection::perspective};
