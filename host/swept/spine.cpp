@@ -124,6 +124,22 @@ double Spine::part_of_length(std::size_t segment, double t) const {
   return (lengths_[segment] + there) / lengths_.back();
 }
 
+bool Spine::is_short(std::size_t segment, double from, double to) const {
+  const bool is_even = rotation_.front().degree == 0 && scale_.front().degree == 0;
+  if (is_even) return true;
+  const double begin = part_of_length(segment, from);
+  const double length = part_of_length(segment, to) - begin;
+  const std::size_t pieces = std::max(rotation_.size(), scale_.size());
+  if (pieces > 1 && length * static_cast<double>(pieces) > 1) return false;
+  constexpr int steps = 8;
+  constexpr double right_angle = 90;
+  double turn = 0;
+  for (int i = 0; i < steps; ++i)
+    turn +=
+        std::abs(value(rotation_, begin + length * (i + 1) / steps).x - value(rotation_, begin + length * i / steps).x);
+  return turn <= right_angle;
+}
+
 Plane Spine::joint_plane(std::size_t number) const {
   const auto place = static_cast<double>(number);
   const glm::dvec3 tangent = path_.tangent(place);

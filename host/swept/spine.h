@@ -38,6 +38,10 @@ class Spine {
   /// At the start of a segment, or behind the last one.
   [[nodiscard]] const Section& joint(std::size_t number) const { return joints_[number]; }
 
+  /// Whether a part of a segment is so short that its ends and its middle tell how it is turned and scaled: by a right
+  /// angle at most, and by no more than a piece of each function.
+  [[nodiscard]] bool is_short(std::size_t segment, double from, double to) const;
+
   /// The part of the trajectory's length, 0 to 1, up to there.
   [[nodiscard]] double part_of_length(std::size_t segment, double t) const;
 

@@ -29,6 +29,7 @@ struct TrajectoryNode {
   Section start;
   Section middle;
   Section end;
+  bool is_short = true;  ///< see Spine::is_short
   TrajectoryNode* halves = nullptr;
 };
 
@@ -85,7 +86,8 @@ class SweptShape {
     for (int i = 0; i < 5; ++i) counts.arithmetic += point_arithmetic;
     const glm::dvec3 middle = part.trajectory->middle.at(part.contour->middle);
     if (!swept::is_flat(corners, middle, accuracy.tolerance, counts)) return false;
-    return accuracy.flatness == Flatness::plane || has_straight_sides(part, corners, accuracy.tolerance, counts);
+    return accuracy.flatness == Flatness::plane ||
+           (part.trajectory->is_short && has_straight_sides(part, corners, accuracy.tolerance, counts));
   }
 
   std::array<Part, 4> parts(const Part& part, SubdivisionCounts& counts) {
@@ -131,6 +133,7 @@ class SweptShape {
 
   void find_middle(TrajectoryNode& node) const {
     node.middle = spine_.section(node.number, 0.5 * (node.from + node.to), at(node.segment, 0.5));
+    node.is_short = spine_.is_short(node.number, node.from, node.to);
   }
 
   void halve(ContourNode& node, SubdivisionCounts& counts) {

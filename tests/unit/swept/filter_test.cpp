@@ -394,6 +394,16 @@ TEST_CASE("between patches no vertex is on a side that does not have it, by eith
     }
     RC_ASSERT(outer >= 10U);
     RC_ASSERT(made.repair.vertices == made.points.size());
+    // Three in a row on a side are on a line.
+    for (const auto& element : made.elements) {
+      for (std::size_t i = 0; i < element.size(); ++i) {
+        const glm::dvec3& a = made.points[element[i]];
+        const glm::dvec3& b = made.points[element[(i + 1) % element.size()]];
+        const glm::dvec3& c = made.points[element[(i + 2) % element.size()]];
+        const bool is_side = (is_at(a.x, b.x) && is_at(b.x, c.x)) || (is_at(a.y, b.y) && is_at(b.y, c.y));
+        RC_ASSERT(!is_side || off_segment(b, a, c) < 1e-9);
+      }
+    }
     // Euler: faces, edges and vertices of a disc.
     const auto sides = static_cast<std::int64_t>((edges.size() + outer) / 2);
     RC_ASSERT(static_cast<std::int64_t>(made.points.size() + made.elements.size()) - sides == 1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "host/swept/flat.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/swept/support.h"
 
@@ -90,6 +91,20 @@ TEST_CASE("points of the surface are as near to their element as the tolerance a
       }
     }
   }));
+}
+
+TEST_CASE("an element is flat where its fourth corner and its midpoint are near the plane of the three others") {
+  swept::SubdivisionCounts counts;
+  const auto is_flat = [&](double fourth, double middle) {
+    return swept::is_flat({{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {4, 4, fourth}}}, {2, 2, middle}, 0.1, counts);
+  };
+  CHECK(is_flat(0.09, -0.09));
+  CHECK(!is_flat(0.11, 0.0275));
+  CHECK(!is_flat(0, -0.11));
+  CHECK(counts.tests == 6);
+  // Where two corners are one, of the other three.
+  CHECK(!swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.11}, 0.1, counts));
+  CHECK(swept::is_flat({{{0, 0, 0}, {0, 0, 0}, {0, 4, 0}, {4, 4, 0}}}, {2, 2, 0.09}, 0.1, counts));
 }
 
 TEST_CASE("a tolerance that the levels do not suffice for is an error that says so") {

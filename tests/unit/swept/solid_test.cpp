@@ -98,6 +98,16 @@ TEST_CASE("a twisted square keeps its volume") {
   CHECK(volume_of(sweep, 0.002) == doctest::Approx(16).epsilon(0.002));
 }
 
+TEST_CASE("whole turns within one segment are not taken for none, nor scales that come back to where they began") {
+  Sweep sweep{square(1), line({0, 0, 0}, {0, 0, 40})};
+  sweep.rotation = {1, false, {{0, 0, 0}, {720, 0, 0}}};
+  CHECK(swept::solid_of(sweep, {0.1}).mesh.points.size() > 100);
+  CHECK(volume_of(sweep, 0.02) == doctest::Approx(160).epsilon(0.02));
+  sweep.rotation = {0, false, {{0, 0, 0}}};
+  sweep.scale = {1, false, {{1, 1, 0}, {2, 2, 0}, {1, 1, 0}, {2, 2, 0}, {1, 1, 0}}};
+  CHECK(volume_of(sweep, 0.02) == doctest::Approx(160 * 7.0 / 3).epsilon(0.01));
+}
+
 TEST_CASE("turned and scaled evenly along a line, points are on the contour when they are turned and scaled back") {
   Sweep sweep{circle(1, 12), line({0, 0, 0}, {0, 0, 9})};
   for (glm::dvec3& point : sweep.contour.points) point.x *= 3;
@@ -180,6 +190,15 @@ TEST_CASE("a trajectory that passes the y axis is turned over where it does, and
   const Sweep sweep{{3, true, {{1, 0, 0}, {0, 0.4, 0}, {-1, 0, 0}, {0, -0.4, 0}}},
                     {3, false, {{-8, 0, 0}, {-8, 6, 0}, {0, 12, 0}, {8, 6, 1}, {8, 0, 0}}}};
   CHECK(fault_of(swept::solid_of(sweep, {0.05})) == "");
+}
+
+TEST_CASE("a ring that stands up is turned over at both places where it runs along the y axis, and keeps its volume") {
+  Sweep sweep{circle(1, 12), circle(9, 16)};
+  for (glm::dvec3& point : sweep.contour.points) point.x *= 0.5;
+  const swept::SweptSolid solid = swept::solid_of(sweep, {0.02});
+  CHECK(fault_of(solid) == "");
+  CHECK(!solids::check(solid.mesh, 1e-9).crossing);
+  CHECK(volume(solid.mesh) == doctest::Approx(2 * pi * 9 * pi * 0.5).epsilon(0.02));
 }
 
 TEST_CASE("any sweep is closed and runs outwards, and its elements are the quadtree's too") {
