@@ -405,7 +405,7 @@ bool pierce(const software::Piece& one, const software::Piece& other, double mar
 /// Pairs of pieces of different primitives that go through each other.
 std::uint64_t crossings(const Shown& shown, const software::Polygons& polygons, double margin) {
   std::vector<const software::Piece*> pieces;
-  for (const software::Cell& cell : polygons.cells) {
+  for (const software::PolygonCell& cell : polygons.cells) {
     for (const software::Piece& piece : cell.bucket) {
       if (piece.corners.size() >= 3) pieces.push_back(&piece);
     }
@@ -471,7 +471,7 @@ TEST_CASE("pieces of different primitives do not cross, and a facet's have its a
     const double margin = 1e-6 * scene->geometry.planes.diagonal();
     CHECK(crossings(shown, polygons, margin) == 0);
     software::Polygons whole;
-    software::Cell cell;
+    software::PolygonCell cell;
     for (std::uint32_t facet = 0; facet < shown.facets.facets.size(); ++facet) {
       const auto corners = shown.facets.corners_of(facet);
       cell.bucket.push_back({facet, {corners.begin(), corners.end()}, {}, {}});
@@ -479,7 +479,7 @@ TEST_CASE("pieces of different primitives do not cross, and a facet's have its a
     whole.cells.push_back(cell);
     before += crossings(shown, whole, margin);
     std::vector<double> areas(shown.facets.facets.size());
-    for (const software::Cell& one : polygons.cells) {
+    for (const software::PolygonCell& one : polygons.cells) {
       for (const software::Piece& piece : one.bucket) areas[piece.facet] += area(piece.corners);
     }
     for (std::uint32_t facet = 0; facet < areas.size(); ++facet) {
