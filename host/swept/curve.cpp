@@ -54,6 +54,8 @@ std::string fault_of(const Curve& curve) {
   if (points < fewest)
     return fmt::format("{} curve of degree {} needs {} points or more, not {}", curve.closed ? "a closed" : "an open",
                        curve.degree, fewest, points);
+  if (points > most_curve_points)
+    return fmt::format("a curve of {} points has more than {}; take points out", points, most_curve_points);
   return "";
 }
 

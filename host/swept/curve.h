@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <string>
@@ -26,6 +27,8 @@ struct Segment {
   [[nodiscard]] const glm::dvec3& first() const { return coefficients.front(); }
   [[nodiscard]] const glm::dvec3& last() const { return coefficients[degree]; }
 };
+
+inline constexpr std::size_t most_curve_points = 10'000;
 
 /// What is wrong with a curve, and what to do; empty if nothing is.
 std::string fault_of(const Curve& curve);

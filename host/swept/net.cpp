@@ -133,6 +133,8 @@ std::string fault_of(const Net& net) {
       return fmt::format("rows of a patch are of {} and of {} points; make them equally long", net.rows.front().size(),
                          row.size());
   }
+  if ((net.rows.size() - 3) * (net.rows.front().size() - 3) > most_patches)
+    return fmt::format("more than {} patches; take points out", most_patches);
   return "";
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "hw/base/error.h"
 
@@ -135,9 +136,12 @@ void Orientation::add_gap(const Path& path, double before, double first, double 
 }
 
 glm::dvec3 Orientation::upward(double place, const glm::dvec3& tangent) const {
-  for (const Gap& gap : gaps_) {
-    const double there = place < gap.from && length_ > 0 ? place + length_ : place;
-    if (there < gap.from || there > gap.to) continue;
+  // In their order; that of a closed path's last may go on behind its end.
+  for (const double there : {place, place + length_}) {
+    const auto behind = std::ranges::upper_bound(gaps_, there, {}, &Gap::from);
+    if (behind == gaps_.begin()) continue;
+    const Gap& gap = *std::prev(behind);
+    if (there > gap.to) continue;
     const double part = gap.to > gap.from ? (there - gap.from) / (gap.to - gap.from) : 0;
     return turned(carried(gap.v, gap.tangent, tangent), tangent, part * gap.turn);
   }

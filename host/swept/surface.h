@@ -49,6 +49,8 @@ struct SubdivisionCounts {
   Arithmetic arithmetic;       ///< of all of that
 };
 
+inline constexpr std::size_t most_patches = 100'000;  ///< of a surface
+
 /// Patches in columns (u) and rows (v), each next to the one before.
 class Surface {
  public:

@@ -1,5 +1,7 @@
 #include "host/swept/sweep.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <deque>
 #include <glm/geometric.hpp>
@@ -212,6 +214,8 @@ std::string fault_of(const Sweep& sweep) {
   if (sweep.trajectory.degree == 0) return "the trajectory is a point; take degree 1, 2 or 3";
   if (sweep.rotation.closed || sweep.scale.closed) return "rotation and scale go from an end to the other; take `open`";
   if (turn_of(sweep.contour) == 0) return "the contour goes around nothing; move its points apart";
+  if (sweep.contour.points.size() * sweep.trajectory.points.size() > most_patches)
+    return fmt::format("contour and trajectory are more than {} patches; take points out", most_patches);
   const auto is_below = [](const glm::dvec3& point) { return point.x < 0 || point.y < 0; };
   if (std::ranges::any_of(sweep.scale.points, is_below))
     return "a scale is below 0, where the solid would be inside out; take 0 or more";

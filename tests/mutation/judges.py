@@ -28,6 +28,8 @@ JUDGES_OF = {  # in the order in which they are asked
     "hw/systemc": ["cycle", "pixel_planes", "scan_line", "pixel_square_modules", "elaboration"],
     "host/model": ["read", "facet", "solids"],
     "host/read": ["read", "corpus"],
+    "host/commands": ["commands"],
+    "host/swept": ["swept"],
     "host/flat": ["flat", "read", "corpus"],
     "host/flat/dxf": ["flat", "corpus"],
     "host/flat/lettering": ["flat", "corpus"],
@@ -74,6 +76,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/studies/trace": ["cli"],
     "sim/studies/compare": ["studies", "cli"],
     "sim/studies/corpus": ["studies", "cli"],
+    "sim/studies/mesh": ["cli"],
     "sim/studies/subdivide": ["cli"],
     "sim/studies/sweep": ["studies", "cli"],
 }

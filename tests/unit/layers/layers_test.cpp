@@ -67,6 +67,10 @@ TEST_CASE("convex pieces are geometry in model space: they know neither the view
                   {"host/convex/", "host/csg/positive_tree.h", "host/facet/", "host/model/", "hw/base/"}) == "");
 }
 
+TEST_CASE("swept surfaces are geometry: they know meshes as plain data, and nothing of models and machines") {
+  CHECK(strangers("host/swept", {"host/swept/", "host/solids/mesh.h", "hw/base/"}) == "");
+}
+
 TEST_CASE("methods of software work on what the host has made: they know no machine and no other room of sim") {
   CHECK(strangers("sim/software", {"sim/software/", "host/", "hw/base/", "hw/machines/"}) == "");
 }

@@ -82,5 +82,7 @@ TEST_CASE("curves that are none say what to do") {
   CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs 3 points or more, not 2");
   CHECK(swept::fault_of(Curve{0, false, {{}, {}}}) == "a constant, of degree 0, has one point, not 2; take degree 1");
   CHECK(swept::fault_of(Curve{0, false, {{}}}) == "");
+  CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}) ==
+        "a curve of 10001 points has more than 10000; take points out");
   CHECK(swept::fault_of(Curve{3, true, {{}, {}, {}, {}}}) == "");
 }

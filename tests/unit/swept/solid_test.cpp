@@ -243,6 +243,10 @@ TEST_CASE("sweeps that cannot be say what to do") {
   Sweep none = good;
   none.contour.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
   CHECK(swept::fault_of(none) == "the contour goes around nothing; move its points apart");
+  Sweep many = good;
+  many.contour.points.resize(400, {1, 2, 0});
+  many.trajectory.points.resize(300, {0, 0, 9});
+  CHECK(swept::fault_of(many) == "contour and trajectory are more than 100000 patches; take points out");
   Sweep back = good;
   back.trajectory.points = {{0, 0, 0}, {0, 0, 4}, {0, 0, 1}};
   CHECK(testing::error_of([&] { swept::solid_of(back, {0.1}); }) ==
