@@ -1,3 +1,5 @@
+#include "sim/software/methods/rows.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -27,8 +29,7 @@ constexpr std::array directory_rows{&excell_row, &recursive_excell_row, &boxes_r
 std::span<const DirectoryRow* const> directories() { return directory_rows; }
 
 const DirectoryRow& directory_of(const std::string& name) {
-  std::vector<std::string> names;
-  for (const DirectoryRow* row : directory_rows) names.emplace_back(row->name);
+  const std::vector<std::string> names = names_in(directory_rows);
   const auto place = std::ranges::find(names, name);
   if (place == names.end()) throw InputError(no_such("directory", name, names));
   return *directory_rows[static_cast<std::size_t>(place - names.begin())];

@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include "sim/studies/trace/show.h"
 
@@ -40,10 +42,27 @@ bool has_several(const std::vector<const TraceRow*>& rows, const Value& value) {
   return values.size() > 1;
 }
 
+constexpr std::size_t most_cells = 20;
+
+/// Shares of rays by cells, those of many cells together.
+std::vector<double> shares_of(const TraceRow& row) {
+  std::vector<double> shares;
+  std::istringstream counts(row.rays_by_cells);
+  for (std::uint64_t count = 0; counts >> count;) {
+    const double share = 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, row.rays));
+    if (shares.size() <= most_cells) {
+      shares.push_back(share);
+    } else {
+      shares.back() += share;
+    }
+  }
+  return shares;
+}
+
 /// Of the first size of buckets and the first tolerance.
 plots::Plot cells_plot(const std::vector<const TraceRow*>& rows, const std::string& model) {
   plots::Chart chart{model + ": cells that a ray looks into",
-                     {"cells", plots::Scale::linear, {}, false, true},
+                     {fmt::format("cells; {}: and more", most_cells), plots::Scale::linear, {}, false, true},
                      {{"rays, %", plots::Scale::linear}},
                      {},
                      "trace.csv"};
@@ -51,11 +70,9 @@ plots::Plot cells_plot(const std::vector<const TraceRow*>& rows, const std::stri
     if (row->point.bucket_size != rows.front()->point.bucket_size ||
         row->point.tolerance != rows.front()->point.tolerance || row->point.directory == "none")
       continue;
-    std::istringstream counts(row->rays_by_cells);
-    double cells = 0;
-    for (std::uint64_t count = 0; counts >> count; ++cells)
-      add(chart, row->point.directory, 0,
-          {cells, 100.0 * static_cast<double>(count) / static_cast<double>(std::max<std::uint64_t>(1, row->rays))});
+    const std::vector<double> shares = shares_of(*row);
+    for (std::size_t cells = 0; cells < shares.size(); ++cells)
+      add(chart, row->point.directory, 0, {static_cast<double>(cells), shares[cells]});
   }
   return {"trace_cells", std::move(chart)};
 }
@@ -81,7 +98,7 @@ plots::Plot buckets_plot(const std::vector<const TraceRow*>& rows, std::span<con
                      {},
                      "trace.csv"};
   for (const software::Priced& processor : processors) {
-    chart.panels.push_back({processor.name + ", s"});
+    chart.panels.push_back({processor.name + ", s", plots::Scale::linear});
     for (const TraceRow* row : rows) {
       if (row->point.tolerance != rows.front()->point.tolerance) continue;
       add_parts(chart, *row, chart.panels.size() - 1, row->point.bucket_size, processor);
