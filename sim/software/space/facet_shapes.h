@@ -12,7 +12,7 @@
 namespace csgsim::software {
 
 /// What directories reach beyond a facet if nobody says, of the model's diagonal: a fortieth of a pixel where the model
-/// fills a picture of 512 pixels. More than rounding moves most facets of a picture (Reach in tracing/scene.h).
+/// fills a picture of 512 pixels. More than rounding moves most facets of a picture (TraceScene).
 inline constexpr double usual_reach = 0x1p-14;
 
 /// Facets as directories take them, in space: polygons, and the edges and corners that are left of half-spaces without
