@@ -96,6 +96,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "subdivisions"},
     {varied, "tolerances", "LIST"},
     {varied, "parts"},
+    {varied, "resolution"},
     {varied, "rounds"},
     {varied, "seconds"},
     {run, "level"},

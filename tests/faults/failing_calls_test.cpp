@@ -194,6 +194,10 @@ TEST_CASE("disasm leaves the old file or the whole new one, one line and nothing
   try_command("disasm");
 }
 
+TEST_CASE("convert leaves old files or whole new ones, one line and nothing else, whichever call fails") {
+  try_command("convert");
+}
+
 TEST_CASE("explain leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
   try_command("explain");
 }

@@ -1,18 +1,22 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <bit>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host/facet/faceting.h"
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "hw/base/work.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"
@@ -20,6 +24,7 @@
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/usage.h"
+#include "sim/software/convert/blocks.h"
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/formats.h"
 #include "sim/software/convert/surface.h"
@@ -35,14 +40,21 @@ struct Options {
   std::string output;
   std::string stats;
   bool ascii = false;
+  std::optional<std::uint32_t> resolution;
 };
+
+constexpr std::string_view block_ending = ".bintree";
+constexpr std::uint32_t usual_resolution = 64;
+
+bool asks_for_blocks(const Options& options) { return ends_in(options.output, block_ending); }
 
 const convert::Format& format_asked(const Options& options) {
   std::string endings;
-  for (const convert::Format* const one : convert::formats())
-    endings += fmt::format("{}{}", endings.empty() ? "" : ", ", one->ending);
+  for (const convert::Format* const one : convert::formats()) endings += fmt::format("{}, ", one->ending);
   const convert::Format* const format = convert::format_of(options.output);
-  if (format == nullptr) throw UsageError("--output", fmt::format("the name ends in none of {}", endings));
+  if (format == nullptr)
+    throw UsageError("--output", fmt::format("the name ends in none of {}{}", endings, block_ending));
+  if (options.resolution) throw UsageError("--resolution", "a mesh has none; leave it out");
   if (options.ascii && !format->has_text)
     throw UsageError("--ascii", fmt::format("a {} file has one form; leave it out", format->ending));
   return *format;
@@ -58,67 +70,140 @@ facet::Faceting faceting_asked(const Options& options) {
 model::Tree solid_model(const Options& options) {
   model::Tree tree = read_model(options.model);
   if (tree.is_flat) {
-    throw InputError(fmt::format("{}: the model is flat, and only solids have a boundary of faces; extrude it",
+    throw InputError(fmt::format("{}: the model is flat, and only solids are converted; extrude it",
                                  printable(shown_name(options.model.model))));
   }
   return tree;
 }
 
-void print(const Options& options, const model::Tree& tree, const convert::Surface& surface,
-           const convert::Measures& measures) {
+void print_model(const model::Tree& tree) {
   const model::Counts counts = model::count(tree);
   fmt::print("{:<18}{}, {}, {}, {}\n", "model", counted(counts.primitives, "primitive"),
              counted(counts.unions, "union"), counted(counts.differences, "difference"),
              counted(counts.intersections, "intersection"));
+}
+
+nlohmann::ordered_json model_json(const Options& options, const model::Tree& tree) {
+  return {{"model", options.model.model},
+          {"primitives", model::count(tree).primitives},
+          {"pieces", tree.primitives.size()}};
+}
+
+[[noreturn]] void refuse_empty(const Options& options) {
+  throw InputError(
+      fmt::format("{}: nothing is left of the model to convert", printable(shown_name(options.model.model))));
+}
+
+/// The files that are written, all of them or none.
+class Outputs {
+ public:
+  explicit Outputs(const Options& options) : file_(options.output) {
+    if (!options.stats.empty()) stats_.emplace(options.stats);
+  }
+
+  void write(std::string_view content, const nlohmann::ordered_json& stats) {
+    file_.write(content);
+    std::vector<OutputFile*> files{&file_};
+    if (stats_) {
+      stats_->write(stats.dump(2) + "\n");
+      files.push_back(&*stats_);
+    }
+    commit_all(files);
+  }
+
+ private:
+  OutputFile file_;
+  std::optional<OutputFile> stats_;
+};
+
+/// Seconds since it was made.
+class Watch {
+ public:
+  [[nodiscard]] double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+Work work_of(const Options& options) { return Work(options.model.limit * std::uint64_t{1'000'000}); }
+
+void convert_to_mesh(const Options& options) {
+  const convert::Format& format = format_asked(options);
+  const facet::Faceting faceting = faceting_asked(options);
+  if (!options.ascii) refuse_terminal("--output", options.output);
+  Outputs outputs(options);
+  const Watch watch;
+  const model::Tree tree = solid_model(options);
+  const convert::Surface surface = with_memory_for(
+      "the mesh", [&] { return convert::make_surface(convert::boundary(tree, faceting, work_of(options))); });
+  if (surface.triangles.empty()) refuse_empty(options);
+  const convert::Measures measures = convert::measure(surface);
+  const std::string content = format.write(surface, {.is_text = options.ascii});
+  nlohmann::ordered_json stats = model_json(options, tree);
+  stats["triangles"] = surface.triangles.size();
+  stats["points"] = surface.points.size();
+  stats["shells"] = measures.shells;
+  stats["euler_number"] = measures.euler;
+  stats["genus"] = measures.genus();
+  stats["volume"] = measures.volume;
+  stats["area"] = measures.area;
+  stats["wall_seconds"] = watch.seconds();
+  outputs.write(content, stats);
+  print_model(tree);
   fmt::print("{:<18}{}, {}\n", "mesh", counted(surface.triangles.size(), "triangle"),
              counted(surface.points.size(), "point"));
   fmt::print("{:<18}{}, Euler number {}, genus {}\n", "shape", counted(measures.shells, "shell"), measures.euler,
              measures.genus());
   fmt::print("{:<18}{:.10g} cubic units, surface {:.10g} square units\n", "volume", measures.volume, measures.area);
-  fmt::print("{:<18}written\n", printable(options.output));
 }
 
-std::string stats_text(const Options& options, const model::Tree& tree, const convert::Surface& surface,
-                       const convert::Measures& measures, double seconds) {
-  const nlohmann::ordered_json json{{"model", options.model.model},     {"primitives", model::count(tree).primitives},
-                                    {"pieces", tree.primitives.size()}, {"triangles", surface.triangles.size()},
-                                    {"points", surface.points.size()},  {"shells", measures.shells},
-                                    {"euler_number", measures.euler},   {"genus", measures.genus()},
-                                    {"volume", measures.volume},        {"area", measures.area},
-                                    {"wall_seconds", seconds}};
-  return json.dump(2) + "\n";
+void convert_to_blocks(const Options& options) {
+  if (options.ascii) throw UsageError("--ascii", "a .bintree file has one form; leave it out");
+  const std::uint32_t resolution = options.resolution.value_or(usual_resolution);
+  if (!std::has_single_bit(resolution)) throw UsageError("--resolution", "blocks are halved: take a power of two");
+  const facet::Faceting faceting = faceting_asked(options);
+  Outputs outputs(options);
+  const Watch watch;
+  const model::Tree tree = solid_model(options);
+  const convert::Bintree bintree =
+      with_memory_for("the blocks", [&] { return convert::blocks(tree, resolution, faceting, work_of(options)); });
+  const convert::BlockCounts counts = convert::count_blocks(bintree);
+  if (tree.root == model::no_index) refuse_empty(options);
+  const double volume = static_cast<double>(counts.cells) * bintree.cell() * bintree.cell() * bintree.cell();
+  nlohmann::ordered_json stats = model_json(options, tree);
+  stats["resolution"] = resolution;
+  stats["blocks"] = counts.blocks;
+  stats["full_blocks"] = counts.full;
+  stats["full_cells"] = counts.cells;
+  stats["volume"] = volume;
+  stats["wall_seconds"] = watch.seconds();
+  outputs.write(convert::text_of(bintree), stats);
+  print_model(tree);
+  fmt::print("{:<18}{}, {} of them full; {} of side {:g} are in\n", "blocks", grouped(counts.blocks),
+             grouped(counts.full), counted(counts.cells, "cell"), bintree.cell());
+  fmt::print("{:<18}{:.10g} cubic units\n", "volume", volume);
 }
 
 void run(const Options& options) {
-  const convert::Format& format = format_asked(options);
-  const facet::Faceting faceting = faceting_asked(options);
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, options.stats}));
-  if (!options.ascii) refuse_terminal("--output", options.output);
-  OutputFile file(options.output);
-  std::optional<OutputFile> stats;
-  if (!options.stats.empty()) stats.emplace(options.stats);
-  const auto begin = std::chrono::steady_clock::now();
-  const model::Tree tree = solid_model(options);
-  const Work work(options.model.limit * std::uint64_t{1'000'000});
-  const convert::Surface surface =
-      with_memory_for("the mesh", [&] { return convert::make_surface(convert::boundary(tree, faceting, work)); });
-  const convert::Measures measures = convert::measure(surface);
-  file.write(format.write(surface, {.is_text = options.ascii}));
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  if (stats) stats->write(stats_text(options, tree, surface, measures, seconds.count()));
-  std::vector<OutputFile*> files{&file};
-  if (stats) files.push_back(&*stats);
-  commit_all(files);
-  print(options, tree, surface, measures);
+  if (asks_for_blocks(options)) {
+    convert_to_blocks(options);
+  } else {
+    convert_to_mesh(options);
+  }
 }
 
 }  // namespace
 
 void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add("convert", "Convert a model into a mesh: the boundary of what its tree leaves, closed",
-                             "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
-                             "Curved solids are converted in facets. What is written how: docs/convert.md.");
+  Command command =
+      line.add("convert", "Convert a model into a mesh, the closed boundary of what its tree leaves, or into blocks",
+               "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
+               "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"
+               "Curved solids are converted in facets. What is written how: docs/convert.md.");
   options->model.add_to(command);
   for (const char* const of_pictures :
        {"--machine", "--memory-bits", "--z-bits", "--strategy", "--stack-bits", "--colouring", "--pruning", "--size",
@@ -128,8 +213,17 @@ void add_convert(CommandLine& line) {
   std::string endings;
   for (const convert::Format* const one : convert::formats())
     endings += fmt::format("; {}: {}", one->ending, one->help);
-  command.option("-o,--output", options->output, "The mesh" + endings).required().check(not_empty);
+  command
+      .option("-o,--output", options->output,
+              fmt::format("The mesh or the blocks, by what the name ends with{}; {}: a bintree, as text", endings,
+                          block_ending))
+      .required()
+      .check(not_empty);
   command.flag("--ascii", options->ascii, "Write STL as text");
+  command
+      .option("--resolution", options->resolution,
+              "Cells of a block model along each side, a power of two; 64 if not given")
+      .between(convert::fewest_cells, convert::most_cells);
   command.option("--stats", options->stats, "What was converted, .json").check(not_empty);
   command.prints_summary();
   command.runs([options] { run(*options); });

@@ -97,13 +97,17 @@ std::vector<std::uint32_t> Bodies::meeting(const UnitBox& box) const {
   return found;
 }
 
-Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting) {
+Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, Neighbours neighbours) {
   facet::Geometry geometry = facet::make_geometry(tree, faceting);
   WholePlanes planes(geometry.planes);
   std::vector<Body> bodies;
   BodyMaker maker(geometry.planes, planes.unit());
   for (const model::Primitive& primitive : tree.primitives)
     bodies.push_back(maker.make(facet::make_solid(primitive, faceting)));
+  if (neighbours == Neighbours::all) {
+    for (Body& body : bodies)
+      for (BodyFace& face : body.faces) face.neighbours.clear();
+  }
   csg::BoxIndex index = index_of(bodies);
   return {std::move(geometry), std::move(planes), std::move(bodies), std::move(index)};
 }

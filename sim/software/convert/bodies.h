@@ -36,7 +36,14 @@ struct Bodies {
   [[nodiscard]] std::vector<std::uint32_t> meeting(const UnitBox& box) const;
 };
 
+/// Which half-spaces of a body are held against a face of it.
+enum class Neighbours : std::uint8_t {
+  corner,  ///< those of faces that share a corner with it: no others reach it, unless it is as small as rounding errs
+  all,
+};
+
 /// Throws InputError, naming the primitive's place in the file, where one cannot be faceted.
-Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting);
+Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting,
+                   Neighbours neighbours = Neighbours::corner);
 
 }  // namespace csgsim::software::convert

@@ -85,6 +85,7 @@ class Evaluation {
   void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
     const BodyFace& face = bodies_.bodies[body].faces[number];
     const facet::Halfspace halfspace = face.halfspace;
+    work_.charge(near_.size(), "converting the model to a boundary");
     std::vector<Operand> operands;
     operands.reserve(near_.size());
     for (const std::uint32_t other : near_) {

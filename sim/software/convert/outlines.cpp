@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <stdexcept>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 
@@ -57,7 +57,7 @@ class Points {
 
 }  // namespace
 
-Outlines join(const Bodies& bodies, const std::vector<Fragment>& fragments) {
+std::optional<Outlines> join(const Bodies& bodies, const std::vector<Fragment>& fragments) {
   Outlines result;
   Points points(bodies);
   const facet::PlaneTable& planes = bodies.geometry.planes;
@@ -84,7 +84,7 @@ Outlines join(const Bodies& bodies, const std::vector<Fragment>& fragments) {
   const double tolerance = convex::tolerance(planes);
   for (int round = 0; round < most_rounds && end_at_points(result, tolerance); ++round) {
   }
-  if (open_side(result)) throw std::logic_error("the boundary of the model is not closed");
+  if (open_side(result)) return std::nullopt;
   join_straight(result, straight_tolerance * planes.diagonal());
   std::erase_if(result.outlines, [](const Outline& outline) { return outline.sides.empty(); });
   return result;

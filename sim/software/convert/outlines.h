@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <vector>
 
 #include "host/model/tree.h"
@@ -29,7 +30,7 @@ struct Outlines {
 
 /// Fragments joined where they are in one plane. Points nearer to each other than the tolerance of host/convex are one,
 /// a corner of a primitive where there is one; sides end at every point that is on them, and go on through points where
-/// nothing but straight sides meet. Throws std::logic_error if the outcome is not closed.
-Outlines join(const Bodies& bodies, const std::vector<Fragment>& fragments);
+/// nothing but straight sides meet. None if the outcome is not closed.
+std::optional<Outlines> join(const Bodies& bodies, const std::vector<Fragment>& fragments);
 
 }  // namespace csgsim::software::convert

@@ -51,10 +51,10 @@ void add_fan(const std::vector<std::uint32_t>& round, std::vector<Triangle>& tri
   for (std::size_t i = 1; i + 1 < round.size(); ++i) triangles.push_back({round[0], round[i], round[i + 1]});
 }
 
-/// Whether the turn is to the left by more than rounding can make of none: a corner in the middle of a straight side
-/// would make a triangle without area.
+/// Whether the turn is clearly to the left. Where it is not, as at a corner that rounding has moved off a straight
+/// side, triangles from any other corner may be slivers along that side.
 bool turns_left(const Point& before, const Point& here, const Point& after) {
-  constexpr double least_sine = 1e-6;
+  constexpr double least_sine = 1e-3;
   const Kernel::Vector_2 in = here - before;
   const Kernel::Vector_2 out = after - here;
   return CGAL::determinant(in, out) > least_sine * std::sqrt(in.squared_length() * out.squared_length());

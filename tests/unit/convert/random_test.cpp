@@ -16,48 +16,17 @@
 #include "tests/support/usual_cases.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
-#include "tests/unit/software/random_tree.h"
+#include "tests/unit/convert/random_blocks.h"
 
 using namespace csgsim;
 using testing::Random;
 
 namespace {
 
-constexpr int grid = 6;
-
-struct Block {
-  std::array<int, 3> low{};
-  std::array<int, 3> high{};
-};
-
-/// Boxes at whole places, under a random tree.
-struct Blocks {
-  model::Tree tree;
-  std::vector<Block> blocks;
-};
-
-Blocks random_blocks(Random& random, unsigned count) {
-  Blocks made{testing::random_tree(random, count), {}};
-  for (model::Primitive& primitive : made.tree.primitives) {
-    Block block;
-    glm::dvec3 size(0);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      block.low[axis] = static_cast<int>(random.below(grid));
-      block.high[axis] =
-          block.low[axis] + 1 + static_cast<int>(random.below(grid - static_cast<unsigned>(block.low[axis])));
-      size[static_cast<int>(axis)] = block.high[axis] - block.low[axis];
-      primitive.transform[3][static_cast<int>(axis)] = block.low[axis];
-    }
-    primitive.shape = model::Cube{size, false};
-    made.blocks.push_back(block);
-  }
-  return made;
-}
-
 /// Whether the unit cube at that place is in the solid.
-bool is_full(const Blocks& made, const testing::TreeRules& rules, const std::array<int, 3>& at) {
+bool is_full(const testing::WholeBoxes& made, const testing::TreeRules& rules, const std::array<int, 3>& at) {
   std::vector<bool> held;
-  for (const Block& block : made.blocks) {
+  for (const testing::WholeBox& block : made.boxes) {
     bool is_in = true;
     for (std::size_t axis = 0; axis < 3; ++axis)
       is_in = is_in && block.low[axis] <= at[axis] && at[axis] < block.high[axis];
@@ -71,12 +40,12 @@ struct Counted {
   int area = 0;
 };
 
-Counted count_cubes(const Blocks& made) {
+Counted count_cubes(const testing::WholeBoxes& made) {
   const testing::TreeRules rules(made.tree);
   Counted counted;
-  for (int x = 0; x <= grid; ++x) {
-    for (int y = 0; y <= grid; ++y) {
-      for (int z = 0; z <= grid; ++z) {
+  for (int x = 0; x <= testing::box_grid; ++x) {
+    for (int y = 0; y <= testing::box_grid; ++y) {
+      for (int z = 0; z <= testing::box_grid; ++z) {
         const bool is_in = is_full(made, rules, {x, y, z});
         if (is_in) ++counted.volume;
         if (is_in != is_full(made, rules, {x - 1, y, z})) ++counted.area;
@@ -94,7 +63,7 @@ TEST_CASE("boxes at whole places: closed, and just the unit cubes that the tree 
   int full = 0;
   CHECK(rc::check([&](std::uint64_t seed) {
     Random random(seed);
-    const Blocks made = random_blocks(random, 2 + static_cast<unsigned>(random.below(12)));
+    const testing::WholeBoxes made = testing::random_boxes(random, 2 + static_cast<unsigned>(random.below(12)));
     const software::convert::Surface surface = testing::converted(made.tree);
     const Counted counted = count_cubes(made);
     RC_ASSERT(testing::fault_of(testing::judged(surface)) == "");

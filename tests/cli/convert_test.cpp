@@ -1,0 +1,93 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+nlohmann::json converted(const Folder& folder, const std::string& model, const std::string& output) {
+  const Outcome outcome =
+      run("convert " + model + " -o " + (folder / output) + " --stats " + (folder / "stats.json") + " --quiet");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out == "");
+  return json(folder / "stats.json");
+}
+
+std::string import_of(const std::string& file) {
+  return "import(file = \"" + file +
+         "\", layer = \"\", origin = [0, 0], scale = 1, convexity = 1, $fn = 0, $fa = 12, $fs = 2, timestamp = 0);";
+}
+
+}  // namespace
+
+TEST_CASE("a model that was converted is imported again with the same volume and shape") {
+  for (const char* const ending : {"stl", "off", "3mf"}) {
+    CAPTURE(ending);
+    const Folder folder;
+    const std::string file = std::string("mesh.") + ending;
+    const nlohmann::json first = converted(folder, model("old_example003"), file);
+    CHECK(first["volume"].get<double>() == doctest::Approx(23750).epsilon(1e-12));
+    CHECK(first["genus"] == 5);
+    write(folder / "again.csg", import_of(file));
+    const nlohmann::json again = converted(folder, folder / "again.csg", "again.off");
+    CHECK(again["volume"].get<double>() == doctest::Approx(23750).epsilon(1e-9));
+    CHECK(again["shells"] == first["shells"]);
+    CHECK(again["euler_number"] == first["euler_number"]);
+  }
+}
+
+TEST_CASE("STL is binary, or text if it is asked for; both say what was converted") {
+  const Folder folder;
+  const Outcome outcome = run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl"));
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.find("3 primitives, 0 unions, 1 difference, 1 intersection") != std::string::npos);
+  CHECK(outcome.out.find("1 shell, Euler number 2, genus 0") != std::string::npos);
+  CHECK(content(folder / "a.stl").find("binary STL") == 0);
+  CHECK(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "b.stl") + " --ascii").code == 0);
+  CHECK(content(folder / "b.stl").find("solid csgsim\nfacet normal ") == 0);
+}
+
+TEST_CASE("a block model tells its blocks, and its volume comes near the mesh's") {
+  const Folder folder;
+  const double volume = converted(folder, model("thesis_fig_2_3"), "a.off")["volume"];
+  const Outcome outcome = run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") +
+                              " --resolution 64 --stats " + (folder / "s.json"));
+  CHECK(outcome.code == 0);
+  CHECK(content(folder / "a.bintree").find("bintree 1\nresolution 64\ncube ") == 0);
+  // Half a cell along the surface is 9 %.
+  CHECK(json(folder / "s.json")["volume"].get<double>() == doctest::Approx(volume).epsilon(0.05));
+}
+
+TEST_CASE("what cannot be converted is told, and nothing is written") {
+  const Folder folder;
+  write(folder / "flat.csg", "square(size = [1, 2], center = false);");
+  const std::string output = " -o " + (folder / "a.stl");
+  const Outcome flat = run("convert " + (folder / "flat.csg") + output);
+  CHECK(flat.code == 1);
+  CHECK(one_line(flat.err));
+  CHECK(flat.err.find("the model is flat, and only solids are converted; extrude it") != std::string::npos);
+  CHECK(folder.files() == 1);
+  write(folder / "flat.csg",
+        "difference() { cube(size = [1, 1, 1], center = false); cube(size = [1, 1, 1], center = false); }");
+  CHECK(run("convert " + (folder / "flat.csg") + output).err.find("nothing is left of the model") != std::string::npos);
+  misused("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.obj"),
+          "the name ends in none of .stl, .off, .3mf, .bintree");
+  misused("convert " + model("thesis_fig_2_3") + " --ascii -o " + (folder / "a.off"), "a .off file has one form");
+  misused("convert " + model("thesis_fig_2_3") + " --resolution 8 -o " + (folder / "a.off"), "a mesh has none");
+  misused("convert " + model("thesis_fig_2_3") + " --resolution 12 -o " + (folder / "a.bintree"), "a power of two");
+  misused("convert " + model("thesis_fig_2_3") + " --tolerance 1px" + output, "a tolerance is in model units");
+  CHECK(folder.files() == 1);
+}
+
+TEST_CASE("what is too much work to convert is refused") {
+  const Folder folder;
+  const Outcome outcome = run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl"));
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("converting the model to a boundary") != std::string::npos);
+  CHECK(folder.files() == 0);
+}
