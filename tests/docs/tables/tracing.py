@@ -1,6 +1,6 @@
 """docs/tracing.md: table 5.2 and figures 5.7 to 5.9 of the thesis, whose own figures stand in italics, and rivals of EXCELL."""
 
-from figures import THESIS_MODELS, point, ruled
+from figures import PERSPECTIVE, THESIS_MODELS, point, ruled
 from tables.software import italic, three_digits, whole
 
 CAST = ("primary", "shadow", "mirror")
@@ -104,3 +104,18 @@ def polygons(figures):
         rows.append((whole(own[0].polygons), *(three_digits(each.seconds.mc68000.all) for each in own), a_ray(own[0], "facet_tests"),
                      a_ray(own[1], "facet_tests")))
     return ruled(("mc68000, s, by polygons", *GROWING, "facets tested, excell", "boxes"), rows, numbers_from=0)
+
+
+NODES = 16
+
+
+def nodes(figures):
+    """Ray tracing on the multi-processor, on paper: all rays, with item buffer, shared evenly."""
+    rows = []
+    for model in THESIS_MODELS:
+        one = {cast: point(excell(figures, model), cast=cast, item_buffer="with") for cast in CAST}
+        drawn = figures.render(model, f"{PERSPECTIVE} --size 256x256 --machine multi-processor")
+        words = one["mirror"].words + one["mirror"].directory_words + one["mirror"].bucket_words
+        rows.append((model, *(three_digits(each.seconds.mc68000.all / NODES) for each in one.values()),
+                     three_digits(drawn.simulated_seconds), whole(2 * words)))
+    return ruled(("seconds of 16 nodes", "primary rays", "and to lights", "and in mirrors", "depth buffer, as simulated", "words of 16 bits a node"), rows)
