@@ -182,7 +182,8 @@ class ScanLines {
   }
 
   /// Whether the surfaces up to the one that is seen come in this order all along the span. `surface` is one that is
-  /// seen, if any is.
+  /// seen, if any is. Where a ray leaves a primitive is among what has to be a step behind where it enters it, so that
+  /// the primitive is nowhere too thin to be met.
   bool is_sure(Span span, const Seen& seen, const ActiveFacet*& surface) {
     over_.assign(active_.size(), {});
     for (const std::size_t active : inside_) over_[active] = over(active_[active], span);
@@ -221,7 +222,7 @@ class ScanLines {
   OverSpan over(const ActiveFacet& active, Span span) {
     const ScreenFacet& facet = *active.facet;
     OverSpan over{Presence::all, active.value(span.first), active.value(span.last)};
-    count_ends(facets_.opposites_of(facet).size());
+    count_ends();
     const auto both = [&](const auto& holds) { return holds(over.left) && holds(over.right); };
     if (both([&](std::int64_t value) { return value >= beyond_; })) return {Presence::none};
     if (!both([&](std::int64_t value) { return value < beyond_; })) over.presence = Presence::somewhere;
@@ -231,26 +232,17 @@ class ScanLines {
     } else if (!both([&](std::int64_t value) { return value >= step_; })) {
       over.presence = Presence::somewhere;
     }
-    for (const view::FixedLinear& opposite : facets_.opposites_of(facet)) {
-      const auto thickness = [&](std::int32_t column, std::int64_t value) {
-        const std::int64_t other = value_at(opposite, column, row_);
-        return facet.leaves ? value - other : other - value;
-      };
-      if (thickness(span.first, over.left) < step_ || thickness(span.last, over.right) < step_)
-        over.presence = Presence::somewhere;
-    }
     return over;
   }
 
-  /// Values of a facet and of its opposites at both ends of a span, and what is certain of them.
-  void count_ends(std::size_t opposites) {
+  /// The value of a facet at the right end of a span, the left one being known, and what is certain of it.
+  void count_ends() {
     Count& count = ledger_[Phase::scan_conversion];
-    const std::uint64_t values = 1 + 2 * opposites;  // the facet's left one was worked out before
-    count(Operation::multiply, longs_ * values);
-    count(Operation::load_long, 2 * longs_ * values);
-    count(Operation::add_long, longs_ * (values + 2 * opposites));
-    count(Operation::compare_long, 4 + 2 * opposites);
-    count(Operation::branch, 4 + 2 * opposites);
+    count(Operation::multiply, longs_);
+    count(Operation::load_long, 2 * longs_);
+    count(Operation::add_long, longs_);
+    count(Operation::compare_long, 4);
+    count(Operation::branch, 4);
     count(Operation::store_long, 2 * longs_);
     count(Operation::store);
   }

@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -185,6 +186,32 @@ TEST_CASE("exact methods that go facet by facet draw the thesis's objects as the
     }
   }
   MESSAGE(tally.pixels, " pixels, ", tally.spans, " spans, ", tally.splits, " splits");
+}
+TEST_CASE("plates thinner than a step of depth, drawn facet by facet, are seen where a step lies between their faces") {
+  Tally tally;
+  std::uint64_t opposites = 0;
+  for (unsigned i = 0; i < 60; ++i) {
+    const double thickness = 0.2 + 0.05 * i;
+    const double angle = 0.02 * (1 + i % 20);
+    const std::string csg = fmt::format(
+        "multmatrix([[{0},{1},0,0],[{2},{0},0,0],[0,0,1,0],[0,0,0,1]]){{cube(size=[40,{3},30],center=true);}}"
+        "multmatrix([[1,0,0,0],[0,1,0,-30],[0,0,1,0],[0,0,0,1]]){{cube(size=[1,1,1],center=true);}}"
+        "multmatrix([[1,0,0,0],[0,1,0,30],[0,0,1,0],[0,0,0,1]]){{cube(size=[44,1,34],center=true);}}",
+        std::cos(angle), -std::sin(angle), std::sin(angle), thickness);
+    view::Sampling sampling;
+    sampling.width = 60;
+    sampling.height = 12;
+    sampling.z_bits = 5;
+    sampling.fraction_bits = 8;
+    const view::Camera camera{{0, -110, 0}, {0, 0, 0}, view::Projection::orthographic};
+    const Scene scene = testing::make_scene(read::read_csg_text(csg, "plates"), camera, sampling);
+    CAPTURE(i);
+    CHECK(fault_of(scene, tally) == "");
+    const Shown shown(scene);
+    const software::ScreenFacets seen = software::screen_facets(scene.tree, scene.geometry, scene.view, shown.facets);
+    for (const software::ScreenFacet& facet : seen.facets) opposites += seen.opposites_of(facet).size();
+  }
+  CHECK(opposites > 30);
 }
 TEST_CASE(
     "methods that go facet by facet evaluate each sequence of surfaces once, and peel as many layers as there are") {
