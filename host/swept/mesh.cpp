@@ -87,13 +87,14 @@ class Closing {
     for (const std::uint32_t vertex : ring) same_[vertex] = ring.front();
   }
 
-  void add(Face face) {
+  /// A base or a cap is in a plane, but for rounding, and need not be convex.
+  void add(Face face, bool is_end = false) {
     for (std::uint32_t& vertex : face) vertex = same_[vertex];
     face.erase(std::unique(face.begin(), face.end()), face.end());
     while (face.size() > 1 && face.front() == face.back()) face.pop_back();
     if (face.size() < 3) return;
     if (is_clockwise_) std::ranges::reverse(face);
-    if (is_plane(face)) {
+    if (is_end || is_plane(face)) {
       faces_.push_back(std::move(face));
     } else {
       cut(face);
@@ -132,7 +133,7 @@ class Closing {
     if (face.size() == 3) return true;
     const glm::dvec3 across = normal(face);
     const double length = glm::length(across);
-    constexpr double nearly = 1e-10;
+    constexpr double nearly = 1e-13;  // below what solids::convex_pieces takes for bent
     return std::ranges::all_of(face, [&](std::uint32_t vertex) {
       const glm::dvec3& point = points_[vertex];
       const double reach = glm::length(point) + glm::length(points_[face.front()]);
@@ -196,7 +197,7 @@ SweptSolid solid_of(const Sweep& sweep, const Accuracy& accuracy, Repair repair)
         continue;
       }
       if (joint == 0) std::ranges::reverse(face);
-      closing.add(std::move(face));
+      closing.add(std::move(face), true);
     }
   }
   for (const Face& element : solid.patchwork.elements) closing.add(element);
