@@ -9,8 +9,7 @@ namespace csgsim::software::convert {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of 256 bits, two's complement: enough for a determinant of four planes, which takes 218. Boost's
-/// numbers of this size take eight times as long.
+/// A whole number of 256 bits, two's complement: enough for a determinant of four planes, which takes 218.
 class Wide {
  public:
   Wide() = default;
