@@ -18,6 +18,9 @@ namespace {
 using isa::Opcode;
 using view::FixedLinear;
 
+/// Each face is held against all of its surface.
+constexpr std::size_t most_faces = 4'096;
+
 FixedLinear difference(const FixedLinear& a, const FixedLinear& b) { return {a.a - b.a, a.b - b.b, a.c - b.c}; }
 
 /// A plane that a face is compared with.
@@ -86,7 +89,8 @@ void emit_face(const Context& context, Broadcast& out, const PlannedSurface& pla
 bool has_polygons(const Context& context, const PlannedSurface& planned, const Surface& surface) {
   const bool is_plain = context.called.size() <= 1 && context.base.width == 0 && context.beyond.width == 0 &&
                         context.beyond_plane == nullptr && context.paint == nullptr && context.layout.owner.width == 0;
-  return is_plain && planned.active.operands.empty() && !context.complemented(planned.primitive()) &&
+  return is_plain && surface.facets.size() <= most_faces && planned.active.operands.empty() &&
+         !context.complemented(planned.primitive()) &&
          std::ranges::all_of(planned.set,
                              [&](std::uint32_t one) { return context.geometry.solids[one].quadrics.empty(); }) &&
          std::ranges::all_of(surface.facets, [](const Facet& facet) { return facet.at == At::plane; });
