@@ -19,8 +19,8 @@ std::string trace(const std::string& name) { return std::string(CSGSIM_SOURCE_DI
 
 std::string compiled(const Folder& folder, const std::string& name, const std::string& options) {
   const std::string program = folder / name;
-  const Outcome outcome =
-      run("compile " + testing::cli::model("old_example002") + " --view-all --size 40x30 " + options + " -o " + program);
+  const Outcome outcome = run("compile " + testing::cli::model("old_example002") + " --view-all --size 40x30 " +
+                              options + " -o " + program);
   REQUIRE(outcome.code == 0);
   return program;
 }
@@ -64,8 +64,8 @@ TEST_CASE(
                                     "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
     CAPTURE(machine);
     const std::string program = compiled(folder, "p.csgt", "--machine " + machine);
-    REQUIRE(run("render " + testing::cli::model("old_example002") + " --view-all --size 40x30 --machine " + machine + " -o " +
-                (folder / "render.png") + " --stats " + (folder / "render.json"))
+    REQUIRE(run("render " + testing::cli::model("old_example002") + " --view-all --size 40x30 --machine " + machine +
+                " -o " + (folder / "render.png") + " --stats " + (folder / "render.json"))
                 .code == 0);
     const nlohmann::json rendered = json(folder / "render.json");
     const nlohmann::json ran = stats_of(folder, program + " -o " + (folder / "run.png"));

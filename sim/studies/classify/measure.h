@@ -9,8 +9,8 @@
 #include "host/model/tree.h"
 #include "host/view/projection.h"
 #include "sim/software/work.h"
-#include "sim/studies/classify/operations_cell.h"
 #include "sim/studies/inputs.h"
+#include "sim/studies/operations_cell.h"
 
 namespace csgsim::studies {
 

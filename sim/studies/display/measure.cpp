@@ -29,10 +29,10 @@ void tell(const software::DisplayCounts& counts, DisplayStudyRow& row) {
   row.evaluations = counts.csg.evaluations;
   row.list_steps = counts.csg.list_steps;
   row.list_elements = counts.csg.list_elements;
-  row.words_polygons = counts.words.polygons;
-  row.words_buckets = counts.words.buckets;
-  row.words_pixels = counts.words.pixels;
-  row.words_sequences = counts.words.sequences;
+  row.polygon_words = counts.words.polygons;
+  row.bucket_words = counts.words.buckets;
+  row.pixel_words = counts.words.pixels;
+  row.sequence_words = counts.words.sequences;
   row.words = counts.words.all();
   for (std::size_t phase = 0; phase < software::phases; ++phase) row.operations[phase] = {counts.operations[phase]};
 }

@@ -11,8 +11,8 @@
 #include "host/view/projection.h"
 #include "sim/software/display/phases.h"
 #include "sim/software/work.h"
-#include "sim/studies/classify/operations_cell.h"
 #include "sim/studies/inputs.h"
+#include "sim/studies/operations_cell.h"
 
 namespace csgsim::studies {
 
@@ -54,10 +54,10 @@ struct DisplayStudyRow {
   std::uint64_t evaluations = 0;
   std::uint64_t list_steps = 0;
   std::uint64_t list_elements = 0;
-  std::uint64_t words_polygons = 0;
-  std::uint64_t words_buckets = 0;
-  std::uint64_t words_pixels = 0;
-  std::uint64_t words_sequences = 0;
+  std::uint64_t polygon_words = 0;
+  std::uint64_t bucket_words = 0;
+  std::uint64_t pixel_words = 0;
+  std::uint64_t sequence_words = 0;
   std::uint64_t words = 0;
   std::uint64_t wrong = 0;
   std::uint64_t wrong_coincident = 0;
@@ -91,21 +91,21 @@ struct DisplayStudyRow {
     visit("evaluations", row.evaluations);
     visit("list_steps", row.list_steps);
     visit("list_elements", row.list_elements);
-    visit("words_polygons", row.words_polygons);
-    visit("words_buckets", row.words_buckets);
-    visit("words_pixels", row.words_pixels);
-    visit("words_sequences", row.words_sequences);
+    visit("polygon_words", row.polygon_words);
+    visit("bucket_words", row.bucket_words);
+    visit("pixel_words", row.pixel_words);
+    visit("sequence_words", row.sequence_words);
     visit("words", row.words);
     visit("wrong", row.wrong);
     visit("wrong_coincident", row.wrong_coincident);
     visit("wrong_three_way", row.wrong_three_way);
     visit("wrong_order", row.wrong_order);
-    visit("operations_preprocessing", row.operations[0]);
-    visit("operations_transformation", row.operations[1]);
-    visit("operations_sorting", row.operations[2]);
-    visit("operations_scan_conversion", row.operations[3]);
-    visit("operations_depth_test", row.operations[4]);
-    visit("operations_initialisation", row.operations[5]);
+    visit("preprocessing_operations", row.operations[0]);
+    visit("transformation_operations", row.operations[1]);
+    visit("sort_operations", row.operations[2]);
+    visit("scan_conversion_operations", row.operations[3]);
+    visit("depth_test_operations", row.operations[4]);
+    visit("initialisation_operations", row.operations[5]);
     visit("wall_seconds_preprocessing", row.wall_seconds_preprocessing);
     visit("wall_seconds_drawing", row.wall_seconds_drawing);
     visit("surfaces", row.surfaces);

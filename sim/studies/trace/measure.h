@@ -13,8 +13,8 @@
 #include "host/view/projection.h"
 #include "sim/software/tracing/trace.h"
 #include "sim/software/work.h"
-#include "sim/studies/classify/operations_cell.h"
 #include "sim/studies/inputs.h"
+#include "sim/studies/operations_cell.h"
 
 namespace csgsim::studies {
 

@@ -1,4 +1,4 @@
-#include "sim/studies/classify/operations_cell.h"
+#include "sim/studies/operations_cell.h"
 
 #include <fmt/format.h>
 
