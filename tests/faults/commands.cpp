@@ -51,7 +51,7 @@ const std::vector<Command>& commands() {
       {"run", "run" + trace + pictures, picture_files, "", 0, 2},
       {"run with checkpoints", "run" + trace + " --checkpoint OUT/c.csgs -o OUT/p.png", {"c.csgs", "p.png"}, "", 0, 2},
       {"disasm", "disasm" + trace + " -o OUT/p.txt", {"p.txt"}, "", 0, 8},
-      {"convert", "convert" + small_model + " -o OUT/m.stl --stats OUT/s.json", {"m.stl", "s.json"}, "", 0, 8},
+      {"convert", "convert SOURCE/tests/models/old_example011.csg -o OUT/m.stl --stats OUT/s.json", {"m.stl", "s.json"}, "", 0, 8},
       {"explain", "explain" + trace + " --pixel 200,300 --json OUT/e.json", {"e.json"}, "", 0, 8},
       {"wave", "wave" + small_model + " --probe 1,1 --window 0:1000 -o OUT/w.vcd", {"w.vcd", "w.gtkw"}, "", 0, 8},
       {"subdivide",
