@@ -71,8 +71,7 @@ class BodyMaker {
     for (std::uint32_t i = 0; i < body.faces.size(); ++i) {
       std::vector<std::uint32_t>& neighbours = body.faces[i].neighbours;
       std::ranges::sort(neighbours);
-      const auto [first, last] = std::ranges::unique(neighbours);
-      neighbours.erase(first, last);
+      neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
       std::erase(neighbours, i);
     }
   }
