@@ -137,7 +137,8 @@ TEST_CASE("the machine's shadows are those of rays to the light, but at their ed
         std::pair{beside, "direction = [-1, 0.3, -0.5]"},
         std::pair{above, "kind = \"point\"\nposition = [20, -30, 50]"},
         std::pair{beside, "kind = \"point\"\nposition = [-40, -10, 30]"}}) {
-    CAPTURE(std::string(light));
+    const std::string said(light);
+    CAPTURE(said);
     const Tally tally = judge_shadows(things, camera, light);
     MESSAGE(tally.judged, " pixels that light falls on, ", tally.dark, " in shadow, ", tally.differ, " differ");
     CHECK(tally.neither == 0);
