@@ -75,11 +75,8 @@ class TreeMaker {
       fail(solid.location, fmt::format("more than {} solids; split the model", read::max_primitives));
     if (read::empties(one.matrix))
       fail(solid.location, "it is moved and scaled out of what numbers hold; take other numbers");
-    children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size()));
-    model::Node& leaf = tree_.nodes.emplace_back();
-    leaf.is_leaf = true;
-    leaf.primitive = static_cast<std::uint32_t>(tree_.primitives.size());
-    model::Primitive& primitive = tree_.primitives.emplace_back();
+    children_.push_back(model::add_leaf(tree_, {}));
+    model::Primitive& primitive = tree_.primitives.back();
     primitive.shape = std::move(shape);
     primitive.transform = one.matrix;
     primitive.colour = one.colour;

@@ -93,12 +93,7 @@ class Cuts final : public emit::EffectOf<std::vector<Cut>> {
     all.children.push_back(tree.root);
     for (std::uint32_t i = 0; i < settings.size(); ++i) {
       const double reach = 2 * (box.diagonal() + glm::length(settings[i].point - box.centre()));
-      model::Node leaf;
-      leaf.is_leaf = true;
-      leaf.primitive = static_cast<std::uint32_t>(tree.primitives.size());
-      tree.primitives.push_back(kept_side(settings[i], i, reach));
-      all.children.push_back(static_cast<std::uint32_t>(tree.nodes.size()));
-      tree.nodes.push_back(std::move(leaf));
+      all.children.push_back(model::add_leaf(tree, kept_side(settings[i], i, reach)));
     }
     tree.root = static_cast<std::uint32_t>(tree.nodes.size());
     tree.nodes.push_back(std::move(all));

@@ -16,29 +16,25 @@ class PlaneComparison {
 
   [[nodiscard]] view::FixedLinear in(const ShadowPlane& plane) const {
     switch (plane.side) {
-      case view::Side::front: return minus(receiver_, plane.linear, plane.is_strict ? -1 : last_);
-      case view::Side::back: return minus(plane.linear, receiver_, -1);
+      case view::Side::front: return view::difference(receiver_, plane.linear, plane.is_strict ? -1 : last_);
+      case view::Side::back: return view::difference(plane.linear, receiver_, -1);
       case view::Side::edge_positive: return plane.linear;
-      case view::Side::edge_negative: return minus({}, plane.linear, -1);
+      case view::Side::edge_negative: return view::difference({}, plane.linear, -1);
     }
     return plane.linear;
   }
 
   [[nodiscard]] view::FixedLinear out(const ShadowPlane& plane) const {
     switch (plane.side) {
-      case view::Side::front: return minus(plane.linear, receiver_, plane.is_strict ? last_ : -1);
-      case view::Side::back: return minus(receiver_, plane.linear, last_);
-      case view::Side::edge_positive: return minus({}, plane.linear, -1);
+      case view::Side::front: return view::difference(plane.linear, receiver_, plane.is_strict ? last_ : -1);
+      case view::Side::back: return view::difference(receiver_, plane.linear, last_);
+      case view::Side::edge_positive: return view::difference({}, plane.linear, -1);
       case view::Side::edge_negative: return plane.linear;
     }
     return plane.linear;
   }
 
  private:
-  static view::FixedLinear minus(const view::FixedLinear& a, const view::FixedLinear& b, std::int64_t more) {
-    return {a.a - b.a, a.b - b.b, a.c - b.c + more};
-  }
-
   view::FixedLinear receiver_;
   std::int64_t last_;  ///< the greatest fraction of a depth step
 };

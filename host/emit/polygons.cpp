@@ -16,12 +16,11 @@ namespace csgsim::emit {
 namespace {
 
 using isa::Opcode;
+using view::difference;
 using view::FixedLinear;
 
 /// Each face is held against all of its surface.
 constexpr std::size_t most_faces = 4'096;
-
-FixedLinear difference(const FixedLinear& a, const FixedLinear& b) { return {a.a - b.a, a.b - b.b, a.c - b.c}; }
 
 /// A plane that a face is compared with.
 struct Neighbour {
@@ -43,12 +42,12 @@ class Faces {
     region = view::Region(pixels_);
     const FixedLinear& own = fronts_[face];
     // Depths that differ by less than a step may be one depth.
-    const auto leave = [&](const FixedLinear& thickness) {
-      return region.clip({thickness.a, thickness.b, thickness.c + step_ - 1}, 0);
+    const auto leave = [&](const FixedLinear& near, const FixedLinear& far) {
+      region.clip(difference(far, near, step_ - 1));
     };
     for (std::size_t i = 0; i < fronts_.size(); ++i)
-      if (i != face) leave(difference(own, fronts_[i]));
-    for (const FixedLinear& back : backs_) leave(difference(back, own));
+      if (i != face) leave(fronts_[i], own);
+    for (const FixedLinear& back : backs_) leave(own, back);
     std::vector<Neighbour> neighbours;
     const auto add = [&](Opcode opcode, const FixedLinear& plane, const FixedLinear& thickness) {
       if (!region.is_surely_at_least(thickness, static_cast<double>(step_))) neighbours.push_back({opcode, plane});

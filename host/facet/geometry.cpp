@@ -131,6 +131,10 @@ Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes) {
   return folded[tree.root];
 }
 
+bool Geometry::is_faceted() const {
+  return std::ranges::all_of(solids, [](const Convex& solid) { return solid.quadrics.empty(); });
+}
+
 std::uint64_t Geometry::halfspaces() const {
   std::uint64_t sum = 0;
   for (const Convex& solid : solids) sum += solid.halfspaces.size() + solid.quadrics.size();

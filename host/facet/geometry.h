@@ -49,6 +49,8 @@ struct Geometry {
 
   /// Of all primitives, those that share a plane each for itself; a quadric counts as one.
   [[nodiscard]] std::uint64_t halfspaces() const;
+  /// Whether no primitive stays curved.
+  [[nodiscard]] bool is_faceted() const;
 };
 
 /// Facets every primitive that does not stay curved. Throws InputError, naming the primitive's place in the file,

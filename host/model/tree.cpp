@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace csgsim::model {
 
@@ -20,6 +21,15 @@ Counts count(const Tree& tree) {
     }
   }
   return counts;
+}
+
+std::uint32_t add_leaf(Tree& tree, Primitive primitive) {
+  Node leaf;
+  leaf.is_leaf = true;
+  leaf.primitive = static_cast<std::uint32_t>(tree.primitives.size());
+  tree.primitives.push_back(std::move(primitive));
+  tree.nodes.push_back(std::move(leaf));
+  return static_cast<std::uint32_t>(tree.nodes.size() - 1);
 }
 
 std::string place_of(const Tree& tree, std::uint32_t primitive) {

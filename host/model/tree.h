@@ -96,6 +96,9 @@ struct Tree {
   bool is_flat = false;  ///< of 2-D shapes alone, which stand there as plates
 };
 
+/// Appends a primitive and its leaf. Returns the leaf's index; the primitive is the last one.
+std::uint32_t add_leaf(Tree& tree, Primitive primitive);
+
 /// Counts the nodes of the file. Operators count as binary ones: one over k children is k - 1.
 struct Counts {
   std::uint64_t primitives = 0;  ///< each once, whatever its pieces

@@ -136,11 +136,8 @@ void TreeBuilder::add_solid(const NodeType& node, const Arguments& arguments) {
 void TreeBuilder::add_leaf(const OpenNode& open, model::Shape shape, const glm::dmat4& transform) {
   if (tree_.primitives.size() >= max_primitives)
     source_.fail(open.offset, fmt::format("more than {} solids; split the model", max_primitives));
-  children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size()));
-  model::Node& leaf = tree_.nodes.emplace_back();
-  leaf.is_leaf = true;
-  leaf.primitive = static_cast<std::uint32_t>(tree_.primitives.size());
-  model::Primitive& primitive = tree_.primitives.emplace_back();
+  children_.push_back(model::add_leaf(tree_, {}));
+  model::Primitive& primitive = tree_.primitives.back();
   primitive.shape = std::move(shape);
   primitive.transform = transform;
   primitive.location = open.location;

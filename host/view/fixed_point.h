@@ -24,6 +24,16 @@ struct FixedLinear {
   std::int64_t c = 0;
 };
 
+/// With fraction bits, at a pixel of a picture that the function has room for.
+constexpr std::int64_t value_at(const FixedLinear& linear, std::int32_t column, std::int32_t row) {
+  return linear.a * column + linear.b * row + linear.c;
+}
+
+/// a - b + more.
+constexpr FixedLinear difference(const FixedLinear& a, const FixedLinear& b, std::int64_t more = 0) {
+  return {a.a - b.a, a.b - b.b, a.c - b.c + more};
+}
+
 /// Rounds each coefficient once. C is chosen after A and B, so that the function is off by at most 2^-(fraction_bits+1)
 /// at the middle of the picture and by 2^-(fraction_bits+1) more for each pixel away from it along x or y. Nothing if a
 /// coefficient does not fit.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hw/base/hash.h"
+#include "hw/base/seconds.h"
 
 namespace csgsim::software {
 
@@ -19,10 +20,6 @@ std::span<Seen> rows_of(Picture& picture, const RayBand& band) {
 }
 
 Picture blank(const RayCaster& rays) { return {std::vector<Seen>(std::size_t{rays.width()} * rays.height())}; }
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 }  // namespace
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hw/base/error.h"
+#include "hw/base/text.h"
 #include "sim/shell/numbers.h"
 
 namespace csgsim::studies {
@@ -11,7 +12,8 @@ std::vector<double> tolerances_in(const std::string& text) {
   std::vector<double> tolerances;
   for (const std::string& word : shell::parse_words(text)) {
     tolerances.push_back(shell::numbers<double>(word, ',', 1, "--tolerances", "0.1,0.05")[0]);
-    if (!(tolerances.back() > 0)) throw InputError("a tolerance has to be above 0");
+    if (!(tolerances.back() > 0))
+      throw InputError(printable(word) + " is no tolerance; take a number of model units above 0");
   }
   return tolerances;
 }

@@ -135,9 +135,7 @@ std::string fault_of_software(const std::string& csg, const model::Tree& tree, c
   // Where rays meet hundreds of surfaces most methods take long, and all do where a surface has thousands of facets.
   const bool has_many_facets = view.planes.size() > 5000;
   const bool is_large = tree.primitives.size() > 100 || has_many_facets;
-  const bool is_curved =
-      std::ranges::any_of(geometry.solids, [](const auto& solid) { return !solid.quadrics.empty(); });
-  if (!is_curved && !has_many_facets) {
+  if (geometry.is_faceted() && !has_many_facets) {
     const software::Facets facets = software::facets_of(tree, geometry);
     const software::DisplaySubject subject{tree, geometry, view, software.tree(Shape::written), facets};
     std::string fault = fault_of_display(subject, is_large, expected);

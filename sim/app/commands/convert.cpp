@@ -15,6 +15,7 @@
 #include "host/facet/faceting.h"
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
+#include "hw/base/seconds.h"
 #include "hw/base/text.h"
 #include "hw/base/work.h"
 #include "sim/app/commands/commands.h"
@@ -116,17 +117,6 @@ class Outputs {
   std::optional<OutputFile> stats_;
 };
 
-/// Seconds since it was made.
-class Watch {
- public:
-  [[nodiscard]] double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
 Work work_of(const Options& options) { return Work(options.model.limit * std::uint64_t{1'000'000}); }
 
 void convert_to_mesh(const Options& options) {
@@ -134,7 +124,7 @@ void convert_to_mesh(const Options& options) {
   const facet::Faceting faceting = faceting_asked(options);
   if (!options.ascii) refuse_terminal("--output", options.output);
   Outputs outputs(options);
-  const Watch watch;
+  const auto begin = std::chrono::steady_clock::now();
   const model::Tree tree = solid_model(options);
   const convert::Surface surface = with_memory_for(
       "the mesh", [&] { return convert::make_surface(convert::boundary(tree, faceting, work_of(options))); });
@@ -149,7 +139,7 @@ void convert_to_mesh(const Options& options) {
   stats["genus"] = measures.genus();
   stats["volume"] = measures.volume;
   stats["area"] = measures.area;
-  stats["wall_seconds"] = watch.seconds();
+  stats["wall_seconds"] = seconds_since(begin);
   outputs.write(content, stats);
   print_model(tree);
   fmt::print("{:<18}{}, {}\n", "mesh", counted(surface.triangles.size(), "triangle"),
@@ -165,7 +155,7 @@ void convert_to_blocks(const Options& options) {
   if (!std::has_single_bit(resolution)) throw UsageError("--resolution", "blocks are halved: take a power of two");
   const facet::Faceting faceting = faceting_asked(options);
   Outputs outputs(options);
-  const Watch watch;
+  const auto begin = std::chrono::steady_clock::now();
   const model::Tree tree = solid_model(options);
   const convert::Bintree bintree =
       with_memory_for("the blocks", [&] { return convert::blocks(tree, resolution, faceting, work_of(options)); });
@@ -178,7 +168,7 @@ void convert_to_blocks(const Options& options) {
   stats["full_blocks"] = counts.full;
   stats["full_cells"] = counts.cells;
   stats["volume"] = volume;
-  stats["wall_seconds"] = watch.seconds();
+  stats["wall_seconds"] = seconds_since(begin);
   outputs.write(convert::text_of(bintree), stats);
   print_model(tree);
   fmt::print("{:<18}{}, {} of them full; {} of side {:g} are in\n", "blocks", grouped(counts.blocks),

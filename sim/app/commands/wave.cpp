@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "hw/base/output_file.h"
+#include "hw/base/seconds.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/memory.h"
@@ -101,10 +102,6 @@ Windows windows_of(const Options& options, const std::optional<waves::WindowRequ
   return {last.windows, last.at_pixel.end - 1,
           fmt::format("i{}, which wrote the {} of pixel {},{} last, at clocks {}:{}", last.number, options.at,
                       pixels.front().x, pixels.front().y, last.at_pixel.begin, last.at_pixel.end)};
-}
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 /// Wall times: of the run at that level, of finding the window and stepping it, and of that the writing of the file.

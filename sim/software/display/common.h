@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "hw/base/seconds.h"
 #include "sim/software/coherences/sequences.h"
 #include "sim/software/display/phases.h"
 #include "sim/software/display/rows.h"
@@ -12,10 +13,6 @@
 #include "sim/software/rays/longs.h"
 
 namespace csgsim::software {
-
-inline double seconds_from(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 /// Polygons are brought into the picture in fixed point: a corner is turned by nine products of longs, each of four
 /// products of words, and divided by its distance; a plane takes three quotients of sums of two such products, and an
@@ -59,7 +56,7 @@ Displayed displayed(const DisplaySubject& subject, const Draw& draw) {
   result.counts.words.polygons = words_of_polygons(subject.facets, seen);
   result.counts.words.pixels = 2 * subject.pixels();
   draw(seen, ledger, result);
-  result.drawing_seconds = seconds_from(begin);
+  result.drawing_seconds = seconds_since(begin);
   ledger.tell(result.counts);
   return result;
 }

@@ -105,7 +105,7 @@ class DepthOrder {
       }
     }
     count_values(common.corners().size());
-    const auto [low, high] = common.range({b.depth.a - a.depth.a, b.depth.b - a.depth.b, b.depth.c - a.depth.c});
+    const auto [low, high] = common.range(view::difference(b.depth, a.depth));
     if (high == low && high == 0.0) return First::any;
     return high >= -low ? First::one : First::other;
   }

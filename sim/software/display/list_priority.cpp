@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host/view/projection.h"
+#include "hw/base/seconds.h"
 #include "sim/software/coherences/sequences.h"
 #include "sim/software/display/common.h"
 #include "sim/software/display/depth_order.h"
@@ -220,7 +221,7 @@ Displayed list_priority(const DisplaySubject& subject) {
   const auto begin = std::chrono::steady_clock::now();
   Count preprocessing;
   const Polygons polygons = clipped(subject.facets, subject.geometry, subject.bucket_size, preprocessing);
-  const double seconds = seconds_from(begin);
+  const double seconds = seconds_since(begin);
   Displayed result = displayed<Count>(subject, [&](const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& drawn) {
     ledger[Phase::preprocessing] = preprocessing;
     ListPriority<Count, has_depth_buffer> method(subject, ledger, drawn);

@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "hw/base/seconds.h"
 #include "sim/software/display/common.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/draw.h"
@@ -34,7 +35,7 @@ Displayed run_rays(const DisplaySubject& subject, bool counts) {
   const std::unique_ptr<Method> method = made(choice_of("status/list-structure"), classified, counts);
   RayCounts of_rays;
   result.picture = draw(rays, *method, counts ? &of_rays : nullptr);
-  result.drawing_seconds = seconds_from(begin);
+  result.drawing_seconds = seconds_since(begin);
   const Counts of_method = method->counts();
   DisplayCounts& told = result.counts;
   told.polygons = told.pieces = told.drawn_polygons = subject.facets.polygons();

@@ -60,14 +60,11 @@ void scan(const ScreenFacets& facets, const ScreenFacet& facet, std::uint64_t lo
   const std::size_t opposites = facets.opposites_of(facet).size();
   count_edges(count, bounds, longs);
   for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
-    const Span span = facets.span_of(facet, row);
     count_row_further(count, bounds, longs);
-    if (span.empty()) continue;
-    std::int64_t value = value_at(facet.depth, span.first, row);
-    for (std::int32_t column = span.first; column <= span.last; ++column, value += facet.depth.a) {
-      if constexpr (Count::counts) count_depth(count, opposites, facets.fraction_bits, longs);
-      const std::optional<Event> event = facets.event_at(facet, column, row, value);
-      if (event) use(column, row, *event);
+    const Span span =
+        facets.for_row(facet, row, [&](std::int32_t column, const Event& event) { use(column, row, event); });
+    if constexpr (Count::counts) {
+      for (std::int32_t i = 0; i < span.columns(); ++i) count_depth(count, opposites, facets.fraction_bits, longs);
     }
   }
 }

@@ -77,8 +77,8 @@ class PieceMaker {
     }
     const FixedLinear& at = plane.linear;
     switch (view::side_of(plane, cut.positive)) {
-      case view::Side::front: return {depth.a - at.a, depth.b - at.b, depth.c - at.c};
-      case view::Side::back: return {at.a - depth.a, at.b - depth.b, at.c - depth.c - 1};
+      case view::Side::front: return view::difference(depth, at);
+      case view::Side::back: return view::difference(at, depth, -1);
       case view::Side::edge_positive: return at;
       case view::Side::edge_negative: return {-at.a, -at.b, -at.c - 1};
     }

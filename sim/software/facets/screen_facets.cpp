@@ -11,11 +11,8 @@ namespace csgsim::software {
 
 namespace {
 
+using view::difference;
 using view::FixedLinear;
-
-FixedLinear difference(const FixedLinear& a, const FixedLinear& b) { return {a.a - b.a, a.b - b.b, a.c - b.c}; }
-
-FixedLinear less(const FixedLinear& linear, std::int64_t amount) { return {linear.a, linear.b, linear.c - amount}; }
 
 /// What is not below 0 where the edge test is passed.
 FixedLinear passed(const TilePlanes::Edge& edge) {
@@ -53,10 +50,10 @@ class Maker {
     for (const TilePlanes::Edge& edge : planes_.edges) bound(passed(edge));
     for (std::size_t i = 0; i < same.size() && !region_.empty(); ++i) {
       if (i == place) continue;
-      const FixedLinear before = facet.leaves ? difference(same[i], facet.depth) : difference(facet.depth, same[i]);
-      bound(less(before, i < place ? 1 : 0));
+      const std::int64_t more = i < place ? -1 : 0;
+      bound(facet.leaves ? difference(same[i], facet.depth, more) : difference(facet.depth, same[i], more));
     }
-    for (std::size_t i = 0; i < others.size() && !region_.empty(); ++i) bound(less(thickness(facet, others[i]), 1));
+    for (std::size_t i = 0; i < others.size() && !region_.empty(); ++i) bound(thickness(facet, others[i], -1));
     facet.pixels = view::common(region_.pixels(), pixels_);
     if (region_.empty() || facet.pixels.empty()) {
       made_.linears.resize(facet.bounds);
@@ -87,8 +84,8 @@ class Maker {
            (facet.leaves || region_.is_surely_at_least(other, step));
   }
 
-  static FixedLinear thickness(const ScreenFacet& facet, const FixedLinear& other) {
-    return facet.leaves ? difference(facet.depth, other) : difference(other, facet.depth);
+  static FixedLinear thickness(const ScreenFacet& facet, const FixedLinear& other, std::int64_t more = 0) {
+    return facet.leaves ? difference(facet.depth, other, more) : difference(other, facet.depth, more);
   }
 
   view::PixelRect pixels_;

@@ -58,13 +58,20 @@ struct ScreenFacets {
   /// primitive is thinner than a step, or outside the range of depths.
   [[nodiscard]] std::optional<Event> event_at(const ScreenFacet& facet, std::int32_t column, std::int32_t row,
                                               std::int64_t value) const;
+  /// Calls use(column, event) at each pixel of a row that the facet covers, from the left. Returns the columns that
+  /// were looked at.
+  template <class Use>
+  Span for_row(const ScreenFacet& facet, std::int32_t row, const Use& use) const {
+    const Span span = span_of(facet, row);
+    std::int64_t value = value_at(facet.depth, span.first, row);
+    for (std::int32_t column = span.first; column <= span.last; ++column, value += facet.depth.a) {
+      if (const std::optional<Event> event = event_at(facet, column, row, value)) use(column, *event);
+    }
+    return span;
+  }
   /// The same at any pixel.
   [[nodiscard]] std::optional<Event> event_at(const ScreenFacet& facet, std::int32_t column, std::int32_t row) const;
 };
-
-inline std::int64_t value_at(const view::FixedLinear& linear, std::int32_t column, std::int32_t row) {
-  return linear.a * column + linear.b * row + linear.c;
-}
 
 /// Throws InputError, naming its place in the file, for a face that does not fit the numbers of machines.
 ScreenFacets screen_facets(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,

@@ -20,6 +20,18 @@ struct BoxNode {
   std::uint32_t end = 0;  ///< of a leaf's facets
 };
 
+/// Counts a tree of boxes over so many facets.
+inline void count_boxes(const std::vector<BoxNode>& nodes, std::size_t facets, SpaceBuilt& built) {
+  built.entries = nodes.size();
+  built.references = built.bucket_words = facets;
+  built.directory_words = 8 * nodes.size();
+  for (const BoxNode& node : nodes) {
+    if (node.low != 0) continue;
+    ++built.cells;
+    built.most_facets = std::max<std::uint64_t>(built.most_facets, node.end - node.begin);
+  }
+}
+
 /// Gives the leaves of a tree of boxes in the order in which a ray comes to their boxes: of all nodes whose box is met,
 /// the nearest is looked at first (Kay and Kajiya 1986). `ready(node, count)` may expand a node before that.
 template <class Count, class Ready>

@@ -32,14 +32,7 @@ class Boxes final : public DirectoryOf<Boxes> {
   [[nodiscard]] SpaceBuilt built() const override {
     SpaceBuilt built = built_;
     built.operations = count_.done();
-    built.entries = nodes_.size();
-    built.references = built.bucket_words = facets_.size();
-    built.directory_words = 8 * nodes_.size();
-    for (const BoxNode& node : nodes_) {
-      if (node.low != 0) continue;
-      ++built.cells;
-      built.most_facets = std::max<std::uint64_t>(built.most_facets, node.end - node.begin);
-    }
+    count_boxes(nodes_, facets_.size(), built);
     return built;
   }
 

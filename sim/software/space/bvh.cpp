@@ -23,15 +23,9 @@ class Bvh final : public DirectoryOf<Bvh> {
   [[nodiscard]] SpaceBuilt built() const override {
     SpaceBuilt built = built_;
     built.operations = count_.done();
-    built.entries = nodes_.size();
-    built.references = built.bucket_words = facets_.size();
-    built.directory_words = 8 * nodes_.size();
-    for (const BoxNode& node : nodes_) {
-      if (node.low != 0) continue;
-      ++built.cells;
-      built.most_facets = std::max<std::uint64_t>(built.most_facets, node.end - node.begin);
-      built.overflows += node.end - node.begin > bucket_size_ ? 1U : 0U;
-    }
+    count_boxes(nodes_, facets_.size(), built);
+    for (const BoxNode& node : nodes_)
+      built.overflows += node.low == 0 && node.end - node.begin > bucket_size_ ? 1U : 0U;
     return built;
   }
 

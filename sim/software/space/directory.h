@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -56,6 +57,20 @@ struct SpaceBuilt {
   std::uint64_t bucket_words = 0;
   Operations operations;
 };
+
+/// Counts the cells of a tree, each with a bucket of facets; its other nodes have none. `is_cell(node)` tells which.
+template <class Nodes, class IsCell>
+void count_buckets(const Nodes& nodes, std::uint32_t bucket_size, const IsCell& is_cell, SpaceBuilt& built) {
+  built.entries = nodes.size();
+  for (const auto& node : nodes) {
+    if (!is_cell(node)) continue;
+    ++built.cells;
+    built.references += node.facets.size();
+    built.most_facets = std::max<std::uint64_t>(built.most_facets, node.facets.size());
+    built.overflows += node.facets.size() > bucket_size ? 1U : 0U;
+  }
+  built.bucket_words = built.references + built.cells;
+}
 
 /// Where facets are in space.
 class Directory {

@@ -26,16 +26,9 @@ class KdTree final : public DirectoryOf<KdTree> {
   [[nodiscard]] SpaceBuilt built() const override {
     SpaceBuilt built = built_;
     built.operations = count_.done();
-    built.entries = nodes_.size();
     built.directory_words = 2 * nodes_.size();
-    for (const Node& node : nodes_) {
-      if (node.low != 0) continue;
-      ++built.cells;
-      built.references += node.facets.size();
-      built.most_facets = std::max<std::uint64_t>(built.most_facets, node.facets.size());
-      built.overflows += node.facets.size() > bucket_size_ ? 1U : 0U;
-    }
-    built.bucket_words = built.references + built.cells;
+    count_buckets(
+        nodes_, bucket_size_, [](const Node& node) { return node.low == 0; }, built);
     return built;
   }
 

@@ -50,13 +50,9 @@ class ItemBuffer {
   void convert(std::uint32_t number, std::int32_t row) {
     const ScreenFacets& facets = scene_.screen();
     const ScreenFacet& facet = facets.facets[number];
-    const Span span = facets.span_of(facet, row);
-    count_span(facet, span);
-    std::int64_t value = value_at(facet.depth, span.first, row);
-    for (std::int32_t column = span.first; column <= span.last; ++column, value += facet.depth.a) {
-      const std::optional<Event> event = facets.event_at(facet, column, row, value);
-      if (event) met_[static_cast<std::size_t>(column)].push_back({*event, number});
-    }
+    count_span(facet, facets.for_row(facet, row, [&](std::int32_t column, const Event& event) {
+      met_[static_cast<std::size_t>(column)].push_back({event, number});
+    }));
   }
 
   /// As the rays room counts edge tests and the values of a plane along a row.

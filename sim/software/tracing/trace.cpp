@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "hw/base/error.h"
+#include "hw/base/seconds.h"
 #include "sim/software/coherences/sequences.h"
 #include "sim/software/tracing/item_buffer.h"
 #include "sim/software/tracing/primary_rays.h"
@@ -214,7 +215,7 @@ double traced_seconds(const TraceScene& scene, const Directory& directory, const
   for (unsigned i = 0; i < most_times && spent < enough; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     trace_with<UncountedMethod>(scene, directory, options, pixels);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double seconds = seconds_since(begin);
     least = std::min(least, seconds);
     spent += seconds;
   }

@@ -17,6 +17,7 @@
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "sim/studies/advise/fitted_program.h"
+#include "sim/studies/measured_row.h"
 #include "sim/studies/parallel.h"
 
 namespace csgsim::studies {
@@ -145,21 +146,12 @@ class Family {
   Family& operator=(const Family&) = delete;
 
   AdviceRow measure(const AdvicePoint& point) {
-    AdviceRow row;
-    row.point = point;
-    row.inputs = job_.inputs;
-    try {
+    return measured_row<AdviceRow>(point, job_.inputs, [&](AdviceRow& row) {
       const Fitted fitted = compile(job_, view_, point, guess(point));
       found_[key(point)] = {point.colour_bits, fitted.machine.array.memory_bits};
       judge(row);
       count(fitted, row);
-    } catch (const InputError& error) {
-      row = {};
-      row.point = point;
-      row.inputs = job_.inputs;
-      row.reason = escaped(error.what());
-    }
-    return row;
+    });
   }
 
  private:

@@ -18,6 +18,7 @@
 #include "sim/studies/classify/show.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_names.h"
+#include "sim/studies/processors.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
@@ -37,12 +38,6 @@ std::vector<std::string> shapes_in(const std::string& text) {
 }
 std::vector<std::string> reductions_in(const std::string& text) {
   return parse_names(text, "reduction", software::names_in(software::prunings()));
-}
-
-std::vector<software::Priced> priced_processors(const std::string& list) {
-  std::vector<software::Priced> processors;
-  for (const std::string& name : parse_words(list)) processors.push_back(software::priced(name));
-  return processors;
 }
 
 template <class Rows>
@@ -65,9 +60,7 @@ std::string difference_of(std::span<const ClassifyRow> rows) {
 class Classify : public StudyOf<ClassifyRow> {
  public:
   void add_options(Command& command) override {
-    options_.add_to(command);
-    for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
-      command.remove(of_machines);
+    add_model_without_machine(options_, command);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
         .words(software::names_in(software::methods()), is_read_by(methods_in));
     command.option("--coherences", coherences_, "List of what methods keep from point to point")
@@ -78,17 +71,11 @@ class Classify : public StudyOf<ClassifyRow> {
         .option("--reduced", reduced_,
                 "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
         .words(software::names_in(software::prunings()), is_read_by(reductions_in));
-    command
-        .option("--processors", processors_,
-                "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
-        .check(is_read_by(priced_processors));
+    add_processors(command, processors_);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    std::vector<std::filesystem::path> files = options_.inputs();
-    const std::vector<std::filesystem::path> more = input_files({}, parse_words(processors_));
-    files.insert(files.end(), more.begin(), more.end());
-    return files;
+    return inputs_with_processors(options_, processors_);
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"methods", "coherences", "shapes", "reduced", "processors"};
@@ -115,12 +102,12 @@ class Classify : public StudyOf<ClassifyRow> {
   void print() const override {
     fmt::print("{}: what classifying its rays takes, as in tables 4.9 and 4.10 of the thesis\n",
                printable(shown_name(options_.model)));
-    print_classification(rows(), priced_processors(processors_));
+    print_classification(rows(), processors_in(processors_));
     if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces, at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = priced_processors(processors_);
+    const std::vector<software::Priced> processors = processors_in(processors_);
     const SetPoint columns = setter_of(std::span<const ClassifyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -135,7 +122,7 @@ class Classify : public StudyOf<ClassifyRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_classification(rows(), priced_processors(processors_), plot_stem(options_.model));
+    return plots_of_classification(rows(), processors_in(processors_), plot_stem(options_.model));
   }
 
   [[nodiscard]] std::string page_title() const override { return "What classifying rays takes"; }

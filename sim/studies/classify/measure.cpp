@@ -1,8 +1,7 @@
 #include "sim/studies/classify/measure.h"
 
-#include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "sim/software/work.h"
+#include "sim/studies/measured_row.h"
 
 namespace csgsim::studies {
 
@@ -64,20 +63,7 @@ software::PricedSeconds seconds_of(const ClassifyRow& row, const software::Price
 }
 
 ClassifyRow measure(const ClassifyPoint& point, const Inputs& inputs, const Scene& scene) {
-  ClassifyRow row;
-  const auto begin = [&] {
-    row = {};
-    row.point = point;
-    row.inputs = inputs;
-  };
-  begin();
-  try {
-    draw(scene, row);
-  } catch (const InputError& error) {
-    begin();
-    row.reason = escaped(error.what());
-  }
-  return row;
+  return measured_row<ClassifyRow>(point, inputs, [&](ClassifyRow& row) { draw(scene, row); });
 }
 
 }  // namespace csgsim::studies

@@ -5,7 +5,6 @@
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
 #include "sim/engine/engine.h"
@@ -15,6 +14,7 @@
 #include "sim/observe/frame_hash.h"
 #include "sim/observe/stats.h"
 #include "sim/studies/compare/software.h"
+#include "sim/studies/measured_row.h"
 
 namespace csgsim::studies {
 
@@ -78,20 +78,9 @@ facet::Faceting faceting_of(const ComparisonPoint& point) {
 }
 
 ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
-  ComparisonRow row;
-  const auto begin = [&] {
-    row = {};
-    row.point = job.point;
-    row.inputs = job.inputs;
-  };
-  begin();
-  try {
+  return measured_row<ComparisonRow>(job.point, job.inputs, [&](ComparisonRow& row) {
     job.software ? measure_software(job, tree, row) : draw_on_machine(job, tree, row);
-  } catch (const InputError& error) {
-    begin();
-    row.reason = escaped(error.what());
-  }
-  return row;
+  });
 }
 
 }  // namespace csgsim::studies

@@ -22,6 +22,7 @@
 #include "sim/studies/display/show.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_names.h"
+#include "sim/studies/processors.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
@@ -38,12 +39,6 @@ std::vector<unsigned> display_fragments_in(const std::string& text) {
   return parse_numbers(text, 3, most_display_fragments);
 }
 std::vector<unsigned> bucket_sizes_in(const std::string& text) { return parse_numbers(text, 1, most_bucket_size); }
-
-std::vector<software::Priced> display_processors_in(const std::string& list) {
-  std::vector<software::Priced> processors;
-  for (const std::string& name : parse_words(list)) processors.push_back(software::priced(name));
-  return processors;
-}
 
 /// Exact methods see the same surfaces of the same facets.
 std::string display_difference(std::span<const DisplayStudyRow> rows) {
@@ -66,9 +61,7 @@ std::string display_difference(std::span<const DisplayStudyRow> rows) {
 class Display : public StudyOf<DisplayStudyRow> {
  public:
   void add_options(Command& command) override {
-    options_.add_to(command);
-    for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
-      command.remove(of_machines);
+    add_model_without_machine(options_, command);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
         .words(software::names_in(software::display_methods()), is_read_by(display_methods_in));
     command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
@@ -79,17 +72,11 @@ class Display : public StudyOf<DisplayStudyRow> {
         .excludes("--tolerances");
     command.option("--bucket-sizes", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
         .check(is_read_by(bucket_sizes_in));
-    command
-        .option("--processors", processors_,
-                "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
-        .check(is_read_by(display_processors_in));
+    add_processors(command, processors_);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    std::vector<std::filesystem::path> files = options_.inputs();
-    const std::vector<std::filesystem::path> more = input_files({}, parse_words(processors_));
-    files.insert(files.end(), more.begin(), more.end());
-    return files;
+    return inputs_with_processors(options_, processors_);
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"methods", "tolerances", "fragments", "bucket-sizes", "processors"};
@@ -116,12 +103,12 @@ class Display : public StudyOf<DisplayStudyRow> {
   void print() const override {
     fmt::print("{}: what displaying it facet by facet takes, as in table 5.1 of the thesis\n",
                printable(shown_name(options_.model)));
-    print_display(rows(), display_processors_in(processors_));
+    print_display(rows(), processors_in(processors_));
     if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces, at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = display_processors_in(processors_);
+    const std::vector<software::Priced> processors = processors_in(processors_);
     const SetPoint columns = setter_of(std::span<const DisplayStudyRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -139,7 +126,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_display(rows(), display_processors_in(processors_), plot_stem(options_.model));
+    return plots_of_display(rows(), processors_in(processors_), plot_stem(options_.model));
   }
 
   [[nodiscard]] std::string page_title() const override { return "What displaying facets takes"; }

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "hw/base/error.h"
-#include "hw/base/text.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/facets/facets.h"
 #include "sim/software/tree/tree.h"
+#include "sim/studies/measured_row.h"
 
 namespace csgsim::studies {
 
@@ -69,10 +68,7 @@ DisplaySeconds display_seconds(const DisplayStudyRow& row, const software::Price
 
 DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs, const model::Tree& tree,
                                 const facet::Geometry& geometry, const view::View& view) {
-  DisplayStudyRow row;
-  row.point = point;
-  row.inputs = inputs;
-  try {
+  return measured_row<DisplayStudyRow>(point, inputs, [&](DisplayStudyRow& row) {
     const software::DisplayRow& method = software::display_method(point.method);
     const software::Tree balanced = software::make_tree(tree, software::Shape::balanced);
     const software::Facets facets = software::facets_of(tree, geometry);
@@ -87,13 +83,7 @@ DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs,
     row.wrong_order = displayed.faults.order;
     row.surfaces = software::hash_of(displayed.picture);
     take_time(method, subject, row);
-  } catch (const InputError& error) {
-    row = {};
-    row.point = point;
-    row.inputs = inputs;
-    row.reason = escaped(error.what());
-  }
-  return row;
+  });
 }
 
 }  // namespace csgsim::studies

@@ -3,8 +3,7 @@
 #include <memory>
 
 #include "host/swept/mesh.h"
-#include "hw/base/error.h"
-#include "hw/base/text.h"
+#include "sim/studies/measured_row.h"
 
 namespace csgsim::studies {
 
@@ -52,18 +51,7 @@ void mesh(const commands::NamedSurface& named, MeshRow& row) {
 }  // namespace
 
 MeshRow measure(const MeshPoint& point, const Inputs& inputs, const commands::NamedSurface& surface) {
-  MeshRow row;
-  row.point = point;
-  row.inputs = inputs;
-  try {
-    mesh(surface, row);
-  } catch (const InputError& error) {
-    row = {};
-    row.point = point;
-    row.inputs = inputs;
-    row.reason = escaped(error.what());
-  }
-  return row;
+  return measured_row<MeshRow>(point, inputs, [&](MeshRow& row) { mesh(surface, row); });
 }
 
 }  // namespace csgsim::studies

@@ -1,8 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -20,9 +18,11 @@
 #include "sim/shell/read_by.h"
 #include "sim/shell/version.h"
 #include "sim/software/work.h"
+#include "sim/studies/dimensions.h"
 #include "sim/studies/mesh/price.h"
 #include "sim/studies/mesh/show.h"
 #include "sim/studies/plot_names.h"
+#include "sim/studies/processors.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
@@ -37,29 +37,10 @@ std::vector<std::string> flatness_in(const std::string& text) {
 }
 std::vector<std::string> repairs_in(const std::string& text) { return parse_names(text, "repair", repairs); }
 
-std::vector<double> tolerances_in(const std::string& text) {
-  std::vector<double> tolerances;
-  for (const std::string& word : parse_words(text)) {
-    std::size_t end = 0;
-    double value = 0;
-    try {
-      value = std::stod(word, &end);
-    } catch (const std::exception&) {
-      end = 0;
-    }
-    if (end != word.size() || !(value > 0) || !std::isfinite(value))
-      throw InputError(printable(word) + " is no tolerance; take a number of model units above 0");
-    tolerances.push_back(value);
-  }
-  return tolerances;
-}
-
 std::vector<software::Priced> meshing_processors(const std::string& list) {
-  std::vector<software::Priced> processors;
-  for (const std::string& name : parse_words(list)) {
-    processors.push_back(software::priced(name));
-    if (!processors.back().processor) throw InputError(name + " has no prices; take a processor by name or .toml file");
-  }
+  std::vector<software::Priced> processors = processors_in(list);
+  for (const software::Priced& one : processors)
+    if (!one.processor) throw InputError(one.name + " has no prices; take a processor by name or .toml file");
   return processors;
 }
 
@@ -80,8 +61,7 @@ class Mesh : public StudyOf<MeshRow> {
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    std::vector<std::filesystem::path> files = input_files({model_}, parse_words(processors_));
-    return files;
+    return input_files({model_}, parse_words(processors_));
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"tolerances", "flatness", "repairs", "processors"};

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "host/emit/facet_geometry.h"
-#include "hw/base/error.h"
-#include "hw/base/text.h"
+#include "hw/base/seconds.h"
+#include "sim/studies/measured_row.h"
 
 namespace csgsim::studies {
 
@@ -100,7 +100,7 @@ void draw(const TraceSubject& subject, TraceRow& row) {
   const auto begin = std::chrono::steady_clock::now();
   const std::unique_ptr<software::Directory> directory =
       software::directory_of(row.point.directory).make(scene.shapes(), {row.point.bucket_size});
-  row.wall_seconds_build = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  row.wall_seconds_build = seconds_since(begin);
   const software::Traced traced = software::trace(scene, *directory, options, true);
   tell(directory->built(), row);
   tell(traced.counts, row);
@@ -148,20 +148,7 @@ double build_seconds_of(const TraceRow& row, const software::Priced& processor) 
 }
 
 TraceRow measure_trace(const TracePoint& point, const Inputs& inputs, const TraceSubject& subject) {
-  TraceRow row;
-  const auto begin = [&] {
-    row = {};
-    row.point = point;
-    row.inputs = inputs;
-  };
-  begin();
-  try {
-    draw(subject, row);
-  } catch (const InputError& error) {
-    begin();
-    row.reason = escaped(error.what());
-  }
-  return row;
+  return measured_row<TraceRow>(point, inputs, [&](TraceRow& row) { draw(subject, row); });
 }
 
 }  // namespace csgsim::studies

@@ -20,6 +20,7 @@
 #include "sim/studies/dimensions.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_names.h"
+#include "sim/studies/processors.h"
 #include "sim/studies/study.h"
 #include "sim/studies/trace/show.h"
 
@@ -42,12 +43,6 @@ std::vector<unsigned> bucket_sizes_in(const std::string& text) {
 std::vector<std::string> cast_in(const std::string& text) { return parse_names(text, "kind of ray", cast_names); }
 std::vector<std::string> switches_in(const std::string& text) { return parse_names(text, "choice", switch_names); }
 
-std::vector<software::Priced> traced_processors(const std::string& list) {
-  std::vector<software::Priced> processors;
-  for (const std::string& name : parse_words(list)) processors.push_back(software::priced(name));
-  return processors;
-}
-
 /// Pictures do not depend on how rays find what they meet, so all of one tolerance have to be the same.
 std::string difference_of(std::span<const TraceRow> rows) {
   for (const TraceRow& row : rows) {
@@ -63,9 +58,7 @@ std::string difference_of(std::span<const TraceRow> rows) {
 class Trace : public StudyOf<TraceRow> {
  public:
   void add_options(Command& command) override {
-    options_.add_to(command);
-    for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
-      command.remove(of_machines);
+    add_model_without_machine(options_, command);
     command
         .option("--directories", directories_,
                 "List of what rays find facets by, as csgsim manual methods tells of them")
@@ -83,17 +76,11 @@ class Trace : public StudyOf<TraceRow> {
     command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
         .check(is_read_by(tolerances_in))
         .excludes("--tolerance");
-    command
-        .option("--processors", processors_,
-                "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
-        .check(is_read_by(traced_processors));
+    add_processors(command, processors_);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    std::vector<std::filesystem::path> files = options_.inputs();
-    const std::vector<std::filesystem::path> more = input_files({}, parse_words(processors_));
-    files.insert(files.end(), more.begin(), more.end());
-    return files;
+    return inputs_with_processors(options_, processors_);
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"directories", "bucket-sizes", "cast", "item-buffer", "mailboxes", "tolerances", "processors"};
@@ -120,12 +107,12 @@ class Trace : public StudyOf<TraceRow> {
   void print() const override {
     fmt::print("{}: what tracing its rays takes, as in section 5.3 of the thesis\n",
                printable(shown_name(options_.model)));
-    print_tracing(rows(), traced_processors(processors_));
+    print_tracing(rows(), processors_in(processors_));
     if (difference_of(rows()).empty()) fmt::print("\nAll ways see the same surfaces, at every pixel.\n");
   }
 
   [[nodiscard]] std::string json(const std::string& title) const override {
-    const std::vector<software::Priced> processors = traced_processors(processors_);
+    const std::vector<software::Priced> processors = processors_in(processors_);
     const SetPoint columns = setter_of(std::span<const TraceRow>(rows()));
     return points_text(title, rows().size(), [&](nlohmann::ordered_json& json, std::size_t point) {
       columns(json, point);
@@ -146,7 +133,7 @@ class Trace : public StudyOf<TraceRow> {
   }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
-    return plots_of_tracing(rows(), traced_processors(processors_), plot_stem(options_.model));
+    return plots_of_tracing(rows(), processors_in(processors_), plot_stem(options_.model));
   }
 
   [[nodiscard]] std::string page_title() const override { return "What tracing rays takes"; }
@@ -217,13 +204,10 @@ extern const StudyRow trace_row{
     .example =
         "  csgsim trace carburettor.csg --camera 220,-255,135,2,0,5 --size 256x256\n"
         "  csgsim trace carburettor.csg --directories excell --bucket-sizes 1..24 --cast primary --item-buffer without "
-        "-o "
-        "out\n"
+        "-o out\n"
         "Rays find the facets near them by EXCELL, the spatial directory of the thesis, or by a rival. Pictures are "
-        "the\n"
-        "machines'; rays to lights and in mirrors are cast in real arithmetic, with the scene's lights and mirrors, "
-        "or\n"
-        "with all facets as mirrors where it has none.",
+        "the\nmachines'; rays to lights and in mirrors are cast in real arithmetic, with the scene's lights and "
+        "mirrors, or\nwith all facets as mirrors where it has none.",
     .plots = "plots (.png, .svg) of cells a ray, and of seconds by size of buckets and by polygons",
     .folder = Folder::optional,
     .is_parallel = false,

@@ -25,6 +25,7 @@
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
 #include "tests/support/usual_cases.h"
+#include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
@@ -61,10 +62,6 @@ struct Shown {
     return by(software::display_method(method), counts, bucket_size);
   }
 };
-
-bool is_curved(const Scene& scene) {
-  return std::ranges::any_of(scene.geometry.solids, [](const auto& one) { return !one.quadrics.empty(); });
-}
 
 std::string difference(const software::Picture& picture, const std::vector<testing::Seen>& expected,
                        std::uint32_t width) {
@@ -158,17 +155,8 @@ std::uint64_t check_counts(const Scene& scene) {
 
 TEST_CASE("exact methods that go facet by facet draw random models as the rules say") {
   Tally tally;
-  CHECK(rc::check([&] {
-    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    for (std::uint64_t i = 0; i < 8; ++i) {
-      const std::optional<Scene> scene = testing::random_scene(seed + i);
-      ++tally.scenes;
-      tally.refused += !scene || is_curved(*scene) ? 1U : 0U;
-      if (!scene || is_curved(*scene)) continue;
-      const std::string fault = fault_of(*scene, tally);
-      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
-    }
-  }));
+  CHECK(testing::holds_in_random_scenes(
+      tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " of ", tally.pixels,
           " pixels covered, ", tally.spans, " spans, ", tally.splits, " splits");
   if (!testing::draws_usual_cases()) return;
@@ -219,7 +207,7 @@ TEST_CASE(
   std::uint64_t scenes = 0;
   for (std::uint64_t seed = 1; scenes < 60; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
-    if (!scene || is_curved(*scene)) continue;
+    if (!scene || !testing::is_faceted(*scene)) continue;
     CAPTURE(seed);
     evaluations += check_counts(*scene);
     ++scenes;
@@ -345,7 +333,7 @@ TEST_CASE("list priority draws each event once, and its wrong pixels have surfac
     const auto seed = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t i = 0; i < 4; ++i) {
       const std::optional<Scene> scene = testing::random_scene(seed + i);
-      if (!scene || is_curved(*scene)) continue;
+      if (!scene || !testing::is_faceted(*scene)) continue;
       const std::string fault = fault_of_priority(*scene, 4 + (seed + i) % 30, wrong);
       if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
     }
@@ -461,7 +449,7 @@ TEST_CASE("each pixel of a facet is in one of its pieces, whatever the size of b
   std::uint64_t cuts = 0;
   for (std::uint64_t seed = 1; scenes < 60; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
-    if (!scene || is_curved(*scene)) continue;
+    if (!scene || !testing::is_faceted(*scene)) continue;
     CAPTURE(seed);
     const Shown shown(*scene);
     const software::ScreenFacets seen =
@@ -490,7 +478,7 @@ TEST_CASE("pieces of different primitives do not cross, and a facet's have its a
   std::uint64_t before = 0;
   for (std::uint64_t seed = 1; scenes < 24; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
-    if (!scene || is_curved(*scene)) continue;
+    if (!scene || !testing::is_faceted(*scene)) continue;
     const Shown shown(*scene);
     if (shown.facets.facets.size() > 60) continue;
     CAPTURE(seed);

@@ -2,13 +2,11 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +18,7 @@
 #include "sim/software/rays/caster.h"
 #include "tests/support/drawing.h"
 #include "tests/support/usual_cases.h"
+#include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
@@ -43,12 +42,9 @@ std::vector<std::vector<Event>> scan_converted(const software::ScreenFacets& fac
   std::vector<std::vector<Event>> events(std::size_t{width} * height);
   for (const software::ScreenFacet& facet : facets.facets) {
     for (std::int32_t y = facet.pixels.y0; y <= facet.pixels.y1; ++y) {
-      const software::Span span = facets.span_of(facet, y);
-      std::int64_t value = software::value_at(facet.depth, span.first, y);
-      for (std::int32_t x = span.first; x <= span.last; ++x, value += facet.depth.a) {
-        const std::optional<Event> event = facets.event_at(facet, x, y, value);
-        if (event) events[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].push_back(*event);
-      }
+      facets.for_row(facet, y, [&](std::int32_t x, const Event& event) {
+        events[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)].push_back(event);
+      });
     }
   }
   for (std::vector<Event>& one : events) std::sort(one.begin(), one.end());
@@ -96,19 +92,8 @@ Scene scene_of(const std::string& csg) {
 
 TEST_CASE("facets that are scan-converted give each pixel the events of its ray, in random scenes") {
   Tally tally;
-  CHECK(rc::check([&] {
-    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    for (std::uint64_t i = 0; i < 8; ++i) {
-      const std::optional<Scene> scene = testing::random_scene(seed + i);
-      ++tally.scenes;
-      const bool is_curved =
-          scene && std::ranges::any_of(scene->geometry.solids, [](const auto& one) { return !one.quadrics.empty(); });
-      if (!scene || is_curved) ++tally.refused;
-      if (!scene || is_curved) continue;
-      const std::string fault = fault_of(*scene, tally);
-      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
-    }
-  }));
+  CHECK(testing::holds_in_random_scenes(
+      tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.events, " events, ", tally.facets, " facets, ",
           tally.with_opposites, " with opposites, ", tally.bounds, " bounds");
   if (!testing::draws_usual_cases()) return;

@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -14,6 +13,7 @@
 #include "tests/oracle/split_mix.h"
 #include "tests/support/drawing.h"
 #include "tests/support/usual_cases.h"
+#include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
@@ -184,17 +184,9 @@ std::string fault_of(const Scene& scene, Tally& tally) {
 
 TEST_CASE("rays meet of random scenes what the integers of the view say pixel by pixel, and events are the ends") {
   Tally tally;
-  CHECK(rc::check([&] {
-    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    for (std::uint64_t i = 0; i < 8; ++i) {
-      const std::optional<Scene> scene = testing::random_scene(seed + i);
-      ++tally.scenes;
-      tally.refused += scene ? 0U : 1U;
-      if (!scene) continue;
-      const std::string fault = fault_of(*scene, tally);
-      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
-    }
-  }));
+  CHECK(testing::holds_in_random_scenes(
+      tally, [](const Scene&) { return true; },
+      [&](const Scene& scene, std::uint64_t /*seed*/) { return fault_of(scene, tally); }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.rays, " rays, ", tally.intervals,
           " intervals, ", tally.events, " events");
   if (!testing::draws_usual_cases()) return;

@@ -2,13 +2,11 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
-#include <rapidcheck.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +16,7 @@
 #include "tests/support/drawing.h"
 #include "tests/support/software_ways.h"
 #include "tests/support/usual_cases.h"
+#include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;
@@ -68,10 +67,6 @@ std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally
   return "";
 }
 
-bool is_faceted(const Scene& scene) {
-  return std::ranges::all_of(scene.geometry.solids, [](const facet::Convex& one) { return one.quadrics.empty(); });
-}
-
 Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t width, std::uint32_t height) {
   view::Sampling sampling;
   sampling.width = width;
@@ -84,18 +79,8 @@ Scene scene_of(const std::string& csg, const view::Camera& camera, std::uint32_t
 TEST_CASE(
     "ray tracing sees what the rules say in random scenes, by each directory, with mailboxes, an item buffer or not") {
   Tally tally;
-  CHECK(rc::check([&] {
-    const auto seed = *rc::gen::arbitrary<std::uint64_t>();
-    for (std::uint64_t i = 0; i < 8; ++i) {
-      const std::optional<Scene> scene = testing::random_scene(seed + i);
-      ++tally.scenes;
-      if (!scene || !is_faceted(*scene)) {
-        ++tally.refused;
-        continue;
-      }
-      const std::string fault = fault_of(*scene, static_cast<std::uint32_t>(1 + (seed + i) % 9), tally);
-      if (!fault.empty()) RC_FAIL(fmt::format("seed {}: {}", seed + i, fault));
-    }
+  CHECK(testing::holds_in_random_scenes(tally, testing::is_faceted, [&](const Scene& scene, std::uint64_t seed) {
+    return fault_of(scene, static_cast<std::uint32_t>(1 + seed % 9), tally);
   }));
   MESSAGE(tally.scenes, " scenes, ", tally.refused, " refused, ", tally.covered, " pixels covered, ", tally.tested,
           " facets tested, ", tally.loose, " of them loose; ", tally.loose_facets, " of ", tally.facets, " are loose");

@@ -1,0 +1,35 @@
+#include "sim/studies/processors.h"
+
+#include "sim/shell/lists.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/read_by.h"
+
+namespace csgsim::studies {
+
+std::vector<software::Priced> processors_in(const std::string& list) {
+  std::vector<software::Priced> processors;
+  for (const std::string& name : shell::parse_words(list)) processors.push_back(software::priced(name));
+  return processors;
+}
+
+void add_processors(shell::Command& command, std::string& list) {
+  command
+      .option("--processors", list,
+              "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
+      .check(shell::is_read_by(processors_in));
+}
+
+void add_model_without_machine(shell::ModelOptions& model, shell::Command& command) {
+  model.add_to(command);
+  for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
+    command.remove(of_machines);
+}
+
+std::vector<std::filesystem::path> inputs_with_processors(const shell::ModelOptions& model, const std::string& list) {
+  std::vector<std::filesystem::path> files = model.inputs();
+  const std::vector<std::filesystem::path> more = shell::input_files({}, shell::parse_words(list));
+  files.insert(files.end(), more.begin(), more.end());
+  return files;
+}
+
+}  // namespace csgsim::studies

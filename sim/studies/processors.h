@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/shell/command_line.h"
+#include "sim/shell/model_options.h"
+#include "sim/software/work.h"
+
+/// What studies of software have in common.
+namespace csgsim::studies {
+
+/// Names and files with commas between them. Throws as software::priced does.
+std::vector<software::Priced> processors_in(const std::string& list);
+
+/// --processors, this-computer among them.
+void add_processors(shell::Command& command, std::string& list);
+
+/// The options of a model without those that only machines have a use for.
+void add_model_without_machine(shell::ModelOptions& model, shell::Command& command);
+
+/// The files of a model, and those of processors.
+std::vector<std::filesystem::path> inputs_with_processors(const shell::ModelOptions& model, const std::string& list);
+
+}  // namespace csgsim::studies

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "tests/unit/software/scenes.h"
+
+namespace csgsim::testing {
+
+/// Whether `fault(scene, seed)` says nothing of random scenes, eight for each case that is drawn. The tally counts
+/// them, and as refused those that cannot be made or are not `wanted(scene)`.
+template <class Tally, class Wanted, class Fault>
+bool holds_in_random_scenes(Tally& tally, const Wanted& wanted, const Fault& fault) {
+  return rc::check([&] {
+    const auto first = *rc::gen::arbitrary<std::uint64_t>();
+    for (std::uint64_t seed = first; seed != first + 8; ++seed) {
+      const std::optional<Scene> scene = random_scene(seed);
+      ++tally.scenes;
+      if (!scene || !wanted(*scene)) {
+        ++tally.refused;
+        continue;
+      }
+      const std::string said = fault(*scene, seed);
+      if (!said.empty()) RC_FAIL(fmt::format("seed {}: {}", seed, said));
+    }
+  });
+}
+
+inline bool is_faceted(const Scene& scene) { return scene.geometry.is_faceted(); }
+
+}  // namespace csgsim::testing
