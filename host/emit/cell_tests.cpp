@@ -28,8 +28,8 @@ class Counting {
   void count(const PixelRect& cell, const Indices& open, bool quarters) {
     const CellCorners corners = corners_of(cell, open);
     for (const std::size_t leader : corners.leaders) settled_[leader] = true;
-    if (is_settled(open)) return;
     tests += open.size();
+    if (is_settled(open)) return;
     Indices left;
     for (const std::size_t one : open) {
       if (is_near(one, corners)) settled_[one] = true;

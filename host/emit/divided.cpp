@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "host/emit/division_counts.h"
 #include "hw/base/error.h"
 #include "hw/division/encoding.h"
+#include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
 
@@ -22,15 +24,35 @@ std::vector<std::uint8_t> bytes_of(const division::Bits& bits) {
   return bytes;
 }
 
+bool begins_surface(const isa::Instruction& one) {
+  return one.opcode == isa::Opcode::enable_all && one.origin.purpose == isa::Purpose::render;
+}
+
+/// Whose instructions come first: what is set up is written with the first surface.
+std::uint32_t first_surface(const isa::Segment& segment) {
+  const auto first = std::ranges::find_if(segment.instructions, begins_surface);
+  return first == segment.instructions.end() ? model::no_index : first->origin.primitive;
+}
+
+/// How many instructions each surface has.
+std::map<std::uint32_t, std::uint64_t> instructions_of(const isa::Segment& segment) {
+  std::map<std::uint32_t, std::uint64_t> counts;
+  std::uint32_t surface = first_surface(segment);
+  for (const isa::Instruction& one : segment.instructions) {
+    if (begins_surface(one)) surface = one.origin.primitive;
+    ++counts[surface];
+  }
+  return counts;
+}
+
 void put(const SquareCounts& square, isa::Segment& segment) {
-  const division::Counts& counts = square.counts;
-  isa::DivisionCounts& division = segment.division;
-  division.boxes = counts.boxes;
-  division.halfspaces = counts.halfspaces;
-  division.cells = counts.cells;
-  division.nodes = counts.nodes;
-  division.most_halfspaces = square.at_hand.halfspaces;
-  division.most_nodes = square.at_hand.nodes;
+  std::map<std::uint32_t, std::uint64_t> instructions = instructions_of(segment);
+  for (const SurfaceCounts& surface : square) {
+    const division::Counts& counts = surface.counts;
+    const isa::DivisionStep step{counts.boxes, counts.lists, counts.halfspaces,
+                                 counts.cells, counts.nodes, instructions[surface.primitive]};
+    if (surface.primitive != model::no_index || step != isa::DivisionStep{}) segment.division.steps.push_back(step);
+  }
 }
 
 std::vector<isa::Region> regions_of(std::span<const isa::Segment> segments) {
@@ -100,6 +122,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
     isa::DivisionCounts& of_group = squares.front().division;
     of_group.group_boxes = counts.group.boxes;
+    of_group.group_lists = counts.group.lists;
     of_group.group_halfspaces = counts.group.halfspaces;
     of_group.group_cells = counts.group.cells;
     of_group.group_entries = counts.entries;

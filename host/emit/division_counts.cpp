@@ -1,6 +1,7 @@
 #include "host/emit/division_counts.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "host/csg/locate.h"
 #include "host/emit/cell_tests.h"
@@ -66,7 +67,7 @@ class Counter {
     for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) {
       const view::PixelRect pixels = common(view_.extents[i].pixels, segment.pixels());
       if (view_.extents[i].empty() || pixels.empty()) continue;
-      counts.halfspaces += sent(i).size();
+      count_list(sent(i).size(), counts);
       const csg::Block column{pixels, 0, context.farthest()};
       bool nothing = false;
       for (const facet::Halfspace& halfspace : sent(i)) {
@@ -94,12 +95,19 @@ class Counter {
     const csg::Pruner pruner(geometry_, view_, positive_, options_.pruning);
     const std::vector<csg::ConvexSet> sets = csg::convex_sets(positive_, true);
     const std::vector<std::vector<std::uint32_t>> active = sets_in(squares, sets, view_);
-    const auto boxes = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
+    const std::vector<std::uint64_t> boxes = boxes_before(sets, listed);
     for (std::size_t i = 0; i < squares.size(); ++i) {
       SquareCounts& square = counts.emplace_back();
-      square.counts.boxes = boxes;
-      for (const std::uint32_t number : active[i]) add_set(square, sets[number], plan.segments[i], pruner, listed);
-      add_surfaces(square, plan.segments[i], listed);
+      std::uint64_t looked_at = 0;
+      for (const std::uint32_t number : active[i]) {
+        if (!is_listed(sets[number], listed) || !has_box(sets[number], plan.segments[i])) continue;
+        SurfaceCounts& surface = square.emplace_back();
+        surface.primitive = sets[number].front();
+        surface.counts = counts_of(sets[number], plan.segments[i], pruner, listed);
+        surface.counts.boxes = boxes[number + 1] - std::exchange(looked_at, boxes[number + 1]);
+      }
+      square.push_back({model::no_index, {.boxes = boxes.back() - looked_at}});
+      add_cells(square, plan.segments[i], listed);
     }
     return counts;
   }
@@ -151,33 +159,42 @@ class Counter {
     return !box.pixels.empty() && box.z_low <= box.z_high;
   }
 
-  [[nodiscard]] static std::uint64_t halfspaces_of(std::span<const std::uint32_t> set, const Listed& listed) {
-    std::uint64_t count = 0;
-    for (const std::uint32_t primitive : set) count += listed.halfspaces[primitive].size();
-    return count;
+  static void count_list(std::uint64_t halfspaces, division::Counts& counts) {
+    counts.halfspaces += halfspaces;
+    if (halfspaces > 0) ++counts.lists;
   }
 
-  /// What looking at a set in a square takes.
-  void add_set(SquareCounts& square, const csg::ConvexSet& set, const SegmentPlan& segment, const csg::Pruner& pruner,
-               const Listed& listed) const {
-    const bool is_listed = std::all_of(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
-    if (!is_listed || !has_box(set, segment)) return;
-    division::Counts surface;
-    surface.halfspaces = halfspaces_of(set, listed);
+  [[nodiscard]] static bool is_listed(std::span<const std::uint32_t> set, const Listed& listed) {
+    return std::all_of(set.begin(), set.end(), [&](std::uint32_t one) { return listed.primitives[one]; });
+  }
+
+  /// How many primitives of the list come before each set, and how many there are.
+  [[nodiscard]] static std::vector<std::uint64_t> boxes_before(std::span<const csg::ConvexSet> sets,
+                                                               const Listed& listed) {
+    std::vector<std::uint64_t> before{0};
+    for (const csg::ConvexSet& set : sets) {
+      const auto own = std::count_if(set.begin(), set.end(), [&](auto one) { return listed.primitives[one]; });
+      before.push_back(before.back() + static_cast<std::uint64_t>(own));
+    }
+    return before;
+  }
+
+  /// What looking at a set takes whose boxes and the square have something in common.
+  [[nodiscard]] division::Counts counts_of(const csg::ConvexSet& set, const SegmentPlan& segment,
+                                           const csg::Pruner& pruner, const Listed& listed) const {
+    division::Counts counts;
+    for (const std::uint32_t primitive : set) count_list(listed.halfspaces[primitive].size(), counts);
     const csg::Block block = pruner.block_of(set, segment.pixels());
-    if (!block.pixels.empty()) look_at_tree(set, block, listed, surface);
-    square.counts += surface;
-    square.at_hand.halfspaces = std::max(square.at_hand.halfspaces, surface.halfspaces);
-    square.at_hand.nodes = std::max(square.at_hand.nodes, surface.nodes);
+    if (!block.pixels.empty()) look_at_tree(set, block, listed, counts);
+    return counts;
   }
 
   /// What thinning out the half-spaces of the surfaces that are left takes.
-  void add_surfaces(SquareCounts& square, const SegmentPlan& segment, const Listed& listed) const {
+  void add_cells(SquareCounts& square, const SegmentPlan& segment, const Listed& listed) const {
     const Context context = context_of(segment);
     for (const PlannedSurface& planned : segment.surfaces) {
-      const bool is_listed =
-          std::all_of(planned.set.begin(), planned.set.end(), [&](auto one) { return listed.primitives[one]; });
-      if (is_listed) thin_out(context, planned, listed, square.counts);
+      const auto surface = std::ranges::find(square, planned.primitive(), &SurfaceCounts::primitive);
+      if (surface != square.end()) thin_out(context, planned, listed, surface->counts);
     }
   }
 
@@ -203,7 +220,7 @@ class Counter {
       const csg::PositiveNode& node = positive_.nodes[at];
       open.insert(open.end(), node.children.begin(), node.children.end());
       if (node.is_leaf && std::find(set.begin(), set.end(), node.primitive) == set.end())
-        counts.halfspaces += listed.halfspaces[node.primitive].size();
+        count_list(listed.halfspaces[node.primitive].size(), counts);
     }
   }
 

@@ -16,11 +16,14 @@ namespace csgsim::emit {
 
 // What the divider does, counted by the host's own means and by the rules of docs/division.md alone.
 
-/// Instructions apart, which a compiled Program has.
-struct SquareCounts {
+/// What a surface takes, whether it is drawn or not, with the boxes since the one before; instructions apart, which a
+/// compiled Program has. After the last come the boxes that are left.
+struct SurfaceCounts {
+  std::uint32_t primitive = model::no_index;  ///< its first; none after the last surface
   division::Counts counts;
-  division::AtHand at_hand;
 };
+
+using SquareCounts = std::vector<SurfaceCounts>;
 
 /// For each square from the whole model.
 std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Geometry& geometry,

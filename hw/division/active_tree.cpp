@@ -16,15 +16,14 @@ struct Outcome {
 
 class Pruner {
  public:
-  Pruner(const DisplayModel& model, const Tree& tree, const Candidates& candidates, const Surface& surface,
-         Counts& counts)
-      : model_(model), tree_(tree), candidates_(candidates), surface_(surface), counts_(counts) {}
+  Pruner(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface)
+      : path_(path), tree_(tree), candidates_(candidates), surface_(surface) {}
 
   ActiveTree run() {
     bool nothing = false;
     std::uint32_t below = tree_.leaf_of[surface_.first];
     for (std::uint32_t at = tree_.nodes[below].parent; at != no_node; below = at, at = tree_.nodes[at].parent) {
-      ++counts_.nodes;
+      path_.look_at_node();
       const TreeNode& node = tree_.nodes[at];
       if (node.op != Operator::intersect) continue;
       for (const std::uint32_t sibling : node.operands) {
@@ -45,7 +44,7 @@ class Pruner {
     looked_at_.clear();
     for (std::uint32_t at = root + 1; at > tree_.nodes[root].first;) {
       --at;
-      ++counts_.nodes;
+      path_.look_at_node();
       looked_at_.push_back(at);
       // The subtree ends before its first node.
       if (disjoint(tree_.nodes[at].box, surface_.box)) at = tree_.nodes[at].first;
@@ -76,8 +75,8 @@ class Pruner {
   Outcome leaf(const TreeNode& node) {
     if (surface_.holds(node.primitive)) return {Known::in, 0};
     Comparison comparison{node.primitive, {}, {}};
-    const Known known = compare(comparison);
-    const bool complemented = model_.primitives[node.primitive].complemented;
+    const Known known = compare(node, comparison);
+    const bool complemented = node.in_elsewhere;
     if (known != Known::depends) return {complemented ? inverted(known) : known, 0};
     Term term;
     term.is_leaf = true;
@@ -86,20 +85,18 @@ class Pruner {
     return {Known::depends, add(std::move(term))};
   }
 
-  Known compare(Comparison& comparison) {
-    const Primitive& primitive = model_.primitives[comparison.primitive];
-    if (!candidates_.listed[comparison.primitive] || primitive.box.empty()) return Known::out;
-    comparison.pixels = overlap(primitive.box.pixels, surface_.box.pixels);
+  Known compare(const TreeNode& node, Comparison& comparison) {
+    if (!candidates_.listed[comparison.primitive] || node.box.empty()) return Known::out;
+    comparison.pixels = overlap(node.box.pixels, surface_.box.pixels);
     bool inside = comparison.pixels == surface_.box.pixels;
     bool outside = false;
-    for (const Halfspace& halfspace : candidates_.halfspaces[comparison.primitive]) {
-      const Tested tested = test_corners(model_, comparison.primitive, halfspace, comparison.pixels);
+    comparison.tested =
+        path_.test(comparison.primitive, candidates_.halfspaces[comparison.primitive], comparison.pixels);
+    for (const Tested& tested : comparison.tested) {
       const Known known = known_between(tested, surface_.box.z_low, surface_.box.z_high);
       inside = inside && known == Known::in;
       outside = outside || known == Known::out;
-      comparison.tested.push_back(tested);
     }
-    counts_.halfspaces += comparison.tested.size();
     if (outside) return Known::out;
     return inside ? Known::in : Known::depends;
   }
@@ -153,11 +150,10 @@ class Pruner {
     return static_cast<std::uint32_t>(active_.terms.size() - 1);
   }
 
-  const DisplayModel& model_;
+  Datapath& path_;
   const Tree& tree_;
   const Candidates& candidates_;
   const Surface& surface_;
-  Counts& counts_;
   ActiveTree active_;
   std::vector<std::uint32_t> looked_at_;
   std::vector<Outcome> outcomes_;
@@ -165,9 +161,8 @@ class Pruner {
 
 }  // namespace
 
-ActiveTree active_tree_of(const DisplayModel& model, const Tree& tree, const Candidates& candidates,
-                          const Surface& surface, Counts& counts) {
-  return Pruner(model, tree, candidates, surface, counts).run();
+ActiveTree active_tree_of(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface) {
+  return Pruner(path, tree, candidates, surface).run();
 }
 
 }  // namespace csgsim::division

@@ -5,7 +5,7 @@
 
 #include "hw/division/candidates.h"
 #include "hw/division/corners.h"
-#include "hw/division/counts.h"
+#include "hw/division/datapath.h"
 #include "hw/division/surfaces.h"
 #include "hw/division/tree.h"
 
@@ -36,7 +36,6 @@ struct ActiveTree {
   std::vector<std::uint32_t> operands;
 };
 
-ActiveTree active_tree_of(const DisplayModel& model, const Tree& tree, const Candidates& candidates,
-                          const Surface& surface, Counts& counts);
+ActiveTree active_tree_of(Datapath& path, const Tree& tree, const Candidates& candidates, const Surface& surface);
 
 }  // namespace csgsim::division

@@ -37,8 +37,8 @@ std::vector<Rectangle> quarters_backwards(const Rectangle& pixels) {
 
 class Sieve {
  public:
-  Sieve(const DisplayModel& model, const std::vector<Tested>& side, const Rectangle& pixels)
-      : model_(model), side_(side), stays_(side.size(), false), step_(std::int64_t{1} << model.fraction_bits) {
+  Sieve(Datapath& path, const std::vector<Tested>& side, const Rectangle& pixels)
+      : path_(path), side_(side), stays_(side.size(), false), step_(std::int64_t{1} << path.header().fraction_bits) {
     whole_.pixels = pixels;
     for (std::uint32_t i = 0; i < side.size(); ++i) whole_.left.push_back(i);
   }
@@ -62,12 +62,10 @@ class Sieve {
     return stays_;
   }
 
-  [[nodiscard]] std::uint64_t tests() const { return tests_; }
-
  private:
   /// How far in front or behind counts: fronts by their distance, backs by its opposite.
   [[nodiscard]] Values values(std::uint32_t one, const Rectangle& pixels) const {
-    const Plane& plane = model_.planes[side_[one].halfspace.plane];
+    const Plane& plane = side_[one].plane;
     const std::int64_t sign = side_[one].side == Side::back ? -1 : 1;
     const auto at = [&](std::int32_t x, std::int32_t y) { return sign * (plane.a * x + plane.b * y + plane.c); };
     return {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1), at(pixels.x1, pixels.y1)};
@@ -103,8 +101,8 @@ class Sieve {
   /// Whether there is one in the cell of which it is not known yet.
   bool hold(Cell& cell) {
     const std::array<Values, corners> leaders = find_leaders(cell);
+    path_.hold_against_leaders(cell.left.size());
     if (all_stay(cell)) return false;
-    tests_ += cell.left.size();
     std::erase_if(cell.left, [&](std::uint32_t one) {
       const Values mine = values(one, cell.pixels);
       for (std::size_t corner = 0; corner < corners; ++corner) {
@@ -115,12 +113,11 @@ class Sieve {
     return !all_stay(cell);
   }
 
-  const DisplayModel& model_;
+  Datapath& path_;
   const std::vector<Tested>& side_;
   std::vector<bool> stays_;  ///< it is known that the half-space does
   std::int64_t step_;
   Cell whole_;
-  std::uint64_t tests_ = 0;
 };
 
 void keep(std::vector<Tested>& side, const std::vector<bool>& kept) {
@@ -130,18 +127,12 @@ void keep(std::vector<Tested>& side, const std::vector<bool>& kept) {
 
 }  // namespace
 
-std::uint64_t keep_by_leaders(const DisplayModel& model, std::vector<Tested>& side, const Rectangle& pixels) {
-  if (side.empty()) return 0;
-  Sieve sieve(model, side, pixels);
-  keep(side, sieve.by_leaders());
-  return sieve.tests();
+void keep_by_leaders(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels) {
+  if (!side.empty()) keep(side, Sieve(path, side, pixels).by_leaders());
 }
 
-std::uint64_t keep_extremes(const DisplayModel& model, std::vector<Tested>& side, const Rectangle& pixels) {
-  if (side.empty()) return 0;
-  Sieve sieve(model, side, pixels);
-  keep(side, sieve.by_cells());
-  return sieve.tests();
+void keep_extremes(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels) {
+  if (!side.empty()) keep(side, Sieve(path, side, pixels).by_cells());
 }
 
 }  // namespace csgsim::division

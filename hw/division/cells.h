@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "hw/division/corners.h"
-#include "hw/division/display_model.h"
+#include "hw/division/datapath.h"
 
 namespace csgsim::division {
 
@@ -14,15 +13,14 @@ namespace csgsim::division {
 // everywhere in it. All of a side have to be fronts, or all backs, with their values for the rectangle's corners.
 //
 // Leaders of a rectangle are the extremes at its corners, of equals the first. A cell test holds a half-space against
-// the leaders of a cell, a rectangle of pixels.
+// the leaders of a cell, a rectangle of pixels: of each cell all that is left in it.
 
-/// Keeps those that no leader of the rectangle is beyond at all four corners. Returns the cell tests: one a half-space,
-/// none if all are leaders.
-std::uint64_t keep_by_leaders(const DisplayModel& model, std::vector<Tested>& side, const Rectangle& pixels);
+/// Keeps those that no leader of the rectangle is beyond at all four corners: one cell.
+void keep_by_leaders(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels);
 
 /// Keeps those that are not behind others at every pixel. Whether one is, is found in cells: first the rectangle, then
 /// its quarters, and theirs, with what the leaders of the cell above leave, until it is known of all
-/// (docs/division.md). Returns the cell tests.
-std::uint64_t keep_extremes(const DisplayModel& model, std::vector<Tested>& side, const Rectangle& pixels);
+/// (docs/division.md).
+void keep_extremes(Datapath& path, std::vector<Tested>& side, const Rectangle& pixels);
 
 }  // namespace csgsim::division

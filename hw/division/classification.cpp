@@ -14,11 +14,11 @@ using isa::Purpose;
 /// A result is 0 outside the mask: it is first stored from E at every pixel, and set to 1 later where E is 1 only.
 class Classifier {
  public:
-  Classifier(Writer& out, const DisplayModel& model, const ActiveTree& active, const Surface& surface, Counts& counts)
-      : out_(out), model_(model), active_(active), surface_(surface), counts_(counts) {}
+  Classifier(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface)
+      : out_(out), path_(path), fields_(path.header().fields), active_(active), surface_(surface) {}
 
   void run() {
-    const isa::Field mask = model_.fields.mask;
+    const isa::Field mask = fields_.mask;
     for (const std::uint32_t operand : active_.operands) {
       if (active_.terms[operand].is_leaf) {
         intersect(active_.terms[operand], mask);
@@ -39,11 +39,11 @@ class Classifier {
   };
 
   [[nodiscard]] isa::Field result(std::uint32_t bit) const {
-    if (bit >= model_.fields.stack_bits) {
+    if (bit >= fields_.stack_bits) {
       throw InputError(fmt::format("a square's tree has {} pending results and pixel memory has {} bits for them",
-                                   bit + 1, model_.fields.stack_bits));
+                                   bit + 1, fields_.stack_bits));
     }
-    return {static_cast<std::uint16_t>(model_.fields.stack_base + bit), 1};
+    return {static_cast<std::uint16_t>(fields_.stack_base + bit), 1};
   }
 
   void step(Opcode opcode, isa::Field field, std::uint64_t constant = 0) {
@@ -59,8 +59,8 @@ class Classifier {
     out_.edges(with.tested, with.pixels);
     for (const Side side : {Side::front, Side::back}) {
       const Opcode opcode = side == Side::front ? Opcode::linear_le : Opcode::linear_gt;
-      for (const Tested& one : extremes_of(model_, with.tested, side, box, counts_).facets) {
-        out_.depth(opcode, model_.fields.candidate, out_.plane_of(one), with.pixels);
+      for (const Tested& one : extremes_of(path_, with.tested, side, box).facets) {
+        out_.depth(opcode, fields_.candidate, one.plane, with.pixels);
       }
     }
   }
@@ -71,9 +71,9 @@ class Classifier {
 
   /// E := the leaf, inside the mask.
   void load(const Term& leaf) {
-    step(Opcode::enable_load, model_.fields.mask);
+    step(Opcode::enable_load, fields_.mask);
     compare(leaf);
-    if (leaf.complemented) step(Opcode::enable_xor, model_.fields.mask);
+    if (leaf.complemented) step(Opcode::enable_xor, fields_.mask);
   }
 
   /// bit := bit and the leaf.
@@ -129,17 +129,16 @@ class Classifier {
   }
 
   Writer& out_;
-  const DisplayModel& model_;
+  Datapath& path_;
+  const Fields& fields_;
   const ActiveTree& active_;
   const Surface& surface_;
-  Counts& counts_;
 };
 
 }  // namespace
 
-void write_classification(Writer& out, const DisplayModel& model, const ActiveTree& active, const Surface& surface,
-                          Counts& counts) {
-  Classifier(out, model, active, surface, counts).run();
+void write_classification(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface) {
+  Classifier(out, path, active, surface).run();
 }
 
 }  // namespace csgsim::division

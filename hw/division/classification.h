@@ -7,7 +7,6 @@ namespace csgsim::division {
 
 /// Clears the mask where Z1 is out of the active tree, with pending results on the stack. E is left as it is.
 /// Throws InputError if the tree has more pending results than there are bits.
-void write_classification(Writer& out, const DisplayModel& model, const ActiveTree& active, const Surface& surface,
-                          Counts& counts);
+void write_classification(Writer& out, Datapath& path, const ActiveTree& active, const Surface& surface);
 
 }  // namespace csgsim::division

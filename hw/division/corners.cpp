@@ -4,15 +4,14 @@
 
 namespace csgsim::division {
 
-Tested test_corners(const DisplayModel& model, std::uint32_t primitive, const Halfspace& halfspace,
-                    const Rectangle& pixels) {
-  const Plane& plane = model.planes[halfspace.plane];
+Tested test_corners(const ModelHeader& header, const PlacedHalfspace& placed, const Rectangle& pixels) {
+  const Plane& plane = placed.plane;
   const auto at = [&](std::int32_t x, std::int32_t y) { return plane.a * x + plane.b * y + plane.c; };
-  Tested tested{primitive, halfspace, side_of(plane, halfspace.forward), {}, 0, 0};
+  Tested tested{placed, side_of(plane, placed.halfspace.forward), {}, 0, 0};
   tested.corners = {at(pixels.x0, pixels.y0), at(pixels.x1, pixels.y0), at(pixels.x0, pixels.y1),
                     at(pixels.x1, pixels.y1)};
   const auto [low, high] = std::minmax_element(tested.corners.begin(), tested.corners.end());
-  const unsigned fraction = plane.is_edge ? 0 : model.fraction_bits;
+  const unsigned fraction = plane.is_edge ? 0 : header.fraction_bits;
   tested.low = *low >> fraction;
   tested.high = *high >> fraction;
   return tested;

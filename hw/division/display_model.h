@@ -47,12 +47,18 @@ struct Halfspace {
   bool operator==(const Halfspace&) const = default;
 };
 
-/// A convex solid: where all its half-spaces are, in its rectangle of pixels. Its surface is within its box.
-struct Primitive {
+/// What is said of a convex solid besides its half-spaces.
+struct PrimitiveHead {
   Box box;                        ///< z_low is at most 2^z_bits, z_high at least -1
   bool complemented = false;      ///< stands for the space outside it in the tree's positive form
   bool joined = false;            ///< drawn with the one before it as one convex solid
   std::uint32_t near_colour = 0;  ///< of its surface at depth 0; 0 if complemented
+
+  bool operator==(const PrimitiveHead&) const = default;
+};
+
+/// A convex solid: where all its half-spaces are, in its rectangle of pixels. Its surface is within its box.
+struct Primitive : PrimitiveHead {
   std::vector<Halfspace> halfspaces;
 
   bool operator==(const Primitive&) const = default;
@@ -82,7 +88,8 @@ struct Fields {
   bool operator==(const Fields&) const = default;
 };
 
-struct DisplayModel {
+/// What is said of the whole picture.
+struct ModelHeader {
   std::uint32_t width = 0;     ///< of the picture, pixels
   std::uint32_t height = 0;    ///< pixels
   unsigned z_bits = 0;         ///< of the depth fields
@@ -90,11 +97,16 @@ struct DisplayModel {
   unsigned colour_bits = 0;
   std::uint32_t background = 0;  ///< colour where nothing is seen
   Fields fields;
+
+  [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
+  bool operator==(const ModelHeader&) const = default;
+};
+
+struct DisplayModel : ModelHeader {
   std::vector<Plane> planes;
   std::vector<Primitive> primitives;
   std::vector<Node> nodes;
 
-  [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
   bool operator==(const DisplayModel&) const = default;
 };
 

@@ -1,7 +1,7 @@
 #include "hw/division/divide.h"
 
-#include <optional>
-#include <utility>
+#include <cstddef>
+#include <span>
 
 #include "hw/division/active_tree.h"
 #include "hw/division/classification.h"
@@ -15,7 +15,7 @@ namespace {
 
 using isa::Opcode;
 
-void write_setup(Writer& out, const DisplayModel& model) {
+void write_setup(Writer& out, const ModelHeader& model) {
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
   out.plain(Opcode::enable_all);
   out.set(model.fields.depth, static_cast<std::uint64_t>(model.farthest()));
@@ -23,55 +23,75 @@ void write_setup(Writer& out, const DisplayModel& model) {
 }
 
 /// A surface where it is nearer than Z2 and inside its active tree. The depth test comes first.
-void write_visible(Writer& out, const DisplayModel& model, const Surface& surface, const ActiveTree& active,
-                   const Rectangle& square, Counts& counts) {
-  const Rendering rendering(model, surface, counts);
+void write_visible(Writer& out, Datapath& path, const Surface& surface, const ActiveTree& active,
+                   const Rectangle& square) {
+  const Rendering rendering(path, surface);
   if (rendering.nothing()) return;
   rendering.write_surface(out, square);
   rendering.write_depth_test(out);
   if (!active.operands.empty()) {
-    write_classification(out, model, active, surface, counts);
+    write_classification(out, path, active, surface);
     out.origin = {isa::Purpose::merge, surface.first, isa::no_node};
-    out.plain(Opcode::enable_load, model.fields.mask);
+    out.plain(Opcode::enable_load, path.header().fields.mask);
   }
   rendering.write_merge(out);
 }
 
+void write(std::span<const isa::Instruction> instructions, Datapath& path) {
+  for (const isa::Instruction& one : instructions) path.write(one);
+}
+
 }  // namespace
 
-Divider::Divider(DisplayModel model) : model_(std::move(model)), tree_(make_tree(model_)), all_(all_of(model_)) {}
+Counts Divided::counts() const {
+  Counts all;
+  for (const Counts& step : steps) all += step;
+  return all;
+}
 
-Divided Divider::divide(const isa::Region& square, const Candidates& from) const {
+Divider::Divider(const DisplayModel& model) : header_(model), tree_(make_tree(model)), all_(all_of(model)) {
+  for (const Primitive& one : model.primitives) joined_.push_back(one.joined);
+}
+
+Divided Divider::divide(const isa::Region& square, const Candidates& from, Datapath& path) const {
   Divided divided;
   const Rectangle pixels = rectangle_of(square);
-  const bool is_picture = square == isa::Region{0, 0, model_.width, model_.height};
-  Writer out(model_, square);
-  write_setup(out, model_);
+  Writer out(header_, square);
+  write_setup(out, header_);
   const std::size_t setup = out.written().size();
-  divided.counts.boxes = from.primitives.size();
-  for (std::uint32_t first = 0, count = 0; first < model_.primitives.size(); first += count) {
-    count = joined_from(model_, first);
-    Counts counts;
-    if (const std::optional<Surface> surface = surface_in(model_, from, first, count, pixels, counts)) {
-      const ActiveTree active = active_tree_of(model_, tree_, from, *surface, counts);
-      if (!active.nothing) write_visible(out, model_, *surface, active, pixels, counts);
+  std::size_t done = 0;
+  for (std::uint32_t first = 0, next = 0; first < joined_.size(); first = next) {
+    next = first + 1;
+    while (next < joined_.size() && joined_[next]) ++next;
+    Surface surface = look_at_boxes(path, from, first, next - first, pixels);
+    if (surface.box.empty()) continue;
+    if (test(path, from, surface)) {
+      const ActiveTree active = active_tree_of(path, tree_, from, surface);
+      if (!active.nothing) write_visible(out, path, surface, active, pixels);
     }
-    divided.at_hand.take(counts);
-    divided.counts += counts;
+    if (out.written().size() > setup) {
+      write(std::span(out.written()).subspan(done), path);
+      done = out.written().size();
+    }
+    divided.steps.push_back(path.take_counts());
   }
-  if (out.written().size() > setup || is_picture) divided.instructions = out.take();
-  divided.counts.instructions = divided.instructions.size();
+  const bool is_picture = square == isa::Region{0, 0, header_.width, header_.height};
+  if (done == 0 && is_picture) write(out.written(), path);
+  if (done > 0 || is_picture) divided.instructions = out.take();
+  const Counts rest = path.take_counts();
+  if (rest != Counts{}) divided.steps.push_back(rest);
   return divided;
 }
 
 DividedGroup divide_group(const Divider& divider, const isa::Region& group, const std::vector<isa::Region>& squares,
-                          std::uint64_t list_entries) {
+                          std::uint64_t list_entries, Datapath& path) {
   DividedGroup divided;
-  const Candidates survivors = divider.survivors(group, divided.group);
+  const Candidates survivors = divider.survivors(group, path);
+  divided.group = path.take_counts();
   divided.fits = survivors.entries() <= list_entries;
   const Candidates& from = divided.fits ? survivors : divider.all();
   divided.entries = from.entries();
-  for (const isa::Region& square : squares) divided.squares.push_back(divider.divide(square, from));
+  for (const isa::Region& square : squares) divided.squares.push_back(divider.divide(square, from, path));
   return divided;
 }
 

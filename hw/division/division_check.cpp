@@ -18,13 +18,12 @@ bool alike(const isa::Instruction& one, const isa::Instruction& other) {
   return isa::as_received(one) == isa::as_received(other);
 }
 
-void check_square(const isa::Segment& segment, std::size_t index, const Divided& divided, const SquareCheck& check) {
+void check_square(const isa::Segment& segment, std::size_t index, const Divided& divided) {
   const std::vector<isa::Instruction>& expected = segment.instructions;
   if (!std::equal(divided.instructions.begin(), divided.instructions.end(), expected.begin(), expected.end(), alike)) {
     throw InputError(
         fmt::format("segment {} is not what its display model is divided into; compile the model again", index));
   }
-  if (check) check(segment, divided.at_hand);
 }
 
 }  // namespace
@@ -36,24 +35,24 @@ DisplayModel display_model_of(std::span<const std::uint8_t> bytes) {
   return from_link(words, byte_bits);
 }
 
-void check_division(const isa::Program& program) { check_division(program, {}, 0, {}); }
+void check_division(const isa::Program& program) { check_division(program, {}, 0); }
 
-void check_division(const isa::Program& program, std::span<const Group> groups, std::uint64_t list_entries,
-                    const SquareCheck& check) {
-  const Divider divider(display_model_of(program.display_model));
-  const DisplayModel& model = divider.model();
+void check_division(const isa::Program& program, std::span<const Group> groups, std::uint64_t list_entries) {
+  const DisplayModel model = display_model_of(program.display_model);
+  const Divider divider(model);
+  PlainDatapath path(model);
   if (model.width != program.shape.width || model.height != program.shape.height)
     throw InputError("the Program's picture is not that of its display model; compile the model again");
   if (groups.empty()) {
     for (std::size_t i = 0; i < program.segments.size(); ++i)
-      check_square(program.segments[i], i, divider.divide(program.segments[i].region), check);
+      check_square(program.segments[i], i, divider.divide(program.segments[i].region, path));
   }
   for (const Group& group : groups) {
     std::vector<isa::Region> squares;
     for (const std::size_t index : group.squares) squares.push_back(program.segments[index].region);
-    const std::vector<Divided> divided = divide_group(divider, group.region, squares, list_entries).squares;
+    const std::vector<Divided> divided = divide_group(divider, group.region, squares, list_entries, path).squares;
     for (std::size_t i = 0; i < divided.size(); ++i)
-      check_square(program.segments[group.squares[i]], group.squares[i], divided[i], check);
+      check_square(program.segments[group.squares[i]], group.squares[i], divided[i]);
   }
 }
 

@@ -11,17 +11,17 @@ using isa::Purpose;
 
 }  // namespace
 
-Rendering::Rendering(const DisplayModel& model, const Surface& surface, Counts& counts)
-    : model_(model), surface_(surface), complemented_(model.primitives[surface.first].complemented) {
-  const Box column{surface.box.pixels, 0, model.farthest()};
-  Extremes fronts = extremes_of(model, surface.tested, Side::front, column, counts);
-  Extremes backs = extremes_of(model, surface.tested, Side::back, column, counts);
+Rendering::Rendering(Datapath& path, const Surface& surface)
+    : model_(path.header()), surface_(surface), complemented_(surface.complemented) {
+  const Box column{surface.box.pixels, 0, model_.farthest()};
+  Extremes fronts = extremes_of(path, surface.tested, Side::front, column);
+  Extremes backs = extremes_of(path, surface.tested, Side::back, column);
   const Extremes& own = complemented_ ? backs : fronts;
   nothing_ = fronts.nothing || backs.nothing || (complemented_ && own.facets.empty());
   // One front that is behind depth 0 at all corners keeps the surface from it: then the box begins behind it.
   const bool reaches_zero = fronts.facets.empty() || surface.box.z_low == 0;
   if (!complemented_ && reaches_zero) {
-    facets_.push_back({true, surface.first, model.primitives[surface.first].near_colour, {}, 0, 0});
+    facets_.push_back({true, surface.first, surface.near_colour, {}, 0, 0});
   }
   for (const Tested& one : own.facets) facets_.push_back(facet_of(one));
   others_ = std::move(complemented_ ? fronts.facets : backs.facets);
@@ -31,8 +31,7 @@ Rendering::Rendering(const DisplayModel& model, const Surface& surface, Counts& 
 }
 
 Rendering::Facet Rendering::facet_of(const Tested& tested) const {
-  return {false,      tested.primitive, tested.halfspace.colour, model_.planes[tested.halfspace.plane],
-          tested.low, tested.high};
+  return {false, tested.primitive, tested.halfspace.colour, tested.plane, tested.low, tested.high};
 }
 
 /// Whether Z1 can hold the facet wherever the surface's pixels are, but for what is beyond the range's other end.
@@ -53,7 +52,7 @@ void Rendering::write_surface(Writer& out, const Rectangle& square) const {
   out.edges(surface_.tested, pixels);
   model_.fields.candidate_colour.width > 0 ? write_extreme_with_colours(out) : write_extreme(out);
   for (const Tested& other : others_) {
-    out.depth(complemented_ ? Opcode::linear_lt : Opcode::linear_gt, z1, out.plane_of(other), pixels);
+    out.depth(complemented_ ? Opcode::linear_lt : Opcode::linear_gt, z1, other.plane, pixels);
   }
   if (complemented_) write_near_test(out);
 }

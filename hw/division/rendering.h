@@ -9,7 +9,7 @@ namespace csgsim::division {
 /// of a complemented one.
 class Rendering {
  public:
-  Rendering(const DisplayModel& model, const Surface& surface, Counts& counts);
+  Rendering(Datapath& path, const Surface& surface);
 
   /// Whether no pixel can have one; then nothing may be written.
   [[nodiscard]] bool nothing() const { return nothing_; }
@@ -45,7 +45,7 @@ class Rendering {
   void write_near_test(Writer& out) const;
   void write_colours(Writer& out) const;
 
-  const DisplayModel& model_;
+  const ModelHeader& model_;
   const Surface& surface_;
   bool complemented_;
   bool nothing_ = false;

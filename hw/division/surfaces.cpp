@@ -8,21 +8,6 @@ namespace csgsim::division {
 
 namespace {
 
-/// The part of the square that all the primitives' boxes have in common.
-Box common_box(const DisplayModel& model, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
-               const Rectangle& square) {
-  Box box{square, 0, model.farthest()};
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    if (!candidates.listed[i]) return {};
-    const Box& own = model.primitives[i].box;
-    if (own.empty()) return {};
-    box.pixels = overlap(box.pixels, own.pixels);
-    box.z_low = std::max(box.z_low, own.z_low);
-    box.z_high = std::min(box.z_high, own.z_high);
-  }
-  return box.empty() ? Box{} : box;
-}
-
 /// Narrows the depths to those between the fronts and backs at the corners; none, if an edge holds nothing.
 void narrow(Box& box, const std::vector<Tested>& tested) {
   bool nothing = false;
@@ -39,29 +24,38 @@ void narrow(Box& box, const std::vector<Tested>& tested) {
 
 }  // namespace
 
-std::uint32_t joined_from(const DisplayModel& model, std::uint32_t first) {
-  std::uint32_t next = first + 1;
-  while (next < model.primitives.size() && model.primitives[next].joined) ++next;
-  return next - first;
-}
-
-std::optional<Surface> surface_in(const DisplayModel& model, const Candidates& candidates, std::uint32_t first,
-                                  std::uint32_t count, const Rectangle& square, Counts& counts) {
-  Surface surface{first, count, common_box(model, candidates, first, count, square), {}};
-  if (surface.box.empty()) return std::nullopt;
+Surface look_at_boxes(Datapath& path, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
+                      const Rectangle& square) {
+  Surface surface{first, count, false, 0, {square, 0, path.header().farthest()}, {}};
+  bool nothing = false;
   for (std::uint32_t i = first; i < first + count; ++i) {
-    for (const Halfspace& halfspace : candidates.halfspaces[i]) {
-      surface.tested.push_back(test_corners(model, i, halfspace, surface.box.pixels));
+    if (!candidates.listed[i]) {
+      nothing = true;
+      continue;
     }
+    const PrimitiveHead primitive = path.look_at(i);
+    nothing = nothing || primitive.box.empty();
+    surface.box.pixels = overlap(surface.box.pixels, primitive.box.pixels);
+    surface.box.z_low = std::max(surface.box.z_low, primitive.box.z_low);
+    surface.box.z_high = std::min(surface.box.z_high, primitive.box.z_high);
+    if (i > first) continue;
+    surface.complemented = primitive.complemented;
+    surface.near_colour = primitive.near_colour;
   }
-  counts.halfspaces += surface.tested.size();
-  narrow(surface.box, surface.tested);
-  if (surface.box.empty()) return std::nullopt;
+  if (nothing || surface.box.empty()) surface.box = {};
   return surface;
 }
 
-Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& tested, Side side, const Box& box,
-                     Counts& counts) {
+bool test(Datapath& path, const Candidates& candidates, Surface& surface) {
+  for (std::uint32_t i = surface.first; i < surface.first + surface.count; ++i) {
+    const std::vector<Tested> tested = path.test(i, candidates.halfspaces[i], surface.box.pixels);
+    surface.tested.insert(surface.tested.end(), tested.begin(), tested.end());
+  }
+  narrow(surface.box, surface.tested);
+  return !surface.box.empty();
+}
+
+Extremes extremes_of(Datapath& path, const std::vector<Tested>& tested, Side side, const Box& box) {
   Extremes result;
   for (const Tested& one : tested) {
     if (one.side != side) continue;
@@ -70,7 +64,7 @@ Extremes extremes_of(const DisplayModel& model, const std::vector<Tested>& teste
     result.nothing = result.nothing || known == Known::out;
     result.facets.push_back(one);
   }
-  if (!result.nothing) counts.cells += keep_extremes(model, result.facets, box.pixels);
+  if (!result.nothing) keep_extremes(path, result.facets, box.pixels);
   return result;
 }
 

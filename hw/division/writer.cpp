@@ -12,7 +12,6 @@ namespace {
 
 using isa::Opcode;
 
-/// Bits of the shortest two's complement number that holds the value.
 /// Low zero bits that A and B share. Without them, and as many of C, rounded down, no floor and no sign of the sum
 /// changes.
 unsigned shared_zeros(const Plane& plane) {
@@ -65,8 +64,8 @@ void Writer::linear(Opcode opcode, isa::Field field, Plane plane, unsigned dropp
 }
 
 void Writer::depth(Opcode opcode, isa::Field field, const Plane& plane, const Rectangle& pixels) {
-  const unsigned dropped = std::min(shared_zeros(plane), model_.fraction_bits);
-  linear(opcode, field, plane, dropped, model_.fraction_bits - dropped, pixels);
+  const unsigned dropped = std::min(shared_zeros(plane), header_.fraction_bits);
+  linear(opcode, field, plane, dropped, header_.fraction_bits - dropped, pixels);
 }
 
 void Writer::line(Opcode opcode, const Plane& line, const Rectangle& pixels) {
@@ -95,7 +94,7 @@ void Writer::edges(const std::vector<Tested>& tested, const Rectangle& pixels) {
     const bool not_negative = one.side == Side::not_negative;
     if (!not_negative && one.side != Side::negative) continue;
     if (known_between(one, 0, 0) == Known::in) continue;
-    line(not_negative ? Opcode::edge_not_negative : Opcode::edge_negative, plane_of(one), pixels);
+    line(not_negative ? Opcode::edge_not_negative : Opcode::edge_negative, one.plane, pixels);
   }
 }
 

@@ -12,10 +12,10 @@
 namespace csgsim::division {
 
 /// Writes the instructions of one square, but for those that change nothing: to load the bit that E is known to be
-/// equal to, or to store E there. Refers to the model.
+/// equal to, or to store E there. Refers to the model's header.
 class Writer {
  public:
-  Writer(const DisplayModel& model, const isa::Region& square) : model_(model), square_(square) {}
+  Writer(const ModelHeader& header, const isa::Region& square) : header_(header), square_(square) {}
 
   isa::Origin origin;  ///< of every instruction written
 
@@ -35,7 +35,6 @@ class Writer {
   /// all.
   void edges(const std::vector<Tested>& tested, const Rectangle& pixels);
 
-  [[nodiscard]] const Plane& plane_of(const Tested& tested) const { return model_.planes[tested.halfspace.plane]; }
   [[nodiscard]] const std::vector<isa::Instruction>& written() const { return written_; }
   [[nodiscard]] std::vector<isa::Instruction> take() { return std::move(written_); }
 
@@ -45,7 +44,7 @@ class Writer {
 
   void write(const isa::Instruction& instruction);
 
-  const DisplayModel& model_;
+  const ModelHeader& header_;
   isa::Region square_;
   isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
   std::vector<isa::Instruction> written_;

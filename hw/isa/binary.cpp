@@ -21,7 +21,7 @@ namespace csgsim::isa {
 namespace {
 
 constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
-constexpr std::uint8_t version = 3;
+constexpr std::uint8_t version = 4;
 constexpr std::uint8_t first_version = 2;  ///< that can be read: it does not name its machine
 constexpr std::size_t checksum_size = 4;
 constexpr std::uint8_t same_origin = 0x80;

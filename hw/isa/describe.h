@@ -91,21 +91,27 @@ void describe(T& segment, Visit&& visit) {
   visit("comparisons", segment.facts.comparisons);
 }
 
+template <Any<DivisionStep> T, class Visit>
+void describe(T& step, Visit&& visit) {
+  visit("boxes", step.boxes);
+  visit("lists", step.lists);
+  visit("tests", step.halfspaces);
+  visit("cells", step.cells);
+  visit("nodes", step.nodes);
+  visit("instructions", step.instructions);
+}
+
+/// But for its steps.
 template <Any<DivisionCounts> T, class Visit>
 void describe(T& division, Visit&& visit) {
-  visit("boxes", division.boxes);
-  visit("tests", division.halfspaces);
-  visit("cells", division.cells);
-  visit("nodes", division.nodes);
   visit("group_boxes", division.group_boxes);
+  visit("group_lists", division.group_lists);
   visit("group_tests", division.group_halfspaces);
   visit("group_cells", division.group_cells);
   visit("group_entries", division.group_entries);
-  visit("most_tests", division.most_halfspaces);
-  visit("most_nodes", division.most_nodes);
 }
 
-/// A segment but for its instructions, with what its division takes.
+/// A segment but for its instructions, with what its group's division takes.
 template <Any<Segment> T>
 struct DividedSegment {
   T& segment;

@@ -328,9 +328,11 @@ void put_text_form(std::string& page) {
   put(page,
       "\nFor a machine that divides the model itself `.display_model \"DIGITS\"` lines, before the first `.segment`, "
       "hold "
-      "what\nit is sent, two hexadecimal digits a byte. Then there is more to say of a segment, what its division "
-      "takes:\n\n");
+      "what\nit is sent, two hexadecimal digits a byte. Then there is more to say of a segment, what the division of "
+      "its group takes,\n\n");
   put_keys(page, "segment", DivisionCounts{});
+  put(page, "\nand, on `.step` lines after it, what each of its surfaces takes:\n\n");
+  put_keys(page, "step", DivisionStep{});
 }
 
 }  // namespace

@@ -30,12 +30,20 @@ json field_row(const NamedField& named) {
   return json::array({named.name, named.field.base, named.field.width, name_of(named.role)});
 }
 
-/// With what its division takes, where there is a display model.
-json segment_row(const Segment& segment, bool divided) {
+template <class Record>
+json numbers_of(const Record& record) {
   json row = json::array();
-  const auto put = [&](const char*, const auto& member) { row.push_back(member); };
-  describe(segment, put);
-  if (divided) describe(segment.division, put);
+  describe(record, [&](const char*, const auto& member) { row.push_back(member); });
+  return row;
+}
+
+/// With what its group's division takes and the number of its steps, where there is a display model.
+json segment_row(const Segment& segment, bool divided) {
+  json row = numbers_of(segment);
+  if (divided) {
+    for (json& number : numbers_of(segment.division)) row.push_back(std::move(number));
+    row.push_back(segment.division.steps.size());
+  }
   row.push_back(segment.instructions.size());
   return row;
 }
@@ -102,6 +110,14 @@ void read(const json& value, std::string_view what, RowExtent& extent) {
   read(row[1], what, extent.last);
 }
 
+void read(const json& value, std::string_view what, DivisionStep& step) {
+  std::size_t members = 0;
+  describe(step, [&](const char*, auto&) { ++members; });
+  const json& row = row_of(value, what, members);
+  std::size_t column = 0;
+  describe(step, [&](const char* key, auto& member) { read(row[column++], key, member); });
+}
+
 template <class Element>
 void read(const json& value, std::string_view what, std::vector<Element>& member) {
   if (!value.is_array()) malformed(what, "a list");
@@ -119,17 +135,43 @@ void read_pieces(const json& value, Facts& facts) {
   set_piece_counts(counts, facts);
 }
 
-void read_segment(const json& value, bool divided, Segment& segment, std::uint64_t& count) {
+/// What a row tells besides the segment itself.
+struct SegmentSizes {
+  std::uint64_t steps = 0;
+  std::uint64_t instructions = 0;
+};
+
+SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
   std::size_t members = 0;
   const auto add = [&](const char*, auto&) { ++members; };
   describe(segment, add);
-  if (divided) describe(segment.division, add);
+  if (divided) {
+    describe(segment.division, add);
+    ++members;
+  }
   const json& row = row_of(value, "segments", members + 1);
   std::size_t column = 0;
   const auto take = [&](const char* key, auto& member) { read(row[column++], key, member); };
   describe(segment, take);
-  if (divided) describe(segment.division, take);
-  read(row[column], "instruction count", count);
+  SegmentSizes sizes;
+  if (divided) {
+    describe(segment.division, take);
+    take("step count", sizes.steps);
+  }
+  take("instruction count", sizes.instructions);
+  return sizes;
+}
+
+/// Gives each segment as many of the steps as its row says.
+void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint64_t> counts, Program& program) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    if (counts[i] > steps.size() - next) malformed("steps", "as long as its segments say");
+    const auto first = steps.begin() + static_cast<std::ptrdiff_t>(next);
+    program.segments[i].division.steps.assign(first, first + static_cast<std::ptrdiff_t>(counts[i]));
+    next += static_cast<std::size_t>(counts[i]);
+  }
+  if (next != steps.size()) malformed("steps", "as long as its segments say");
 }
 
 /// Refuses nesting deeper than encode_metadata makes, which bounds the recursion of the reader of CBOR.
@@ -223,7 +265,12 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
   json& segments = root["segments"] = json::array();
   const bool divided = !program.display_model.empty();
   for (const Segment& segment : program.segments) segments.push_back(segment_row(segment, divided));
-  if (divided) root["display_model"] = hexadecimal(program.display_model);
+  if (divided) {
+    root["display_model"] = hexadecimal(program.display_model);
+    json& steps = root["steps"] = json::array();
+    for (const Segment& segment : program.segments)
+      for (const DivisionStep& step : segment.division.steps) steps.push_back(numbers_of(step));
+  }
   return json::to_cbor(root);
 }
 
@@ -249,9 +296,18 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
   }
   const json& segments = member_of(root, "segments");
   if (!segments.is_array()) malformed("segments", "a list");
-  for (const json& row : segments)
-    read_segment(row, !program.display_model.empty(), program.segments.emplace_back(),
-                 metadata.instruction_counts.emplace_back());
+  const bool divided = !program.display_model.empty();
+  std::vector<std::uint64_t> step_counts;
+  for (const json& row : segments) {
+    const SegmentSizes sizes = read_segment(row, divided, program.segments.emplace_back());
+    metadata.instruction_counts.push_back(sizes.instructions);
+    step_counts.push_back(sizes.steps);
+  }
+  if (divided) {
+    std::vector<DivisionStep> steps;
+    read(member_of(root, "steps"), "steps", steps);
+    share_out(steps, step_counts, program);
+  }
   return metadata;
 }
 

@@ -25,21 +25,44 @@ struct Region {
   constexpr bool operator==(const Region&) const = default;
 };
 
-/// What a machine that divides the model itself does for a region, as the host counts it (docs/division.md); each of up
-/// to 64 bits.
-struct DivisionCounts {
+/// What a machine that divides the model itself does for one surface in a region, or for several of which only boxes
+/// are looked at (docs/division.md); each of up to 64 bits. First it tests, then it writes.
+struct DivisionStep {
   std::uint64_t boxes = 0;
-  std::uint64_t halfspaces = 0;
+  std::uint64_t lists = 0;       ///< of half-spaces, that are not empty
+  std::uint64_t halfspaces = 0;  ///< in them
   std::uint64_t cells = 0;
   std::uint64_t nodes = 0;
+  std::uint64_t instructions = 0;  ///< of the region, those that come next
+
+  DivisionStep& operator+=(const DivisionStep& more) {
+    boxes += more.boxes;
+    lists += more.lists;
+    halfspaces += more.halfspaces;
+    cells += more.cells;
+    nodes += more.nodes;
+    instructions += more.instructions;
+    return *this;
+  }
+  constexpr bool operator==(const DivisionStep&) const = default;
+};
+
+/// What such a machine does for a region, as the host counts it.
+struct DivisionCounts {
+  std::vector<DivisionStep> steps;
   std::uint64_t group_boxes = 0;       ///< before the first region of a group
+  std::uint64_t group_lists = 0;       ///< the same
   std::uint64_t group_halfspaces = 0;  ///< the same
   std::uint64_t group_cells = 0;       ///< the same
   std::uint64_t group_entries = 0;     ///< primitives and half-spaces that the group leaves, with its first region
-  std::uint64_t most_halfspaces = 0;   ///< for one surface
-  std::uint64_t most_nodes = 0;        ///< the same
 
-  constexpr bool operator==(const DivisionCounts&) const = default;
+  /// All steps together.
+  [[nodiscard]] DivisionStep sum() const {
+    DivisionStep all;
+    for (const DivisionStep& step : steps) all += step;
+    return all;
+  }
+  bool operator==(const DivisionCounts&) const = default;
 };
 
 /// What the host knows of a region's part of the model and tells in the stats.
@@ -59,7 +82,7 @@ struct Segment {
   Region region;
   std::vector<Instruction> instructions;
   SegmentFacts facts{};
-  DivisionCounts division{};  ///< all 0 without a display model
+  DivisionCounts division{};  ///< nothing without a display model
 
   bool operator==(const Segment&) const = default;
 };

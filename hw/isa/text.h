@@ -37,7 +37,7 @@ namespace csgsim::isa {
 /// - `.frame` says which field is shown, before a `.field` of role colour, which has to be that. `.extent first=3
 ///   last=40` lines say the rows of a piece each, for a host that keeps an active list.
 /// - `.display_model` lines hold hexadecimal digits, two a byte, for machines that divide the model themselves.
-///   Segments then have keys for what that takes.
+///   Segments then have keys for what a group of them takes, and `.step` lines after them for what each takes.
 /// - A field is the name of a `.field`, `[bit]`, or `[base+:width]`: width bits of pixel memory, the least significant
 ///   at base.
 /// - A linear expression is a sum of A*x, B*y and C, each once at most, then `(wWIDTH)` or `(wWIDTH >> SHIFT)`.

@@ -126,6 +126,7 @@ struct directive_body {
       case Directive::display_model: return demand(std::type_identity<must<gap, quoted_string>>{});
       case Directive::record:
       case Directive::extent:
+      case Directive::step:
       case Directive::segment: return demand(std::type_identity<star<blanks, pair>>{});
     }
     return false;

@@ -192,6 +192,7 @@ void print(std::ostream& out, const Program& program) {
     } else {
       put_record(buffer, "segment", DividedSegment<const Segment>{segment}, comment);
     }
+    for (const DivisionStep& step : segment.division.steps) put_record(buffer, "step", step);
     for (const Instruction& instruction : segment.instructions)
       put_instruction(buffer, instruction, number++, names, program.facts);
     flush(buffer, out);

@@ -26,6 +26,7 @@ constexpr std::string_view primitive_directive = "primitive";
 constexpr std::string_view extent_directive = "extent";
 constexpr std::string_view model_directive = "display_model";
 constexpr std::string_view segment_directive = "segment";
+constexpr std::string_view step_directive = "step";
 
 template <class... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
@@ -55,7 +56,7 @@ std::size_t index_in(const Table& table, std::string_view what, std::string_view
 
 std::vector<std::string_view> directive_names(Program& program) {
   std::vector<std::string_view> names{field_directive, primitive_directive, extent_directive, model_directive,
-                                      segment_directive};
+                                      segment_directive, step_directive};
   describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
   return names;
 }
@@ -142,9 +143,11 @@ void Reading::begin_directive(const std::string& name) {
               : name == extent_directive    ? Directive::extent
               : name == model_directive     ? Directive::display_model
               : name == segment_directive   ? Directive::segment
+              : name == step_directive      ? Directive::step
                                             : Directive::record;
   if (records_seen_.empty() && name != "array") refuse(".{} comes before .array; begin with .array", name);
   if (directive == Directive::extent) program_.extents.emplace_back();
+  if (directive == Directive::step) return begin_step();
   if (directive == Directive::segment) {
     program_.segments.emplace_back();
   } else if (!program_.segments.empty()) {
@@ -152,6 +155,14 @@ void Reading::begin_directive(const std::string& name) {
   }
   if (directive == Directive::record && !records_seen_.insert(name).second)
     refuse(".{} stands twice; keep one of them", name);
+}
+
+void Reading::begin_step() {
+  if (program_.display_model.empty()) refuse(".step is for Programs with a .display_model; put that before the segments");
+  if (program_.segments.empty()) refuse(".step is in no segment; put a .segment before it");
+  Segment& segment = program_.segments.back();
+  if (!segment.instructions.empty()) refuse(".step comes after an instruction; put it after its .segment line");
+  segment.division.steps.emplace_back();
 }
 
 /// What the directives of the primitives have said.
@@ -194,6 +205,7 @@ void Reading::set_value() {
     return;
   }
   if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
+  if (directive == Directive::step) return assign_member(program_.segments.back().division.steps.back(), key, value);
   if (directive == Directive::segment) {
     const DividedSegment<Segment> segment{program_.segments.back()};
     if (program_.display_model.empty()) return assign_member(segment.segment, key, value);
@@ -225,6 +237,7 @@ void Reading::end_directive() {
       return;
     }
     case Directive::extent: return validate_extent(program_.extents.back(), program_.shape);
+    case Directive::step: return;
     case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
     case Directive::field:
       named_.field = field;
@@ -299,6 +312,13 @@ Program Reading::finish(std::string_view name) {
       validate_ahead(program_.segments[placed.segment], placed.index);
     } catch (const InputError& error) {
       refuse("{}:{}:{}: {}", name, placed.line, placed.column, error.what());
+    }
+  }
+  for (std::size_t s = 0; s < program_.segments.size(); ++s) {
+    try {
+      validate_steps(program_.segments[s], program_);
+    } catch (const InputError& error) {
+      refuse("{}: segment {}: {}", name, s, error.what());
     }
   }
   return std::move(program_);

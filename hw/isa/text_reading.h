@@ -18,7 +18,7 @@
 namespace csgsim::isa {
 
 /// What a directive of the text form holds.
-enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment };
+enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment, step };
 
 /// A value that is neither string nor list: a number, true or false.
 struct Bare {
@@ -81,6 +81,7 @@ class Reading {
   static std::uint32_t index(std::string_view digits);
   void add_term(std::string_view variables, std::string_view sum);
   void set_pieces();
+  void begin_step();
 
   struct Term {
     bool negative = false;

@@ -255,6 +255,14 @@ void validate_header(const Program& program) {
           "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts.compile.edge_on_fraction);
 }
 
+void validate_steps(const Segment& segment, const Program& program) {
+  if (program.display_model.empty()) return;
+  const std::uint64_t written = segment.division.sum().instructions;
+  require(written == segment.instructions.size(),
+          "its steps write {} instructions, and it has {}; compile the model again", written,
+          segment.instructions.size());
+}
+
 void validate(const Program& program) {
   validate_header(program);
   std::set<std::string_view> names;
@@ -269,6 +277,7 @@ void validate(const Program& program) {
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
     require(!program.display_model.empty() || segment.division == DivisionCounts{},
             "segment {} says what its division takes, but there is no display model", s);
+    at([&] { validate_steps(segment, program); }, "segment {}", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const auto check = [&] { validate_placed(segment.instructions[i], segment.region, program); };
       at(check, "segment {}, instruction {}", s, i);

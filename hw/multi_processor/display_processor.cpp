@@ -68,10 +68,9 @@ void DisplayProcessor::work() {
 
 void DisplayProcessor::draw() {
   receive_model();
-  const division::DisplayModel& model = divider_->model();
-  spend(DisplayActivity::transforming, model.planes.size() * figures_.transform_clocks);
+  spend(DisplayActivity::transforming, model_.planes.size() * figures_.transform_clocks);
   broadcast_frame();
-  for (const isa::Region& segment : picture_segments({model.width, model.height}, figures_.levels)) {
+  for (const isa::Region& segment : picture_segments({model_.width, model_.height}, figures_.levels)) {
     draw_segment(segment);
   }
   wait_for_nodes();
@@ -80,7 +79,8 @@ void DisplayProcessor::draw() {
 void DisplayProcessor::receive_model() {
   const std::uint64_t begun = time_.now();
   wait(model_received_);
-  divider_.emplace(division::display_model_of(memory_));
+  model_ = division::display_model_of(memory_);
+  divider_.emplace(model_);
   counted_.stages.reception = time_.now() - begun;
   stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
@@ -99,8 +99,7 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
   const division::Candidates left = prune(segment);
   const std::size_t parts = parts_of(segment, nodes_.width, nodes_.height).size();
   // A picture that is one subsegment has a list whatever is left.
-  const division::DisplayModel& model = divider_->model();
-  const bool is_picture = parts == 1 && segment == isa::Region{0, 0, model.width, model.height};
+  const bool is_picture = parts == 1 && segment == isa::Region{0, 0, model_.width, model_.height};
   const bool is_active = !left.primitives.empty() || is_picture;
   wait_for_nodes();
   broadcast(segment, left, is_active);
@@ -111,8 +110,9 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
 
 division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
   segment_ = segment;
-  division::Counts counts;
-  division::Candidates left = divider_->survivors(segment, counts);
+  division::PlainDatapath path(model_);
+  division::Candidates left = divider_->survivors(segment, path);
+  const division::Counts counts = path.take_counts();
   counted_.first_box_tests += counts.boxes;
   counted_.first_halfspace_tests += counts.halfspaces;
   counted_.first_cell_tests += counts.cells;
@@ -122,14 +122,14 @@ division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
 
 void DisplayProcessor::broadcast_frame() {
   begin_broadcast();
-  send(frame_records(divider_->model()), WordKind::frame, true);
+  send(frame_records(model_), WordKind::frame, true);
   end_broadcast();
 }
 
 void DisplayProcessor::broadcast(const isa::Region& segment, const division::Candidates& left, bool is_active) {
   begin_broadcast();
   send(isa::SegmentStart{segment}, false);
-  if (is_active) send(segment_records(divider_->model(), left), WordKind::segment, false);
+  if (is_active) send(segment_records(model_, left), WordKind::segment, false);
   send(isa::SegmentEnd{}, true);
   end_broadcast();
   counted_.broadcast_primitives += left.primitives.size();

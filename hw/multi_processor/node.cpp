@@ -121,9 +121,11 @@ void Node::wait_for_others() {
 /// Makes the list of the node's own subsegment of what has come.
 void Node::prune(const std::vector<isa::Region>& parts) {
   if (number_ < parts.size()) {
-    divided_ = division::Divider(records_.model()).divide(parts[number_], records_.left());
-    tests_ += divided_.counts;
-    spend(NodeActivity::pruning, clocks_of(divided_.counts, figures_.node_tests));
+    division::PlainDatapath path(records_.model());
+    divided_ = division::Divider(records_.model()).divide(parts[number_], records_.left(), path);
+    const division::Counts counts = divided_.counts();
+    tests_ += counts;
+    spend(NodeActivity::pruning, clocks_of(counts, figures_.node_tests));
   }
   wait_for_others();
 }

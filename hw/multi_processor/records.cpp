@@ -115,9 +115,10 @@ Records segment_records(const DisplayModel& model, const division::Candidates& l
   const RecordFormat format = format_of(model);
   Records records{numbers_record({{left.primitives.size(), format.primitives}})};
   for (const std::uint32_t index : left.primitives) {
-    const std::vector<division::Halfspace>& own = left.halfspaces[index];
+    const std::vector<std::uint32_t>& own = left.halfspaces[index];
     records.push_back(numbers_record({{index, format.index}, {own.size(), format.halfspaces}}));
-    for (const division::Halfspace& one : own) records.push_back(halfspace_record(model, one, format));
+    for (const std::uint32_t number : own)
+      records.push_back(halfspace_record(model, model.primitives[index].halfspaces[number], format));
   }
   return records;
 }
@@ -129,6 +130,7 @@ void RecordReader::begin_frame() {
 
 void RecordReader::begin_segment() {
   model_.planes.clear();
+  for (division::Primitive& primitive : model_.primitives) primitive.halfspaces.clear();
   left_ = {};
   left_.halfspaces.resize(model_.primitives.size());
   left_.listed.assign(model_.primitives.size(), false);
@@ -247,9 +249,11 @@ void RecordReader::read_halfspace(BitReader& in) {
   plane.b = in.take_signed(format_.slope);
   plane.c = in.take_signed(format_.constant);
   const auto colour = static_cast<std::uint32_t>(in.take(format_.colour));
-  const auto number = static_cast<std::uint32_t>(model_.planes.size());
+  const std::uint32_t primitive = left_.primitives.back();
+  std::vector<division::Halfspace>& own = model_.primitives[primitive].halfspaces;
+  left_.halfspaces[primitive].push_back(static_cast<std::uint32_t>(own.size()));
+  own.push_back({static_cast<std::uint32_t>(model_.planes.size()), forward, colour});
   model_.planes.push_back(plane);
-  left_.halfspaces[left_.primitives.back()].push_back({number, forward, colour});
 }
 
 }  // namespace csgsim::multi_processor

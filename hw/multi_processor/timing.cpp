@@ -20,7 +20,7 @@ using machines::FrameTiming;
 using machines::Machine;
 /// Of the nodes, for a subsegment.
 std::uint64_t division_clocks(const isa::Segment& part, const TestClocks& each) {
-  const isa::DivisionCounts& counts = part.division;
+  const isa::DivisionStep counts = part.division.sum();
   return counts.boxes * each.primitive + counts.halfspaces * each.halfspace + counts.cells * each.cell +
          counts.nodes * each.tree_node + part.instructions.size() * each.instruction;
 }
@@ -124,7 +124,7 @@ class FrameModel {
   std::uint64_t prune(Subsegments parts) {
     std::uint64_t slowest = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const isa::DivisionCounts& counts = parts[i].division;
+      const isa::DivisionStep counts = parts[i].division.sum();
       const std::uint64_t clocks = division_clocks(parts[i], figures_.node_tests);
       counted_.second_box_tests += counts.boxes;
       counted_.second_halfspace_tests += counts.halfspaces;

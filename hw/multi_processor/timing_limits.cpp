@@ -44,12 +44,13 @@ void check_display_memory(Subsegments parts, const ModelSizes& sizes, std::uint6
 
 double test_clocks(const isa::Segment& part, const Figures& figures) {
   const isa::DivisionCounts& counts = part.division;
+  const isa::DivisionStep own = counts.sum();
   const auto clocks = [](std::uint64_t count, std::uint32_t each) { return static_cast<double>(count) * each; };
   return clocks(counts.group_boxes, figures.display_tests.primitive) +
          clocks(counts.group_halfspaces, figures.display_tests.halfspace) +
-         clocks(counts.group_cells, figures.display_tests.cell) + clocks(counts.boxes, figures.node_tests.primitive) +
-         clocks(counts.halfspaces, figures.node_tests.halfspace) + clocks(counts.cells, figures.node_tests.cell) +
-         clocks(counts.nodes, figures.node_tests.tree_node) +
+         clocks(counts.group_cells, figures.display_tests.cell) + clocks(own.boxes, figures.node_tests.primitive) +
+         clocks(own.halfspaces, figures.node_tests.halfspace) + clocks(own.cells, figures.node_tests.cell) +
+         clocks(own.nodes, figures.node_tests.tree_node) +
          clocks(part.instructions.size(), figures.node_tests.instruction);
 }
 
@@ -59,7 +60,7 @@ double data_words(const isa::Segment& part, const ModelSizes& sizes) {
   const auto words = [&](std::uint64_t primitives, std::uint64_t halfspaces) {
     return static_cast<double>(segment_words(sizes, primitives, halfspaces, 1));
   };
-  return words(1, 1) * (1 + static_cast<double>(counts.boxes) + static_cast<double>(counts.group_entries));
+  return words(1, 1) * (1 + static_cast<double>(counts.sum().boxes) + static_cast<double>(counts.group_entries));
 }
 
 void check_time(const isa::Program& program, const ModelSizes& sizes, const Machine& machine) {

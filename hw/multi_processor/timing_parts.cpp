@@ -29,14 +29,15 @@ std::vector<Subsegments> by_segment(const isa::Program& program, const machines:
 /// Each subsegment meets all primitives that the segment leaves.
 SegmentDivision division_of(Subsegments parts) {
   const isa::DivisionCounts& counts = parts.front().division;
+  const std::uint64_t boxes = counts.sum().boxes;
   const bool draws =
       std::any_of(parts.begin(), parts.end(), [](const isa::Segment& part) { return !part.instructions.empty(); });
-  return {.active = draws || counts.boxes > 0,
+  return {.active = draws || boxes > 0,
           .boxes = counts.group_boxes,
           .halfspace_tests = counts.group_halfspaces,
           .cell_tests = counts.group_cells,
-          .primitives = counts.boxes,
-          .halfspaces = counts.group_entries - std::min(counts.boxes, counts.group_entries)};
+          .primitives = boxes,
+          .halfspaces = counts.group_entries - std::min(boxes, counts.group_entries)};
 }
 
 std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits) {

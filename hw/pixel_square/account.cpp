@@ -33,7 +33,11 @@ machines::Account account(const SquareAccount& counted) {
       .counts = {{"squares_drawn", counted.squares_drawn}, {"squares_skipped", counted.squares_skipped}},
       .shares = {utilisation(counted)},
       .parts = {part("host", counted.host)}};
-  if (counted.divider) account.parts.push_back(part("divider", *counted.divider));
+  for (std::size_t i = 0; i < counted.dividers.size(); ++i) {
+    const std::string name = counted.dividers.size() == 1 ? "divider" : "divider " + std::to_string(i);
+    account.parts.push_back(part(name, counted.dividers[i]));
+  }
+  if (counted.sender) account.parts.push_back(part("sender", *counted.sender));
   for (std::size_t i = 0; i < counted.renderers.size(); ++i) {
     const std::string name = "renderer " + std::to_string(i);
     account.counts.push_back({"squares of " + name, counted.renderer_squares[i]});

@@ -14,10 +14,10 @@ namespace csgsim::pixel_square {
 
 /// Where a part of the pixel-square machine spends its clocks. Every clock of the frame is in one of these.
 enum class SquareActivity : std::uint8_t {
-  working,                   ///< sending or taking the model; testing, sending; clearing, drawing, moving; storing
+  working,                   ///< sending or taking the model; testing, writing, sending; clearing, drawing, moving; storing
   waiting_for_host,          ///< the first word has not left the host, or the model has not arrived
-  waiting_for_divider,       ///< the FIFO of the model is full, or no whole command has arrived
-  waiting_for_renderer,      ///< the FIFO of the renderer chosen is full, or no colours have arrived
+  waiting_for_divider,       ///< the FIFO of the model is full, no square is in the store, or no whole command has come
+  waiting_for_renderer,      ///< the store or the FIFO of the renderer chosen is full, or no colours have arrived
   waiting_for_frame_buffer,  ///< the FIFO of clears is full, or a finished square has not moved out
   done,                      ///< nothing is left to do; of a renderer, all after its last square has left the pixels
 };
@@ -40,7 +40,8 @@ struct SquareAccount {
   std::uint64_t squares_drawn = 0;
   std::uint64_t squares_skipped = 0;  ///< that nothing touches: cleared by the frame buffer
   SquareClocks host{};
-  std::optional<SquareClocks> divider;          ///< of a machine that has one
+  std::vector<SquareClocks> dividers;           ///< of a machine that has some
+  std::optional<SquareClocks> sender;           ///< the same: of what sends the squares that these have stored
   std::vector<SquareClocks> renderers;          ///< of the pixel processors of each, not of its output buffer
   std::vector<std::uint64_t> renderer_squares;  ///< drawn by each
   SquareClocks frame_buffer{};

@@ -4,90 +4,146 @@
 #include <utility>
 
 #include "hw/division/encoding.h"
-#include "hw/machines/regions.h"
-#include "hw/pixel_square/commands.h"
-#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/storage_check.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
 
-namespace {
+using Level = SteppedDatapath::Level;
 
-constexpr unsigned byte_bits = 8;
+CornerDivider::CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine,
+                             const ModelReceiver& receiver)
+    : sc_core::sc_module(name),
+      machine_(machine),
+      figures_(machines::own<Figures>(machine_)),
+      period_(systemc::period_of(machine)),
+      receiver_(receiver),
+      store_(machine) {
+  SC_HAS_PROCESS(CornerDivider);
+  SC_THREAD(work);
+}
 
-}  // namespace
-
-CornerDivider::CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine)
-    : Sender(name, machine, 1), machine_(machine) {}
-
-void CornerDivider::begin(const machines::Size& picture, std::uint64_t model_bytes) {
-  machines::Machine drawing = machine_;
-  drawing.picture = picture;
-  squares_ = machines::regions(drawing);
+void CornerDivider::begin(const machines::Size& picture, std::span<const isa::Region> squares,
+                          std::vector<std::size_t> own) {
   picture_ = picture;
-  model_bytes_ = model_bytes;
-  memory_.assign(static_cast<std::size_t>(model_bytes), {});
-  bits_taken_ = 0;
+  squares_ = squares;
+  own_ = std::move(own);
+  store_.begin();
   divider_.reset();
   list_.reset();
   group_ = {};
-  tested_.reset();
-  begin_frame(squares_.size());
+  square_.reset();
+  clocks_ = {};
+  state_ = {};
+  begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-std::optional<SquareActivity> CornerDivider::prepare(std::size_t square) {
-  if (!divider_) return take_model();
-  if (tested_ != square) begin_tests(square);
-  if (tests_left_ == 0) return std::nullopt;
-  --tests_left_;
-  return SquareActivity::working;
+SquareClocks CornerDivider::account(std::uint64_t clocks) const {
+  SquareClocks all = receiver_.clocks();
+  for (const SquareActivity one : {SquareActivity::working, SquareActivity::waiting_for_renderer})
+    all.add(one, clocks_.of(one));
+  return whole(all, SquareActivity::done, clocks);
 }
 
-Square CornerDivider::take(std::size_t square) {
-  return {squares_[square], commands_of(squares_[square], divided_.instructions, machine_.link.width)};
+DividerStatus CornerDivider::status() const {
+  if (!divider_) return {"receiving", std::nullopt};
+  if (!square_) return {name_of(SquareActivity::done), std::nullopt};
+  return {state_, square_};
 }
 
-SquareActivity CornerDivider::take_model() {
-  isa::LinkWord word;
-  if (!model.nb_read(word)) return SquareActivity::waiting_for_host;
-  for (unsigned i = 0; i < machine_.link.width && bits_taken_ < byte_bits * model_bytes_; ++i, ++bits_taken_) {
-    memory_[static_cast<std::size_t>(bits_taken_ / byte_bits)].put(static_cast<unsigned>(bits_taken_ % byte_bits), 1,
-                                                                   word.number(i, 1));
+void CornerDivider::work() {
+  while (true) {
+    wait(begun_);
+    wait(receiver_.received());
+    take_model();
+    SteppedDatapath path(header_, memory_, machine_, far_planes_, ends());
+    for (const std::size_t square : own_) divide(square, path);
+    square_.reset();
   }
-  if (bits_taken_ == byte_bits * model_bytes_) divider_.emplace(division::from_link(memory_, byte_bits));
-  return SquareActivity::working;
 }
 
-void CornerDivider::begin_tests(std::size_t square) {
-  tested_ = square;
-  tests_left_ = 0;
+/// The boxes of the tree's nodes are worked out as they come, and go to their memory behind the last.
+void CornerDivider::take_model() {
+  constexpr unsigned byte_bits = 8;
+  const division::DisplayModel model = division::from_link(receiver_.bytes(), byte_bits);
+  header_ = model;
+  memory_ = division::ModelMemory(model, figures_.record_bits);
+  far_planes_ = has_far_planes(receiver_.bytes().size(), model.planes.size(), memory_.plane_bits(), figures_);
+  state_ = "testing";
+  divider_.emplace(model);
+  spend(model.nodes.size() * figures_.node_clocks);
+}
+
+void CornerDivider::divide(std::size_t square, SteppedDatapath& path) {
+  square_ = square;
+  begun_square_ = false;
+  state_ = "testing";
   const isa::Region& region = squares_[square];
-  const Figures& figures = machines::own<Figures>(machine_);
-  if (figures.levels == 2 && !(group_of(region) == group_)) begin_group(group_of(region));
-  divided_ = list_ ? divider_->divide(region, *list_) : divider_->divide(region);
-  tests_left_ += clocks_of(divided_.counts);
+  if (figures_.levels == 2 && group_of(region) != group_) begin_group(group_of(region), path);
+  path.enter(list_ ? Level::listed : Level::whole);
+  divider_->divide(region, list_ ? *list_ : divider_->all(), path);
+  if (begun_square_) return store(isa::SegmentEnd{}, true);
+  store(StoredWord{.word = {}, .is_clear = true, .is_last = true});
 }
 
-void CornerDivider::begin_group(const isa::Region& group) {
+void CornerDivider::begin_group(const isa::Region& group, SteppedDatapath& path) {
   group_ = group;
-  division::Counts counts;
-  list_ = divider_->survivors(group, counts);
-  if (list_->entries() > machines::own<Figures>(machine_).list_entries) list_.reset();
-  tests_left_ += clocks_of(counts);
+  path.enter(Level::group);
+  list_ = divider_->survivors(group, path);
+  path.take_counts();
+  const std::uint64_t entries = list_->entries();
+  spend(std::min<std::uint64_t>(entries, figures_.list_entries));
+  if (entries > figures_.list_entries) list_.reset();
 }
 
 isa::Region CornerDivider::group_of(const isa::Region& square) const {
-  const std::uint32_t side = machines::own<Figures>(machine_).group_side;
-  const std::uint32_t width = side * machine_.array.width;
-  const std::uint32_t height = side * machine_.array.height;
+  const std::uint32_t width = figures_.group_side * machine_.array.width;
+  const std::uint32_t height = figures_.group_side * machine_.array.height;
   const std::uint32_t x = square.x / width * width;
   const std::uint32_t y = square.y / height * height;
   return {x, y, std::min(width, picture_.width - x), std::min(height, picture_.height - y)};
 }
 
-std::uint64_t CornerDivider::clocks_of(const division::Counts& counts) const {
-  const Figures& figures = machines::own<Figures>(machine_);
-  return counts.boxes * figures.box_clocks + counts.halfspaces * figures.halfspace_clocks +
-         counts.cells * figures.cell_clocks + counts.nodes * figures.node_clocks;
+bool CornerDivider::are_together(const isa::Region& one, const isa::Region& other) const {
+  return figures_.levels == 2 && group_of(one) == group_of(other);
+}
+
+SteppedDatapath::Ends CornerDivider::ends() {
+  return {.spend = [this](std::uint64_t clocks) { spend(clocks); },
+          .store_command =
+              [this](const isa::Instruction& instruction) {
+                if (!std::exchange(begun_square_, true)) store(isa::SegmentStart{squares_[*square_]}, false);
+                store(instruction, false);
+              }};
+}
+
+void CornerDivider::spend(std::uint64_t clocks) {
+  if (clocks == 0) return;
+  clocks_.add(SquareActivity::working, clocks);
+  wait(sc_core::sc_time::from_value(clocks * period_.value()));
+}
+
+void CornerDivider::store(const isa::Command& command, bool is_last) {
+  std::vector<StoredWord> words;
+  isa::encode(command, machine_.link.width, [&](const isa::LinkWord& word) { words.push_back({.word = word}); });
+  words.back().is_last = is_last;
+  state_ = "writing";
+  for (const StoredWord& word : words) store(word);
+  state_ = "testing";
+}
+
+/// In the clock that it takes to write, or in the first after it in which there is room.
+void CornerDivider::store(const StoredWord& word) {
+  spend(1);
+  while (!store_.has_room()) {
+    const std::string_view before = std::exchange(state_, name_of(SquareActivity::waiting_for_renderer));
+    const std::uint64_t begun = sc_core::sc_time_stamp().value() / period_.value();
+    if (!store_.room_follows()) wait(store_.freed());
+    wait(period_);
+    clocks_.add(SquareActivity::waiting_for_renderer, sc_core::sc_time_stamp().value() / period_.value() - begun);
+    state_ = before;
+  }
+  store_.write(word);
 }
 
 }  // namespace csgsim::pixel_square

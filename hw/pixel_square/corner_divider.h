@@ -2,48 +2,78 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
+#include <systemc>
 #include <vector>
 
 #include "hw/division/divide.h"
-#include "hw/pixel_square/sender.h"
+#include "hw/division/model_memory.h"
+#include "hw/isa/wire.h"
+#include "hw/machines/machine.h"
+#include "hw/pixel_square/account.h"
+#include "hw/pixel_square/model_receiver.h"
+#include "hw/pixel_square/stepped_datapath.h"
+#include "hw/pixel_square/store.h"
 
 namespace csgsim::pixel_square {
 
-/// A divider in the machine (thesis fig. 7.3, docs/division.md). It takes the model from the link into its memory, a
-/// word a clock, and then divides square after square. First it tests: for the first square of a group all that the
-/// group asks for, then what the square asks for, in as many clocks as these tests take. When they are done the
-/// square's commands leave, a word a clock; the next square's tests begin when the last has left.
-class CornerDivider final : public Sender {
+/// What a divider is at, for waves.
+struct DividerStatus {
+  std::string_view state;  ///< `receiving`, `testing`, `writing`, `done`, or what it waits for
+  std::optional<std::size_t> square;
+};
+
+/// A divider in the machine (thesis fig. 7.3, docs/division.md). When the model has come it divides square after square
+/// out of its memory: it reads, tests and writes, one thing after another, and puts a word of the square's commands
+/// into the store at an edge at which there is room.
+class CornerDivider final : public sc_core::sc_module {
  public:
-  sc_core::sc_fifo_in<isa::LinkWord> model{"model"};
+  CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine, const ModelReceiver& receiver);
 
-  CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine);
+  /// A frame begins, with a picture of that size. It divides those of the squares, which have to live until the frame
+  /// is drawn, that it is told to, in this order.
+  void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> own);
 
-  /// Starts at the next edge, with a picture of that size and a model of so many bytes, one at least.
-  void begin(const machines::Size& picture, std::uint64_t model_bytes);
+  /// Whether squares are divided by the same divider because they are in one group.
+  [[nodiscard]] bool are_together(const isa::Region& one, const isa::Region& other) const;
+
+  [[nodiscard]] Store& store() { return store_; }
+  [[nodiscard]] const Store& store() const { return store_; }
+  /// Of a frame of so many clocks.
+  [[nodiscard]] SquareClocks account(std::uint64_t clocks) const;
+  [[nodiscard]] DividerStatus status() const;
 
  private:
-  std::optional<SquareActivity> prepare(std::size_t square) override;
-  [[nodiscard]] std::string_view preparing() const override { return divider_ ? "testing" : "receiving"; }
-  Square take(std::size_t square) override;
-  SquareActivity take_model();
-  void begin_tests(std::size_t square);
-  void begin_group(const isa::Region& group);
+  void work();
+  void take_model();
+  void divide(std::size_t square, SteppedDatapath& path);
+  void begin_group(const isa::Region& group, SteppedDatapath& path);
   [[nodiscard]] isa::Region group_of(const isa::Region& square) const;
-  [[nodiscard]] std::uint64_t clocks_of(const division::Counts& counts) const;
+  [[nodiscard]] SteppedDatapath::Ends ends();
+  void spend(std::uint64_t clocks);
+  void store(const isa::Command& command, bool is_last);
+  void store(const StoredWord& word);
 
   const machines::Machine machine_;
-  std::vector<isa::Region> squares_;
+  const Figures& figures_;
+  const sc_core::sc_time period_;
+  const ModelReceiver& receiver_;
+  Store store_;
+  std::span<const isa::Region> squares_;
+  std::vector<std::size_t> own_;
   machines::Size picture_;
-  std::vector<isa::LinkWord> memory_;  ///< the bytes of the model that have come, one an element
-  std::uint64_t model_bytes_ = 0;
-  std::uint64_t bits_taken_ = 0;
+
+  division::ModelHeader header_;
+  division::ModelMemory memory_;
   std::optional<division::Divider> divider_;  ///< once the model is in
+  bool far_planes_ = false;
   isa::Region group_;                         ///< that the list is of
   std::optional<division::Candidates> list_;  ///< what the group leaves, if it fits
-  std::optional<std::size_t> tested_;         ///< the square at hand
-  division::Divided divided_;
-  std::uint64_t tests_left_ = 0;  ///< clocks
+  std::optional<std::size_t> square_;         ///< at hand
+  bool begun_square_ = false;                 ///< some of it is in the store
+  SquareClocks clocks_;                       ///< once the model is in
+  std::string_view state_;
+  sc_core::sc_event begun_{"begun"};
 };
 
 }  // namespace csgsim::pixel_square

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string_view>
 
@@ -36,20 +37,44 @@ struct Figures {
   SquareOrder order = SquareOrder::rows;
 
   DividerKind divider = DividerKind::host;
-  // Of a divider in the machine.
+  // Of dividers in the machine, each of which has all that follows.
+  std::uint32_t dividers = 1;
   std::uint32_t levels = 1;            ///< with 2, a group of squares first
   std::uint32_t group_side = 1;        ///< squares of a group, along a row and down
   std::uint32_t list_entries = 1;      ///< of the list between the levels
   std::uint32_t model_bits = 1;        ///< of the memory that holds the model
+  std::uint32_t record_bits = 1;       ///< that are read from it in a clock
   std::uint32_t halfspaces = 1;        ///< that fit the memory of the surface at hand
   std::uint32_t nodes = 1;             ///< of its tree that do
-  std::uint32_t store_words = 1;       ///< of the store for the commands of the square at hand, in link words
+  std::uint32_t store_words = 1;       ///< of the store for the commands of squares, in link words
   std::uint32_t box_clocks = 1;        ///< to hold a primitive's box against a square's
   std::uint32_t halfspace_clocks = 1;  ///< to test a half-space at four corners
   std::uint32_t cell_clocks = 1;       ///< to hold a half-space of a side against the leaders of a cell
   std::uint32_t node_clocks = 1;       ///< to look at a node of the tree
+  std::uint32_t linear_clocks = 1;     ///< to work out a linear instruction, besides its words
 
   constexpr bool operator==(const Figures&) const = default;
 };
+
+/// Bits of what is kept of a half-space at hand (docs/division.md): with its place among those left in cells of each of
+/// 15 sizes.
+constexpr std::uint64_t halfspace_entry_bits(const Figures& figures) {
+  constexpr std::uint64_t itself = 251;
+  constexpr std::uint64_t sizes = 15;
+  return itself + sizes * static_cast<std::uint64_t>(std::bit_width(figures.halfspaces - 1));
+}
+
+/// Bits of what is kept of a node at hand.
+inline constexpr std::uint64_t node_entry_bits = 98;
+
+/// Clocks in which a half-space at hand beyond those that fit their memory is written to that of the model, or read.
+constexpr std::uint64_t spilt_halfspace_clocks(const Figures& figures) {
+  return (halfspace_entry_bits(figures) + figures.record_bits - 1) / figures.record_bits;
+}
+
+/// Clocks in which such a node is written and read.
+constexpr std::uint64_t spilt_node_clocks(const Figures& figures) {
+  return 2 * ((node_entry_bits + figures.record_bits - 1) / figures.record_bits);
+}
 
 }  // namespace csgsim::pixel_square

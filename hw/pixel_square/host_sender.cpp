@@ -21,9 +21,11 @@ std::optional<SquareActivity> HostSender::prepare(std::size_t /*square*/) {
   return SquareActivity::waiting_for_host;
 }
 
-Square HostSender::take(std::size_t square) {
+SquareStart HostSender::start(std::size_t square) {
   const isa::Segment& segment = segments_[square];
-  return {segment.region, commands_of(segment.region, segment.instructions, link_width_)};
+  words_ = commands_of(segment.region, segment.instructions, link_width_);
+  next_ = 0;
+  return {segment.region, words_.empty()};
 }
 
 }  // namespace csgsim::pixel_square

@@ -18,12 +18,16 @@ class HostSender final : public Sender {
  private:
   std::optional<SquareActivity> prepare(std::size_t square) override;
   [[nodiscard]] std::string_view preparing() const override { return name_of(SquareActivity::waiting_for_host); }
-  Square take(std::size_t square) override;
+  SquareStart start(std::size_t square) override;
+  [[nodiscard]] const isa::LinkWord* next_word() const override { return &words_[next_]; }
+  bool pass() override { return ++next_ == words_.size(); }
 
   const std::uint32_t link_width_;
   const std::uint32_t latency_;
   std::span<const isa::Segment> segments_;
   std::uint32_t latency_left_ = 0;
+  std::vector<isa::LinkWord> words_;  ///< of the square at hand
+  std::size_t next_ = 0;
 };
 
 }  // namespace csgsim::pixel_square

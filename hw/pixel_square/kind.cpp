@@ -53,18 +53,23 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 1,
                                            "host: it divides the model at no cost; corners: the machine does",
                                            divider_kind_names),
+    own_figure<Figures, &Figures::dividers>("divider.count", "dividers", 1, 64,
+                                            "of corners: that divide groups of squares in turn, each with all below"),
     own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
                                           "of corners: 2, for groups of squares first"),
     own_figure<Figures, &Figures::group_side>("divider.group", "squares", 1, 1024, "of a group, along a row and down"),
     own_figure<Figures, &Figures::list_entries>("divider.list", "entries", 0, 1'000'000'000,
                                                 "that what a group leaves has to fit"),
-    own_figure<Figures, &Figures::model_bits>("divider.memory", "bits", 1, 4'000'000'000, "for the model"),
+    own_figure<Figures, &Figures::model_bits>("divider.memory", "bits", 1, 4'000'000'000,
+                                              "for the model; its planes stay with the host if it does not fit"),
+    own_figure<Figures, &Figures::record_bits>("divider.port", "bits", 1, isa::LinkWord::most_bits,
+                                               "of a record of the model that are read in a clock"),
     own_figure<Figures, &Figures::halfspaces>("divider.halfspaces", "half-spaces", 1, 1'000'000'000,
-                                              "that all that is looked at for a surface has to fit"),
+                                              "at hand for a surface; what is beyond goes to the model's memory"),
     own_figure<Figures, &Figures::nodes>("divider.nodes", "nodes", 1, 1'000'000'000,
-                                         "of the tree, that those looked at for a surface have to fit"),
+                                         "of the tree at hand for a surface; what is beyond goes to the model's memory"),
     own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
-                                               "of the link, that the commands of a square have to fit"),
+                                               "of the link, for commands that have not left"),
     own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
                                               "to hold the box of a primitive against a square's"),
     own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
@@ -73,6 +78,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                "to hold a half-space of a side against the leaders of a cell"),
     own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
                                                "to look at a node of the tree"),
+    own_figure<Figures, &Figures::linear_clocks>(
+        "divider.linear_clocks", "clocks", 0, most_clocks,
+        "to work out constant, width and shift of a linear instruction, besides its words"),
 });
 
 }  // namespace
@@ -101,17 +109,7 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
     throw InputError(fmt::format(
         "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
   }
-  const std::uint64_t bits = 8 * std::uint64_t{program.display_model.size()};
-  if (bits > figures.model_bits) {
-    throw InputError(
-        fmt::format("the display model has {} bits, and the divider's memory holds {}; give divider.memory "
-                    "more, or the model fewer faces",
-                    bits, figures.model_bits));
-  }
-  for (const isa::Segment& segment : program.segments) {
-    const isa::DivisionCounts& division = segment.division;
-    check_storage(segment, {division.most_halfspaces, division.most_nodes}, machine);
-  }
+  check_storage(program, machine);
   check_countable(program, machine);
 }
 
@@ -126,11 +124,26 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
   return machines::bit_serial_clocks(instruction, machine);
 }
 
+namespace {
+
+/// Of all dividers; the tree's nodes, and what is kept of cells' leaders, are not in it.
+std::uint64_t divider_memory_bits(const Machine& machine) {
+  constexpr std::uint64_t list_entry_bits = 32;
+  const Figures& figures = machines::own<Figures>(machine);
+  if (figures.divider == DividerKind::host) return 0;
+  const std::uint64_t list = figures.levels == 2 ? figures.list_entries * list_entry_bits : 0;
+  return figures.dividers * (figures.model_bits + list + figures.halfspaces * halfspace_entry_bits(figures) +
+                             figures.nodes * node_entry_bits + std::uint64_t{figures.store_words} * machine.link.width);
+}
+
+}  // namespace
+
 machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& header) const {
   const std::uint64_t processors =
       std::uint64_t{machine.array.width} * machine.array.height * figures_of(machine).renderers;
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
-  return {processors, processors * machine.array.memory_bits + pixels * header.colour.width};
+  return {processors,
+          processors * machine.array.memory_bits + pixels * header.colour.width + divider_memory_bits(machine)};
 }
 
 const Kind kind{"pixel-square", schema};

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "hw/machines/regions.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/make.h"
 #include "hw/pixel_square/renderer_taps.h"
@@ -75,8 +76,13 @@ void PixelSquareMachine::bind_front(const machines::Machine& machine) {
     front_.source = std::make_unique<ModelSource>("host", machine.link);
     front_.source->clock(clock_);
     front_.source->words(*front_.model);
-    front_.divider = std::make_unique<CornerDivider>("divider", machine);
-    front_.divider->model(*front_.model);
+    front_.receiver = std::make_unique<ModelReceiver>("receiver", machine);
+    front_.receiver->clock(clock_);
+    front_.receiver->model(*front_.model);
+    for (std::uint32_t i = 0; i < machines::own<Figures>(machine).dividers; ++i)
+      front_.dividers.push_back(
+          std::make_unique<CornerDivider>(("divider_" + std::to_string(i)).c_str(), machine, *front_.receiver));
+    front_.sender = std::make_unique<StoreSender>("sender", machine);
   }
   sender().clock(clock_);
   sender().links(instructions_);
@@ -89,7 +95,26 @@ void PixelSquareMachine::begin_front(const isa::Program& program) {
   if (front_.host) return front_.host->begin(program.segments);
   const isa::FrameHeader header = isa::frame_header(program);
   front_.source->begin(program.display_model);
-  front_.divider->begin({header.shape.width, header.shape.height}, program.display_model.size());
+  front_.receiver->begin(program.display_model.size());
+  begin_dividers({header.shape.width, header.shape.height});
+}
+
+/// Groups of squares, or at one level squares, go to the dividers in turn.
+void PixelSquareMachine::begin_dividers(const machines::Size& picture) {
+  machines::Machine drawing = machine_;
+  drawing.picture = picture;
+  squares_ = machines::regions(drawing);
+  std::vector<std::vector<std::size_t>> own(front_.dividers.size());
+  std::vector<Store*> stores;
+  std::size_t turn = 0;
+  for (std::size_t square = 0; square < squares_.size(); ++square) {
+    const CornerDivider& any = *front_.dividers.front();
+    if (square > 0 && !any.are_together(squares_[square - 1], squares_[square])) turn = (turn + 1) % own.size();
+    own[turn].push_back(square);
+    stores.push_back(&front_.dividers[turn]->store());
+  }
+  for (std::size_t i = 0; i < own.size(); ++i) front_.dividers[i]->begin(picture, squares_, std::move(own[i]));
+  front_.sender->begin(squares_, std::move(stores));
 }
 
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
@@ -131,7 +156,8 @@ SquareAccount PixelSquareMachine::counted(std::uint64_t clocks) const {
   SquareAccount account;
   account.squares_skipped = sender().squares_skipped();
   account.host = front_.host ? front_.host->account(clocks) : front_.source->account(clocks);
-  if (front_.divider) account.divider = front_.divider->account(clocks);
+  for (const auto& divider : front_.dividers) account.dividers.push_back(divider->account(clocks));
+  if (front_.sender) account.sender = front_.sender->account(clocks);
   account.frame_buffer = frame_buffer_.account(clocks);
   std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& renderer) {
     account.renderers.push_back(renderer.account(clocks));
@@ -162,8 +188,11 @@ std::vector<wave::Tap> PixelSquareMachine::front_taps(const isa::Program& progra
     taps.push_back(wave::number("host.words", 32, [this] { return wave::Number(front_.source->words_sent()); }));
     taps.push_back(fill_tap("model.fill", *front_.model));
   }
-  for (wave::Tap& tap : sender_taps(front_.host ? "host" : "divider", sender(), program))
-    taps.push_back(std::move(tap));
+  for (std::size_t i = 0; i < front_.dividers.size(); ++i) {
+    const std::string part = front_.dividers.size() == 1 ? "divider" : "divider_" + std::to_string(i);
+    wave::add(divider_taps(part, *front_.dividers[i], program), taps);
+  }
+  wave::add(sender_taps(front_.host ? "host" : "sender", sender(), program), taps);
   taps.push_back(fill_tap("clears.fill", clears_));
   return taps;
 }

@@ -11,9 +11,11 @@
 #include "hw/pixel_square/corner_divider.h"
 #include "hw/pixel_square/frame_buffer.h"
 #include "hw/pixel_square/host_sender.h"
+#include "hw/pixel_square/model_receiver.h"
 #include "hw/pixel_square/model_source.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/renderer.h"
+#include "hw/pixel_square/store_sender.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
@@ -27,7 +29,8 @@ namespace csgsim::pixel_square {
 ///           ├─▶ FIFO ─▶ renderer 1 ─▶ FIFO ─────▲  ▲
 ///           └─▶ FIFO of clears ────────────────────┘
 ///
-/// With a divider of its own that stands in the host's place, behind a FIFO for the model.
+/// With dividers of its own there stand in the host's place, behind a FIFO for the model, what receives that, the
+/// dividers with a store each, and what sends the squares that are in these.
 ///
 /// All parts act on the rising edge of one clock. A word written at an edge can be read at the next; a place freed at
 /// an edge can be filled at the next.
@@ -47,7 +50,9 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
     std::unique_ptr<HostSender> host;
     std::unique_ptr<sc_core::sc_fifo<isa::LinkWord>> model;
     std::unique_ptr<ModelSource> source;
-    std::unique_ptr<CornerDivider> divider;
+    std::unique_ptr<ModelReceiver> receiver;
+    std::vector<std::unique_ptr<CornerDivider>> dividers;
+    std::unique_ptr<StoreSender> sender;
   };
 
   [[nodiscard]] std::vector<wave::Tap> front_taps(const isa::Program& program) const;
@@ -55,9 +60,10 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
                                                   const wave::Request& request) const;
   void bind_front(const machines::Machine& machine);
   void begin_front(const isa::Program& program);
-  [[nodiscard]] Sender& sender() { return front_.host ? static_cast<Sender&>(*front_.host) : *front_.divider; }
+  void begin_dividers(const machines::Size& picture);
+  [[nodiscard]] Sender& sender() { return front_.host ? static_cast<Sender&>(*front_.host) : *front_.sender; }
   [[nodiscard]] const Sender& sender() const {
-    return front_.host ? static_cast<const Sender&>(*front_.host) : *front_.divider;
+    return front_.host ? static_cast<const Sender&>(*front_.host) : *front_.sender;
   }
   void begin(const isa::Program& program, systemc::RunListener& listener);
   void on_done();
@@ -74,6 +80,7 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
   Front front_;
+  std::vector<isa::Region> squares_;  ///< of the frame, for dividers
   sc_core::sc_vector<Renderer> renderers_;
   FrameBuffer frame_buffer_;
   systemc::SegmentNames names_;

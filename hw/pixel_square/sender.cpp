@@ -51,40 +51,48 @@ SquareActivity Sender::as_told(SquareActivity activity) {
 }
 
 void Sender::begin_square() {
-  square_ = take(index_);
+  square_ = start(index_);
   target_.reset();
   sent_ = 0;
   elapsed_ = 0;
 }
 
-/// The renderer is chosen when the first word is ready to leave.
+void Sender::end_square() {
+  square_.reset();
+  ++index_;
+}
+
 SquareActivity Sender::send() {
   if (elapsed_ + 1 < word_clocks_) {
     ++elapsed_;
     return SquareActivity::working;
   }
-  const bool is_clear = square_->words.empty();
-  if (!is_clear && !target_) {
-    target_ = least_busy();
-    ++handed_[*target_];
-  }
-  if (!send_word()) return is_clear ? SquareActivity::waiting_for_frame_buffer : SquareActivity::waiting_for_renderer;
-  elapsed_ = 0;
-  ++sent_;
-  if (sent_ < (is_clear ? quotient_up(header_bits, port_bits_) : square_->words.size())) return SquareActivity::working;
-  if (is_clear) {
-    retirement->after_segment(static_cast<std::uint32_t>(index_), systemc::ClearView());
-    ++skipped_;
-  }
-  square_.reset();
-  ++index_;
+  const SquareActivity activity = square_->is_clear ? send_header() : send_word();
+  if (activity == SquareActivity::working) elapsed_ = 0;
+  return activity;
+}
+
+SquareActivity Sender::send_header() {
+  if (clears.num_free() == 0) return SquareActivity::waiting_for_frame_buffer;
+  clears.nb_write({slice_of({header_of(square_->region)}, sent_ * port_bits_, port_bits_)});
+  if (++sent_ < quotient_up(header_bits, port_bits_)) return SquareActivity::working;
+  retirement->after_segment(static_cast<std::uint32_t>(index_), systemc::ClearView());
+  ++skipped_;
+  end_square();
   return SquareActivity::working;
 }
 
-bool Sender::send_word() {
-  if (target_) return links[*target_].nb_write(square_->words[sent_]);
-  if (clears.num_free() == 0) return false;
-  return clears.nb_write({slice_of({header_of(square_->region)}, sent_ * port_bits_, port_bits_)});
+/// The renderer is chosen when the first word is ready to leave.
+SquareActivity Sender::send_word() {
+  const isa::LinkWord* const word = next_word();
+  if (word == nullptr) return SquareActivity::waiting_for_divider;
+  if (!target_) {
+    target_ = least_busy();
+    ++handed_[*target_];
+  }
+  if (!links[*target_].nb_write(*word)) return SquareActivity::waiting_for_renderer;
+  if (pass()) end_square();
+  return SquareActivity::working;
 }
 
 std::size_t Sender::least_busy() const {

@@ -17,10 +17,10 @@
 
 namespace csgsim::pixel_square {
 
-/// A square as it leaves for the renderers.
-struct Square {
+/// A square that begins to leave.
+struct SquareStart {
   isa::Region region;
-  std::vector<isa::LinkWord> words;  ///< SegmentStart, its instructions, SegmentEnd; none if nothing is seen there
+  bool is_clear = false;  ///< nothing is seen there, and no words follow
 };
 
 /// What a sender is at, for waves: as the edge left it with which the clock began.
@@ -59,25 +59,33 @@ class Sender : public systemc::ClockedModule {
   /// What `working` means while a square is prepared, by name.
   [[nodiscard]] virtual std::string_view preparing() const = 0;
 
-  /// That has been prepared.
-  [[nodiscard]] virtual Square take(std::size_t square) = 0;
+  /// Begins with the square that has been prepared.
+  virtual SquareStart start(std::size_t square) = 0;
+
+  /// Of SegmentStart, its instructions, SegmentEnd the word that leaves next; null while it is not there.
+  [[nodiscard]] virtual const isa::LinkWord* next_word() const = 0;
+
+  /// That word has left. Returns whether it was the last of the square.
+  virtual bool pass() = 0;
 
  private:
   void on_clock() override;
   SquareActivity act();
   SquareActivity as_told(SquareActivity activity);
   SquareActivity send();
+  SquareActivity send_header();
+  SquareActivity send_word();
   void begin_square();
-  bool send_word();
+  void end_square();
   [[nodiscard]] std::size_t least_busy() const;
 
   const std::uint32_t word_clocks_;
   const std::uint32_t port_bits_;
   std::size_t squares_ = 0;
   std::size_t index_ = 0;              ///< of the square at hand
-  std::optional<Square> square_;       ///< once it is prepared
+  std::optional<SquareStart> square_;  ///< once it is prepared
   std::optional<std::size_t> target_;  ///< the renderer that gets it; none, if it is cleared
-  std::size_t sent_ = 0;               ///< words of it
+  std::size_t sent_ = 0;               ///< words of its header
   std::uint32_t elapsed_ = 0;          ///< clocks spent on the word at hand
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;

@@ -2,27 +2,29 @@
 
 #include <fmt/format.h>
 
-#include <string_view>
+#include <algorithm>
 #include <vector>
 
 #include "hw/base/error.h"
 #include "hw/division/division_check.h"
-#include "hw/isa/wire.h"
-#include "hw/pixel_square/figures.h"
+#include "hw/division/model_sizes.h"
 
 namespace csgsim::pixel_square {
 
 namespace {
 
-std::uint64_t command_words(const isa::Segment& square, std::uint32_t width) {
-  if (square.instructions.empty()) return 0;
-  std::uint64_t words =
-      isa::wire_words(isa::SegmentStart{square.region}, width) + isa::wire_words(isa::SegmentEnd{}, width);
-  for (const isa::Instruction& instruction : square.instructions) words += isa::wire_words(instruction, width);
-  return words;
+constexpr std::uint64_t byte_bits = 8;
+
+std::uint64_t beyond(std::uint64_t needed, std::uint64_t there) { return needed > there ? needed - there : 0; }
+
+/// Bits of what the memories for a surface at hand do not hold.
+std::uint64_t spilt_bits(const isa::DivisionStep& surface, const Figures& figures) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 40U;
+  return std::min(beyond(surface.halfspaces, figures.halfspaces), most) * halfspace_entry_bits(figures) +
+         std::min(beyond(surface.nodes, figures.nodes), most) * node_entry_bits;
 }
 
-/// The groups that the machine's divider makes; none for one level.
+/// The groups that the machine's dividers make; none for one level.
 std::vector<division::Group> groups_of(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.levels < 2) return {};
@@ -34,26 +36,41 @@ std::vector<division::Group> groups_of(const isa::Program& program, const machin
 
 }  // namespace
 
-void check_storage(const isa::Segment& square, const division::AtHand& at_hand, const machines::Machine& machine) {
+bool has_far_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits,
+                    const Figures& figures) {
+  return byte_bits * model_bytes > figures.model_bits && planes > 0 && plane_bits > 0;
+}
+
+void check_storage(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
-  const auto require = [&](std::uint64_t needed, std::uint64_t there, std::string_view of, std::string_view figure) {
-    if (needed <= there) return;
+  const division::ModelSizes sizes = division::sizes_of(program.display_model);
+  const std::uint64_t plane_bits = 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant;
+  std::uint64_t kept = byte_bits * program.display_model.size();
+  if (has_far_planes(program.display_model.size(), sizes.planes, plane_bits, figures))
+    kept -= std::min(kept, sizes.planes * plane_bits);
+  if (kept > figures.model_bits) {
     throw InputError(
-        fmt::format("the square at {},{} has {} {}, and the divider keeps {}; give {} more, or the model "
-                    "fewer faces",
-                    square.region.x, square.region.y, needed, of, there, figure));
-  };
-  require(at_hand.halfspaces, figures.halfspaces, "half-spaces to look at for one surface", "divider.halfspaces");
-  require(at_hand.nodes, figures.nodes, "nodes of the tree to look at for one surface", "divider.nodes");
-  require(command_words(square, machine.link.width), figures.store_words, "words of commands", "divider.store");
+        fmt::format("the display model has {} bits besides its planes, and the divider's memory holds {}; give "
+                    "divider.memory more, or the model fewer faces",
+                    kept, figures.model_bits));
+  }
+  for (const isa::Segment& square : program.segments) {
+    for (const isa::DivisionStep& surface : square.division.steps) {
+      const std::uint64_t spilt = spilt_bits(surface, figures);
+      if (spilt <= figures.model_bits - kept) continue;
+      throw InputError(
+          fmt::format("the square at {},{} has {} half-spaces and {} nodes of the tree to look at for one surface: with "
+                      "the model's {} bits these are more than divider.halfspaces, divider.nodes and divider.memory "
+                      "hold; give them more, or the model fewer faces",
+                      square.region.x, square.region.y, surface.halfspaces, surface.nodes, kept));
+    }
+  }
 }
 
 void check_division(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   if (figures.divider == DividerKind::host) return;
-  division::check_division(
-      program, groups_of(program, machine), figures.list_entries,
-      [&](const isa::Segment& square, const division::AtHand& at_hand) { check_storage(square, at_hand, machine); });
+  division::check_division(program, groups_of(program, machine), figures.list_entries);
 }
 
 }  // namespace csgsim::pixel_square

@@ -34,6 +34,16 @@ Tap either(Tap one, Tap other) {
 
 }  // namespace
 
+std::vector<Tap> divider_taps(const std::string& part, const CornerDivider& divider, const isa::Program& program) {
+  return {wave::text(part + ".state", [&divider] { return std::string(divider.status().state); }),
+          wave::text(part + ".square",
+                     [&divider, &program] {
+                       const std::optional<std::size_t> square = divider.status().square;
+                       return square ? square_name(*square, program) : std::string();
+                     }),
+          wave::number(part + ".store_fill", 32, [&divider] { return Number(divider.store().fill()); })};
+}
+
 std::vector<Tap> sender_taps(const std::string& part, const Sender& sender, const isa::Program& program) {
   return {wave::text(part + ".state", [&sender] { return std::string(sender.status().state); }),
           wave::text(part + ".square", [&sender, &program] { return square_name(sender.status().square, program); }),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hw/isa/program.h"
+#include "hw/pixel_square/corner_divider.h"
 #include "hw/pixel_square/frame_buffer.h"
 #include "hw/pixel_square/sender.h"
 #include "hw/systemc/segment_names.h"
@@ -13,6 +14,9 @@
 
 /// What waves show of a pixel-square machine beside its renderers.
 namespace csgsim::pixel_square {
+
+/// `PART.state`, `.square` at hand, `.store_fill` in words.
+std::vector<wave::Tap> divider_taps(const std::string& part, const CornerDivider& divider, const isa::Program& program);
 
 /// `PART.state`, `.square` at hand, `.renderer` that gets it.
 std::vector<wave::Tap> sender_taps(const std::string& part, const Sender& sender, const isa::Program& program);

@@ -1,12 +1,16 @@
 #include "hw/pixel_square/timing.h"
 
+#include <algorithm>
 #include <vector>
 
+#include "hw/base/quotient.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/pixel_square/timing_agenda.h"
+#include "hw/pixel_square/timing_divider.h"
+#include "hw/pixel_square/timing_division.h"
 #include "hw/pixel_square/timing_frame_buffer.h"
 #include "hw/pixel_square/timing_renderer.h"
 #include "hw/pixel_square/timing_sender.h"
@@ -18,20 +22,28 @@ namespace {
 using machines::FrameTiming;
 using machines::Machine;
 
+std::size_t dividers_in(const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  return figures.divider == DividerKind::host ? 0 : figures.dividers;
+}
+
 /// The machine's parts, and the order in which they act.
 class FrameModel {
  public:
   FrameModel(const isa::Program& program, const Machine& machine, machines::Timeline* told)
-      : parts_{machines::own<Figures>(machine).renderers},
-        has_squares_(!program.segments.empty()),
+      : program_(program),
+        machine_(machine),
+        parts_{machines::own<Figures>(machine).renderers, dividers_in(machine)},
         agenda_(parts_.count()),
         clears_(machines::own<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(), agenda_),
         renderers_(renderers(program, machine, agenda_)),
-        sender_(program, machine, renderers_, clears_, agenda_, told),
+        dividers_(dividers(told)),
+        sender_(program, machine, dividers_, renderers_, clears_, agenda_, told),
         frame_buffer_(program.segments.size(), renderers_, clears_, agenda_) {}
 
   SquareTiming run() {
-    if (has_squares_) {
+    if (!program_.segments.empty()) {
+      if (!dividers_.empty()) take_model();
       sender_.begin();
       while (frame_buffer_.end() == 0) step();
     }
@@ -47,10 +59,37 @@ class FrameModel {
     return all;
   }
 
+  std::vector<DividerTiming> dividers(machines::Timeline* told) {
+    std::vector<DividerTiming> all;
+    for (std::size_t i = 0; i < parts_.dividers; ++i)
+      all.emplace_back(program_, machine_, parts_.divider(i), parts_.sender(), agenda_, told);
+    if (all.empty()) return all;
+    const std::vector<std::size_t> takes = dividers_of(program_, machine_);
+    for (std::size_t square = 0; square < takes.size(); ++square) all[takes[square]].give(square);
+    return all;
+  }
+
+  /// The words of the model follow each other as fast as the host can send and the FIFO take them.
+  void take_model() {
+    const machines::Link& link = machine_.link;
+    const std::uint64_t words = quotient_up(8 * std::uint64_t{program_.display_model.size()}, link.width);
+    Time last = 0;
+    if (words > 0) {
+      const Time spacing = std::max<Time>(link.word_clocks, link.fifo_depth == 1 ? 2 : 1);
+      const Time sent = link.latency + link.word_clocks + (words - 1) * spacing;
+      host_.wait(SquareActivity::waiting_for_host, 1 + link.latency);
+      host_.work(words * link.word_clocks);
+      host_.wait(SquareActivity::waiting_for_divider, sent + 1);
+      last = sent + 1;
+    }
+    for (DividerTiming& divider : dividers_) divider.begin(last, words);
+  }
+
   void step() {
     const auto [now, part] = agenda_.next();
     if (part == parts_.sender()) return sender_.send(now);
     if (part == parts_.frame_buffer()) return frame_buffer_.store(now);
+    if (part >= parts_.divider(0)) return dividers_[part - parts_.divider(0)].act(now);
     const std::size_t number = part % renderers_.size();
     RendererTiming& renderer = renderers_[number];
     if (part == parts_.pixels(number)) return renderer.draw(now);
@@ -62,8 +101,13 @@ class FrameModel {
     const Time end = frame_buffer_.end();
     SquareAccount account;
     account.squares_skipped = sender_.skipped();
-    account.host = sender_.host_clocks(end);
-    account.divider = sender_.divider_clocks(end);
+    if (dividers_.empty()) {
+      account.host = sender_.clocks(end);
+    } else {
+      account.host = host_.whole(end);
+      account.sender = sender_.clocks(end);
+    }
+    for (DividerTiming& divider : dividers_) account.dividers.push_back(divider.clocks(end));
     account.frame_buffer = frame_buffer_.clocks(end);
     for (RendererTiming& renderer : renderers_) {
       account.squares_drawn += renderer.finished();
@@ -73,11 +117,14 @@ class FrameModel {
     return account;
   }
 
+  const isa::Program& program_;
+  const Machine& machine_;
   const PartNumbers parts_;
-  const bool has_squares_;
   Agenda agenda_;
   Fifo<TimedPortWord> clears_;
   std::vector<RendererTiming> renderers_;
+  std::vector<DividerTiming> dividers_;
+  PartClocks host_;  ///< before dividers
   SenderTiming sender_;
   FrameBufferTiming frame_buffer_;
 };

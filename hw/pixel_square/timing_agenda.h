@@ -21,13 +21,15 @@ using Time = std::uint64_t;
 /// before their decoder, which can take a word where they take a command. The order of the others does not matter.
 struct PartNumbers {
   std::size_t renderers = 1;
+  std::size_t dividers = 0;
 
   [[nodiscard]] std::size_t pixels(std::size_t renderer) const { return renderer; }
   [[nodiscard]] std::size_t decoder(std::size_t renderer) const { return renderers + renderer; }
   [[nodiscard]] std::size_t output(std::size_t renderer) const { return 2 * renderers + renderer; }
   [[nodiscard]] std::size_t sender() const { return 3 * renderers; }
   [[nodiscard]] std::size_t frame_buffer() const { return sender() + 1; }
-  [[nodiscard]] std::size_t count() const { return frame_buffer() + 1; }
+  [[nodiscard]] std::size_t divider(std::size_t number) const { return frame_buffer() + 1 + number; }
+  [[nodiscard]] std::size_t count() const { return divider(dividers); }
 };
 
 /// When which part acts next. A part sleeps while nothing but another part can let it go on.

@@ -4,51 +4,116 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <optional>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
+#include "hw/division/model_sizes.h"
+#include "hw/isa/operands.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/storage_check.h"
 
 namespace csgsim::pixel_square {
 
 namespace {
 
-/// Tests of one sort.
-struct Tests {
-  std::uint64_t count = 0;
-  std::uint64_t clocks = 0;  ///< each
-};
+const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
 
-auto tests_of(const isa::DivisionCounts& counts, const Figures& figures) {
-  return std::to_array<Tests>({{counts.boxes, figures.box_clocks},
-                               {counts.group_boxes, figures.box_clocks},
-                               {counts.halfspaces, figures.halfspace_clocks},
-                               {counts.group_halfspaces, figures.halfspace_clocks},
-                               {counts.cells, figures.cell_clocks},
-                               {counts.group_cells, figures.cell_clocks},
-                               {counts.nodes, figures.node_clocks}});
-}
+std::uint64_t beyond(std::uint64_t needed, std::uint64_t there) { return needed - std::min(needed, there); }
 
 }  // namespace
 
-std::uint64_t test_clocks(const isa::DivisionCounts& counts, const Figures& figures) {
-  if (figures.divider == DividerKind::host) return 0;
-  std::uint64_t clocks = 0;
-  for (const Tests& tests : tests_of(counts, figures)) clocks += tests.count * tests.clocks;
-  return clocks;
+DivisionClocks::DivisionClocks(const isa::Program& program, const machines::Machine& machine) : machine_(machine) {
+  const division::ModelSizes sizes = division::sizes_of(program.display_model);
+  const std::uint64_t port = figures_of(machine).record_bits;
+  const std::uint64_t plane_bits = 1 + 2 * std::uint64_t{sizes.slope} + sizes.constant;
+  const bool is_far = has_far_planes(program.display_model.size(), sizes.planes, plane_bits, figures_of(machine));
+  const std::uint64_t plane =
+      is_far ? machine.link.latency + quotient_up(plane_bits, machine.link.width) * machine.link.word_clocks
+             : quotient_up(plane_bits, port);
+  nodes_ = sizes.nodes;
+  primitive_ = quotient_up(64 + 2 * std::uint64_t{sizes.depth} + sizes.colour + sizes.halfspaces, port);
+  halfspace_ = quotient_up(std::uint64_t{sizes.plane} + 1 + sizes.colour, port) + plane;
+}
+
+std::uint64_t DivisionClocks::of_tree() const { return nodes_ * figures_of(machine_).node_clocks; }
+
+/// A list takes the longer of reading and testing for each half-space, and once the shorter.
+std::uint64_t DivisionClocks::of_lists(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const {
+  const auto [shorter, longer] = std::minmax(read, std::uint64_t{figures_of(machine_).halfspace_clocks});
+  return halfspaces * longer + lists * shorter;
+}
+
+std::uint64_t DivisionClocks::of_group(const isa::DivisionCounts& first) const {
+  const Figures& figures = figures_of(machine_);
+  const std::uint64_t again = std::max(halfspace_, std::uint64_t{figures.halfspace_clocks});
+  return first.group_boxes * (primitive_ + figures.box_clocks) +
+         of_lists(first.group_lists, first.group_halfspaces, halfspace_) +
+         first.group_cells * (figures.cell_clocks + again) +
+         std::min<std::uint64_t>(first.group_entries, figures.list_entries);
+}
+
+std::uint64_t DivisionClocks::of_tests(const isa::DivisionStep& step, bool from_list) const {
+  const Figures& figures = figures_of(machine_);
+  const std::uint64_t number = from_list ? 1 : 0;
+  const std::uint64_t spilt = beyond(step.halfspaces, figures.halfspaces);
+  const std::uint64_t cell = figures.cell_clocks + (spilt > 0 ? spilt_halfspace_clocks(figures) : 0);
+  return step.boxes * (primitive_ + number + figures.box_clocks) +
+         of_lists(step.lists, step.halfspaces, halfspace_ + number) + spilt * spilt_halfspace_clocks(figures) +
+         step.cells * cell + step.nodes * figures.node_clocks +
+         beyond(step.nodes, figures.nodes) * spilt_node_clocks(figures);
+}
+
+std::uint64_t DivisionClocks::of_instruction(const isa::Instruction& instruction) const {
+  const bool is_linear = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);
+  return is_linear ? figures_of(machine_).linear_clocks : 0;
+}
+
+bool DivisionClocks::is_listed(std::uint64_t entries) const {
+  return figures_of(machine_).levels == 2 && entries <= figures_of(machine_).list_entries;
+}
+
+std::vector<std::size_t> dividers_of(const isa::Program& program, const machines::Machine& machine) {
+  const Figures& figures = figures_of(machine);
+  const std::uint32_t side = figures.levels == 2 ? figures.group_side : 1;
+  const std::uint64_t width = std::uint64_t{side} * machine.array.width;
+  const std::uint64_t height = std::uint64_t{side} * machine.array.height;
+  std::vector<std::size_t> dividers;
+  std::optional<std::array<std::uint64_t, 2>> group;
+  std::size_t turn = 0;
+  for (const isa::Segment& segment : program.segments) {
+    const std::array<std::uint64_t, 2> own{segment.region.x / width, segment.region.y / height};
+    if (group && *group != own) ++turn;
+    group = own;
+    dividers.push_back(turn % figures.dividers);
+  }
+  return dividers;
 }
 
 void check_countable(const isa::Program& program, const machines::Machine& machine) {
   constexpr std::uint64_t most_tests = std::uint64_t{1} << 36U;
   constexpr std::uint64_t most_clocks = std::uint64_t{1} << 60U;
-  std::uint64_t clocks = 0;
+  const DivisionClocks clocks(program, machine);
+  const auto refuse = [&] {
+    throw InputError(
+        fmt::format("the divider would test for more than {} clocks; give it a smaller model, or {} "
+                    "fewer clocks a test",
+                    most_clocks, machine.name));
+  };
+  const auto require_few = [&](std::initializer_list<std::uint64_t> counts) {
+    if (std::ranges::any_of(counts, [](std::uint64_t count) { return count > most_tests; })) refuse();
+  };
+  double all = static_cast<double>(clocks.of_tree());
   for (const isa::Segment& segment : program.segments) {
-    for (const Tests& tests : tests_of(segment.division, machines::own<Figures>(machine))) {
-      clocks += std::min(tests.count, most_tests) * tests.clocks;
-      if (tests.count <= most_tests && clocks <= most_clocks) continue;
-      throw InputError(
-          fmt::format("the divider would test for more than {} clocks; give it a smaller model, or {} "
-                      "fewer clocks a test",
-                      most_clocks, machine.name));
+    const isa::DivisionCounts& own = segment.division;
+    require_few({own.group_boxes, own.group_lists, own.group_halfspaces, own.group_cells});
+    all += static_cast<double>(clocks.of_group(own));
+    for (const isa::DivisionStep& step : own.steps) {
+      require_few({step.boxes, step.lists, step.halfspaces, step.cells, step.nodes});
+      all += static_cast<double>(clocks.of_tests(step, true));
     }
+    if (all > static_cast<double>(most_clocks)) refuse();
   }
 }
 

@@ -2,146 +2,113 @@
 
 #include <algorithm>
 
-#include "hw/base/quotient.h"
-#include "hw/isa/wire.h"
-#include "hw/machines/clocks.h"
+#include "hw/pixel_square/timing_commands.h"
 #include "hw/pixel_square/timing_division.h"
 
 namespace csgsim::pixel_square {
 
-namespace {
-
-constexpr std::uint64_t header_bits = 64;  ///< of a square on its way to the frame buffer
-
-}  // namespace
-
 SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine& machine,
-                           std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears, Agenda& agenda,
-                           machines::Timeline* told)
+                           std::vector<DividerTiming>& dividers, std::vector<RendererTiming>& renderers,
+                           Fifo<TimedPortWord>& clears, Agenda& agenda, machines::Timeline* told)
     : program_(program),
       machine_(machine),
-      figures_(machines::own<Figures>(machine)),
-      has_divider_(figures_.divider != DividerKind::host),
       part_(PartNumbers{renderers.size()}.sender()),
-      colour_bits_(isa::frame_header(program).colour.width),
+      dividers_(dividers),
+      sources_(dividers.empty() ? std::vector<std::size_t>{} : dividers_of(program, machine)),
       renderers_(renderers),
       clears_(clears),
       agenda_(agenda),
-      told_(told) {}
+      told_(told),
+      waits_(dividers.empty() ? SquareActivity::waiting_for_host : SquareActivity::waiting_for_divider) {}
 
-void SenderTiming::begin() { begin_square(0, has_divider_ ? take_model() : wait_for_host()); }
-
-Time SenderTiming::wait_for_host() {
-  const Time first = 1 + machine_.link.latency;
-  clocks_.wait(SquareActivity::waiting_for_host, first);
-  return first;
+/// The stores wake the sender of what dividers make.
+void SenderTiming::begin() {
+  if (!is_host()) return agenda_.put(part_, 1);
+  clocks_.wait(SquareActivity::waiting_for_host, 1 + machine_.link.latency);
+  begin_host_square();
+  go_on(machine_.link.latency);
 }
 
-/// The words of the model follow each other as fast as the host can send and the FIFO take them. Returns the edge
-/// after that at which the divider takes the last.
-Time SenderTiming::take_model() {
-  const std::uint64_t words = quotient_up(8 * std::uint64_t{program_.display_model.size()}, machine_.link.width);
-  if (words == 0) return 1;
-  const Time spacing = std::max<Time>(machine_.link.word_clocks, machine_.link.fifo_depth == 1 ? 2 : 1);
-  const Time sent = machine_.link.latency + machine_.link.word_clocks + (words - 1) * spacing;
-  host_.wait(SquareActivity::waiting_for_host, 1 + machine_.link.latency);
-  host_.work(words * machine_.link.word_clocks);
-  host_.wait(SquareActivity::waiting_for_divider, sent + 1);
-  clocks_.work(words);
-  clocks_.wait(SquareActivity::waiting_for_host, sent + 2);
-  return sent + 2;
-}
-
-void SenderTiming::begin_square(std::size_t square, Time now) {
-  square_ = square;
-  sent_ = 0;
-  target_.reset();
-  commands_.clear();
-  if (square_ == program_.segments.size()) return;
-  const isa::Segment& segment = program_.segments[square_];
-  if (segment.instructions.empty()) {
-    words_ = header_words();
-  } else {
-    list_commands(segment);
-  }
-  const Time tests = test_clocks(segment.division, figures_);
-  clocks_.work(tests);
-  ready(now + tests);
-}
-
-void SenderTiming::list_commands(const isa::Segment& segment) {
-  const std::uint32_t width = machine_.link.width;
-  commands_.reserve(segment.instructions.size() + 2);
-  commands_.push_back({.kind = CommandKind::start,
-                       .words = isa::wire_words(isa::SegmentStart{segment.region}, width),
-                       .clocks = std::max<std::uint64_t>(1, machine_.clear_clocks),
-                       .told = told_ == nullptr ? nullptr : &told_->cleared[square_]});
-  for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
-    commands_.push_back({.kind = CommandKind::instruction,
-                         .words = isa::wire_words(segment.instructions[i], width),
-                         .clocks = machines::bit_serial_clocks(segment.instructions[i], machine_),
-                         .told = told_ == nullptr ? nullptr : &told_->issued[square_][i]});
-  }
-  commands_.push_back({.kind = CommandKind::end,
-                       .words = isa::wire_words(isa::SegmentEnd{}, width),
-                       .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine_.array)},
-                       .colour_words = header_words() + colour_words(segment.region)});
+void SenderTiming::begin_host_square() {
+  commands_ = timed_commands(program_, square_, machine_, told_);
   command_ = 0;
-  words_ = commands_.front().words;
+  begun_ = true;
+  is_clear_ = commands_.empty();
 }
 
-std::uint64_t SenderTiming::header_words() const { return quotient_up(header_bits, figures_.port_bits); }
-
-std::uint64_t SenderTiming::colour_words(const isa::Region& region) const {
-  return quotient_up(std::uint64_t{region.width} * region.height * colour_bits_, figures_.port_bits);
+/// False where it has to wait.
+bool SenderTiming::begin_square(Time now) {
+  if (!store().may_begin(now)) {
+    sleep(SquareActivity::waiting_for_divider, store().word_follows(), now);
+    return false;
+  }
+  begun_ = true;
+  is_clear_ = program_.segments[square_].instructions.empty();
+  if (is_clear_) store().read(now);
+  return true;
 }
 
-/// A word begins to leave.
-void SenderTiming::ready(Time now) {
-  clocks_.work(word_clocks() - 1);
-  agenda_.put(part_, now + word_clocks() - 1);
+void SenderTiming::sleep(SquareActivity why, bool look_again, Time now) {
+  waits_ = why;
+  if (look_again) agenda_.put(part_, now + 1);
 }
 
 void SenderTiming::send(Time now) {
   if (square_ == program_.segments.size()) return;
-  commands_.empty() ? send_header(now) : send_command(now);
+  clocks_.wait(waits_, now);
+  if (!begun_ && !begin_square(now)) return;
+  is_clear_ ? send_header(now) : send_word(now);
 }
 
 void SenderTiming::send_header(Time now) {
-  if (!clears_.has_room(now)) {
-    if (clears_.room_follows()) agenda_.put(part_, now + 1);
-    return;
-  }
-  const bool last = sent_ + 1 == words_;
-  clears_.write(now, {last, last ? colour_words(program_.segments[square_].region) : 0});
-  clocks_.wait(SquareActivity::waiting_for_frame_buffer, now);
+  if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.room_follows(), now);
+  const bool last = sent_ + 1 == header_words(machine_);
+  clears_.write(now, {last, last ? colour_words(program_.segments[square_].region, program_, machine_) : 0});
   clocks_.work(1);
   ++sent_;
-  if (!last) return ready(now + 1);
+  if (!last) return go_on(now);
   ++skipped_;
-  begin_square(square_ + 1, now + 1);
+  end_square(now);
 }
 
-void SenderTiming::send_command(Time now) {
+void SenderTiming::send_word(Time now) {
+  if (!is_host() && !store().has_word(now))
+    return sleep(SquareActivity::waiting_for_divider, store().word_follows(), now);
   if (!target_) {
     target_ = least_busy(now);
     renderers_[*target_].hand();
   }
   Fifo<TimedLinkWord>& link = renderers_[*target_].link();
-  if (!link.has_room(now)) {
-    if (link.room_follows()) agenda_.put(part_, now + 1);
-    return;
-  }
-  const bool last = sent_ + 1 == words_;
-  link.write(now, {last ? std::optional(commands_[command_]) : std::nullopt});
-  clocks_.wait(SquareActivity::waiting_for_renderer, now);
+  if (!link.has_room(now)) return sleep(SquareActivity::waiting_for_renderer, link.room_follows(), now);
+  const TimedStored word = take_word(now);
+  link.write(now, {word.whole});
   clocks_.work(1);
-  ++sent_;
-  if (!last) return ready(now + 1);
+  word.is_last ? end_square(now) : go_on(now);
+}
+
+TimedStored SenderTiming::take_word(Time now) {
+  if (!is_host()) return store().read(now);
+  const TimedCommand& command = commands_[command_];
+  if (++sent_ < command.words) return {};
   sent_ = 0;
-  if (++command_ == commands_.size()) return begin_square(square_ + 1, now + 1);
-  words_ = commands_[command_].words;
-  ready(now + 1);
+  return {command, false, ++command_ == commands_.size()};
+}
+
+/// The next word begins to leave behind that edge.
+void SenderTiming::go_on(Time now) {
+  const Time word_clocks = is_host() ? machine_.link.word_clocks : 1;
+  clocks_.work(word_clocks - 1);
+  agenda_.put(part_, now + word_clocks);
+}
+
+void SenderTiming::end_square(Time now) {
+  ++square_;
+  begun_ = false;
+  sent_ = 0;
+  target_.reset();
+  if (square_ == program_.segments.size()) return;
+  if (is_host()) begin_host_square();
+  go_on(now);
 }
 
 std::size_t SenderTiming::least_busy(Time now) const {

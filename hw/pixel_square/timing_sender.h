@@ -7,17 +7,19 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_square/figures.h"
+#include "hw/machines/timeline.h"
+#include "hw/pixel_square/timing_divider.h"
 #include "hw/pixel_square/timing_renderer.h"
 
 namespace csgsim::pixel_square {
 
-/// What hands out the squares, as edges see it: the host, or a divider and the host before it.
+/// What hands out the squares, as edges see it: the host, or what sends those that dividers have stored.
 class SenderTiming {
  public:
-  /// `told`, unless null, is a blank timeline, which the renderers fill.
-  SenderTiming(const isa::Program& program, const machines::Machine& machine, std::vector<RendererTiming>& renderers,
-               Fifo<TimedPortWord>& clears, Agenda& agenda, machines::Timeline* told);
+  /// Without dividers it is the host. `told`, unless null, is a blank timeline, which the renderers fill.
+  SenderTiming(const isa::Program& program, const machines::Machine& machine, std::vector<DividerTiming>& dividers,
+               std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears, Agenda& agenda,
+               machines::Timeline* told);
 
   /// The frame begins.
   void begin();
@@ -26,44 +28,39 @@ class SenderTiming {
   void send(Time now);
 
   [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
-  [[nodiscard]] const SquareClocks& host_clocks(Time end) {
-    return has_divider_ ? host_.whole(end) : clocks_.whole(end);
-  }
-  [[nodiscard]] std::optional<SquareClocks> divider_clocks(Time end) {
-    return has_divider_ ? std::optional(clocks_.whole(end)) : std::nullopt;
-  }
+  [[nodiscard]] const SquareClocks& clocks(Time end) { return clocks_.whole(end); }
 
  private:
-  Time wait_for_host();
-  Time take_model();
-  [[nodiscard]] Time word_clocks() const { return has_divider_ ? 1 : machine_.link.word_clocks; }
-  void begin_square(std::size_t square, Time now);
-  void list_commands(const isa::Segment& segment);
-  [[nodiscard]] std::uint64_t header_words() const;
-  [[nodiscard]] std::uint64_t colour_words(const isa::Region& region) const;
-  void ready(Time now);
+  [[nodiscard]] bool is_host() const { return dividers_.empty(); }
+  [[nodiscard]] StoreTiming& store() { return dividers_[sources_[square_]].store(); }
+  void begin_host_square();
+  bool begin_square(Time now);
+  void sleep(SquareActivity why, bool look_again, Time now);
   void send_header(Time now);
-  void send_command(Time now);
+  void send_word(Time now);
+  TimedStored take_word(Time now);
+  void go_on(Time now);
+  void end_square(Time now);
   [[nodiscard]] std::size_t least_busy(Time now) const;
 
   const isa::Program& program_;
   const machines::Machine& machine_;
-  const Figures& figures_;
-  const bool has_divider_;
   const std::size_t part_;
-  const std::uint32_t colour_bits_;
+  std::vector<DividerTiming>& dividers_;
+  const std::vector<std::size_t> sources_;  ///< of each square its divider
   std::vector<RendererTiming>& renderers_;
   Fifo<TimedPortWord>& clears_;
   Agenda& agenda_;
   machines::Timeline* told_;
-  PartClocks host_;  ///< before a divider
   PartClocks clocks_;
+  SquareActivity waits_;  ///< what it does in clocks that have not been accounted for
 
-  std::size_t square_ = 0;              ///< at hand
-  std::vector<TimedCommand> commands_;  ///< of it; none, if it is cleared
+  std::size_t square_ = 0;  ///< at hand
+  bool begun_ = false;
+  bool is_clear_ = false;
+  std::uint64_t sent_ = 0;              ///< words of the header, or of the host's command, at hand
+  std::vector<TimedCommand> commands_;  ///< of a host's square
   std::size_t command_ = 0;             ///< at hand
-  std::uint64_t words_ = 0;             ///< of the command, or header, at hand
-  std::uint64_t sent_ = 0;              ///< of these
   std::optional<std::size_t> target_;
   std::uint64_t skipped_ = 0;
 };

@@ -377,14 +377,38 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 
 namespace {
 
+/// Any tests, between which so many instructions are written.
+std::vector<isa::DivisionStep> pick_steps(std::size_t instructions) {
+  std::vector<isa::DivisionStep> steps;
+  std::size_t left = instructions;
+  const std::uint32_t more = pick(0U, 3U);
+  for (std::uint32_t i = 0; i <= more; ++i) {
+    const std::size_t written = i == more ? left : pick(std::size_t{0}, left);
+    left -= written;
+    const std::uint32_t lists = pick(0U, 2U);
+    steps.push_back({.boxes = pick(0U, 9U),
+                     .lists = lists,
+                     .halfspaces = lists == 0 ? 0 : lists + pick(0U, 9U),
+                     .cells = pick(0U, 9U),
+                     .nodes = pick(0U, 9U),
+                     .instructions = written});
+  }
+  return steps;
+}
+
 /// Any bytes in place of a display model, and what its division takes; often neither.
 void pick_division(isa::Program& program) {
   program.display_model.resize(pick(0U, 1U) * pick(0U, 120U));
   for (std::uint8_t& byte : program.display_model) byte = static_cast<std::uint8_t>(pick(0U, 255U));
   if (program.display_model.empty()) return;
-  for (isa::Segment& segment : program.segments)
-    segment.division = {pick(0U, 9U), pick(0U, 99U), pick(0U, 9U),  pick(0U, 9U), pick(0U, 9U),
-                        pick(0U, 9U), pick(0U, 9U),  pick(0U, 99U), pick(0U, 9U), pick(0U, 9U)};
+  for (isa::Segment& segment : program.segments) {
+    segment.division = {.steps = pick_steps(segment.instructions.size()),
+                        .group_boxes = pick(0U, 9U),
+                        .group_lists = pick(0U, 9U),
+                        .group_halfspaces = pick(0U, 99U),
+                        .group_cells = pick(0U, 9U),
+                        .group_entries = pick(0U, 9U)};
+  }
 }
 
 }  // namespace

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "hw/division/datapath.h"
+#include "hw/division/model_memory.h"
+#include "hw/machines/machine.h"
+#include "hw/pixel_square/figures.h"
+
+namespace csgsim::pixel_square {
+
+/// How the divider of a machine spends its clocks (docs/machines/pixel-square.md): it reads records through a port of so
+/// many bits, tests what they hold, and writes instructions.
+class SteppedDatapath final : public division::Datapath {
+ public:
+  /// What it is at: the first of two levels, a square from the list that this has left, or a square from the whole
+  /// model.
+  enum class Level : std::uint8_t { group, listed, whole };
+
+  struct Ends {
+    std::function<void(std::uint64_t)> spend;                   ///< so many clocks go by
+    std::function<void(const isa::Instruction&)> store_command;  ///< a command goes to the store, word by word
+  };
+
+  /// `far_planes`: the planes did not fit the divider's memory, and are read from the host's over the link.
+  SteppedDatapath(const division::ModelHeader& header, const division::ModelMemory& memory,
+                  const machines::Machine& machine, bool far_planes, Ends ends);
+
+  void enter(Level level) { level_ = level; }
+
+ private:
+  division::PrimitiveHead read_primitive(std::uint32_t primitive) override;
+  division::Halfspace read_halfspace(std::uint32_t primitive, std::uint32_t number) override;
+  division::Plane read_plane(std::uint32_t index) override;
+  void on_box() override;
+  void on_corner_test(bool is_last) override;
+  void on_cell(std::uint64_t halfspaces) override;
+  void on_node() override;
+  void on_instruction(const isa::Instruction& instruction) override;
+  [[nodiscard]] std::uint64_t plane_clocks() const;
+
+  const division::ModelMemory& memory_;
+  const machines::Machine& machine_;
+  const Figures& figures_;
+  const bool far_planes_;
+  const Ends ends_;
+  Level level_ = Level::whole;
+  std::uint64_t read_ = 0;     ///< clocks of the records of the test at hand
+  bool testing_ = false;       ///< a test goes on beside what is read
+};
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,46 @@
+#include "hw/pixel_square/timing_commands.h"
+
+#include <algorithm>
+
+#include "hw/base/quotient.h"
+#include "hw/isa/wire.h"
+#include "hw/machines/clocks.h"
+#include "hw/pixel_square/figures.h"
+
+namespace csgsim::pixel_square {
+
+std::uint64_t header_words(const machines::Machine& machine) {
+  constexpr std::uint64_t bits = 64;
+  return quotient_up(bits, machines::own<Figures>(machine).port_bits);
+}
+
+std::uint64_t colour_words(const isa::Region& region, const isa::Program& program, const machines::Machine& machine) {
+  const std::uint64_t bits = isa::frame_header(program).colour.width;
+  return quotient_up(std::uint64_t{region.width} * region.height * bits, machines::own<Figures>(machine).port_bits);
+}
+
+std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,
+                                         const machines::Machine& machine, machines::Timeline* told) {
+  const isa::Segment& segment = program.segments[square];
+  std::vector<TimedCommand> commands;
+  if (segment.instructions.empty()) return commands;
+  const std::uint32_t width = machine.link.width;
+  commands.reserve(segment.instructions.size() + 2);
+  commands.push_back({.kind = CommandKind::start,
+                      .words = isa::wire_words(isa::SegmentStart{segment.region}, width),
+                      .clocks = std::max<std::uint64_t>(1, machine.clear_clocks),
+                      .told = told == nullptr ? nullptr : &told->cleared[square]});
+  for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+    commands.push_back({.kind = CommandKind::instruction,
+                        .words = isa::wire_words(segment.instructions[i], width),
+                        .clocks = machines::bit_serial_clocks(segment.instructions[i], machine),
+                        .told = told == nullptr ? nullptr : &told->issued[square][i]});
+  }
+  commands.push_back({.kind = CommandKind::end,
+                      .words = isa::wire_words(isa::SegmentEnd{}, width),
+                      .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine.array)},
+                      .colour_words = header_words(machine) + colour_words(segment.region, program, machine)});
+  return commands;
+}
+
+}  // namespace csgsim::pixel_square

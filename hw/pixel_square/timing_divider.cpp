@@ -1,0 +1,94 @@
+#include "hw/pixel_square/timing_divider.h"
+
+#include <utility>
+
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/timing_commands.h"
+
+namespace csgsim::pixel_square {
+
+DividerTiming::DividerTiming(const isa::Program& program, const machines::Machine& machine, std::size_t part,
+                             std::size_t sender, Agenda& agenda, machines::Timeline* told)
+    : program_(program),
+      machine_(machine),
+      division_(program, machine),
+      part_(part),
+      agenda_(&agenda),
+      told_(told),
+      store_(machines::own<Figures>(machine).store_words, part, sender, agenda) {}
+
+void DividerTiming::begin(Time now, std::uint64_t words) {
+  clocks_.work(words);
+  clocks_.wait(SquareActivity::waiting_for_host, now + 1);
+  before_ = division_.of_tree();
+  next(now);
+}
+
+/// What is stored of a square, with the tests between. A group's first square counts what the group takes.
+void DividerTiming::list_pieces(std::size_t square) {
+  const isa::Segment& segment = program_.segments[square];
+  const isa::DivisionCounts& counts = segment.division;
+  const bool is_first = counts.group_boxes > 0 || counts.group_entries > 0;
+  if (is_first) {
+    before_ += division_.of_group(counts);
+    from_list_ = division_.is_listed(counts.group_entries);
+  }
+  const std::vector<TimedCommand> commands = timed_commands(program_, square, machine_, told_);
+  const auto store = [&](const TimedCommand& command, std::uint64_t clocks) {
+    pieces_.push_back({std::exchange(before_, 0) + clocks, command.words, {command, false, false}});
+  };
+  std::size_t instruction = 0;
+  for (const isa::DivisionStep& step : counts.steps) {
+    before_ += division_.of_tests(step, from_list_);
+    for (std::uint64_t i = 0; i < step.instructions; ++i, ++instruction) {
+      // The square begins in the store when its first instruction is written.
+      const std::uint64_t clocks = division_.of_instruction(segment.instructions[instruction]);
+      if (instruction > 0) {
+        store(commands[instruction + 1], clocks);
+        continue;
+      }
+      before_ += clocks;
+      store(commands.front(), 0);
+      store(commands[1], 0);
+    }
+  }
+  if (commands.empty()) {
+    pieces_.push_back({std::exchange(before_, 0), 1, {std::nullopt, true, true}});
+  } else {
+    store(commands.back(), 0);
+    pieces_.back().last.is_last = true;
+  }
+}
+
+/// After a piece that was whole at that edge.
+void DividerTiming::next(Time now) {
+  if (pieces_.empty()) {
+    if (own_.empty()) return;
+    list_pieces(own_.front());
+    own_.pop_front();
+  }
+  stored_ = 0;
+  const Time until = pieces_.front().clocks + 1;
+  clocks_.work(until);
+  agenda_->put(part_, now + until);
+}
+
+void DividerTiming::act(Time now) {
+  if (pieces_.empty()) return;
+  if (!store_.has_room(now)) {
+    if (store_.room_follows()) agenda_->put(part_, now + 1);
+    return;
+  }
+  clocks_.wait(SquareActivity::waiting_for_renderer, now + 1);
+  const Piece& piece = pieces_.front();
+  const bool is_last = ++stored_ == piece.words;
+  store_.write(now, is_last ? piece.last : TimedStored{});
+  if (is_last) {
+    pieces_.pop_front();
+    return next(now);
+  }
+  clocks_.work(1);
+  agenda_->put(part_, now + 1);
+}
+
+}  // namespace csgsim::pixel_square
