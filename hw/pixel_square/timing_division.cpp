@@ -41,8 +41,8 @@ std::uint64_t DivisionClocks::of_tree() const { return nodes_ * figures_of(machi
 
 /// A list takes the longer of reading and testing for each half-space, and once the shorter.
 std::uint64_t DivisionClocks::of_lists(std::uint64_t lists, std::uint64_t halfspaces, std::uint64_t read) const {
-  const auto [shorter, longer] = std::minmax(read, std::uint64_t{figures_of(machine_).halfspace_clocks});
-  return halfspaces * longer + lists * shorter;
+  const std::uint64_t test = figures_of(machine_).halfspace_clocks;
+  return halfspaces * std::max(read, test) + lists * std::min(read, test);
 }
 
 std::uint64_t DivisionClocks::of_group(const isa::DivisionCounts& first) const {
