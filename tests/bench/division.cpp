@@ -23,6 +23,7 @@
 #include "hw/machines/regions.h"
 #include "hw/pixel_square/figures.h"
 #include "tests/support/drawing.h"
+#include "tests/unit/division/hand_models.h"
 
 // What the divider of the pixel-square machine does for the thesis's objects, at one level and two, and what the host's
 // further prunings would save its renderer: docs/division.md.
@@ -68,9 +69,10 @@ struct Work {
   std::uint64_t most_words = 0;  ///< of the commands of a square, of 32 bits
 
   void take(const isa::Region& region, const division::Divided& square) {
-    squares += square.counts;
-    at_hand.halfspaces = std::max(at_hand.halfspaces, square.at_hand.halfspaces);
-    at_hand.nodes = std::max(at_hand.nodes, square.at_hand.nodes);
+    squares += square.counts();
+    const division::AtHand most = square.at_hand();
+    at_hand.halfspaces = std::max(at_hand.halfspaces, most.halfspaces);
+    at_hand.nodes = std::max(at_hand.nodes, most.nodes);
     constexpr std::uint32_t width = 32;
     std::uint64_t words = isa::wire_words(isa::SegmentStart{region}, width) + isa::wire_words(isa::SegmentEnd{}, width);
     for (const isa::Instruction& instruction : square.instructions) words += isa::wire_words(instruction, width);
@@ -85,13 +87,13 @@ struct Work {
   }
 };
 
-Work one_level(const Subject& subject, const division::Divider& divider) {
+Work one_level(const Subject& subject, testing::ModelDivider& divider) {
   Work work;
   for (const isa::Region& square : machines::regions(subject.machine)) work.take(square, divider.divide(square));
   return work;
 }
 
-Work two_levels(const Subject& subject, const division::Divider& divider, std::uint64_t list_entries,
+Work two_levels(const Subject& subject, testing::ModelDivider& divider, std::uint64_t list_entries,
                 std::uint32_t side = group_side) {
   Work work;
   const std::vector<isa::Region> squares = machines::regions(subject.machine);
@@ -100,7 +102,7 @@ Work two_levels(const Subject& subject, const division::Divider& divider, std::u
        division::groups_of(squares, {picture.width, picture.height, 0}, subject.machine.array, side, side)) {
     std::vector<isa::Region> inside;
     for (const std::size_t square : group.squares) inside.push_back(squares[square]);
-    const division::DividedGroup divided = division::divide_group(divider, group.region, inside, list_entries);
+    const division::DividedGroup divided = divider.divide_group(group.region, inside, list_entries);
     work.groups += divided.group;
     for (std::size_t i = 0; i < inside.size(); ++i) work.take(inside[i], divided.squares[i]);
     work.entries.push_back(divided.entries);
@@ -207,8 +209,8 @@ void report(const Subject& subject, bool unions) {
   for (const facet::Convex& solid : subject.scene.solids) halfspaces += solid.halfspaces.size();
   const division::Bits sent = division::encode(
       emit::make_display_model(subject.tree, subject.scene, subject.view, {}, subject.machine.array.memory_bits));
-  const division::Divider divider(division::decode(sent));
-  const division::DisplayModel& model = divider.model();
+  testing::ModelDivider divider(division::decode(sent));
+  const division::DisplayModel& model = divider.model;
   const division::Widths widths = division::widths_of(model);
   const std::vector<isa::Region> squares = machines::regions(subject.machine);
   fmt::print("{}, {} primitives, {} half-spaces, picture {}x{}, squares {}x{}\n", subject.name, model.primitives.size(),

@@ -26,12 +26,14 @@ division::Bits bits_of(const std::uint8_t* data, std::size_t size) {
 }
 
 /// One level and two emit the same sound instructions for a square, whatever the model.
-void check_divided(const division::Divider& divider) {
-  const isa::Region square{0, 0, std::min(divider.model().width, 8U), std::min(divider.model().height, 8U)};
-  const isa::Region group{0, 0, std::min(divider.model().width, 32U), std::min(divider.model().height, 32U)};
-  const division::Divided one = divider.divide(square);
+void check_divided(const division::DisplayModel& model) {
+  const division::Divider divider(model);
+  division::PlainDatapath path(model);
+  const isa::Region square{0, 0, std::min(model.width, 8U), std::min(model.height, 8U)};
+  const isa::Region group{0, 0, std::min(model.width, 32U), std::min(model.height, 32U)};
+  const division::Divided one = divider.divide(square, path);
   for (const isa::Instruction& instruction : one.instructions) isa::validate(instruction, isa::max_memory_bits);
-  const division::DividedGroup two = division::divide_group(divider, group, {square}, 1'000'000);
+  const division::DividedGroup two = division::divide_group(divider, group, {square}, 1'000'000, path);
   fuzz::require(two.squares[0].instructions == one.instructions, "two levels emit what one level does");
 }
 
@@ -43,7 +45,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const division::Bits bits = bits_of(data, size);
     const division::DisplayModel model = division::decode(bits);
     fuzz::require(division::encode(model) == bits, "a model has one stream");
-    check_divided(division::Divider(model));
+    check_divided(model);
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error);
   }

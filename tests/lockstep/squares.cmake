@@ -25,6 +25,10 @@ foreach(row IN ITEMS
     "divider=1 bits=200 depth=3 levels=2 group=3 list=12 port=32 port_depth=9 link_width=9 word=2 latency=7 programs=15"
     "divider=1 bits=200 depth=1000 levels=2 group=1 list=0 order=2 box=0 halfspace=0 cell=0 node=0 link_width=256 programs=15"
     "divider=1 bits=200 depth=64 levels=2 group=2 list=40 order=1 box=2 halfspace=4 cell=3 node=5 link_width=1 renderers=3 programs=10"
+    "divider=1 bits=200 depth=8 levels=2 group=2 list=40 store=1 record=1 linear=3 port=24 programs=15"
+    "divider=1 bits=200 depth=1 levels=2 group=2 list=1000 store=9 record=70 halfspaces=5 nodes=1 linear=2 node=2 port=24 renderers=2 programs=15"
+    "divider=1 bits=200 depth=64 store=40 dividers=3 record=256 halfspace=9 cell=2 node=2 linear=1 port=24 renderers=3 buffers=2 move=1 programs=15"
+    "divider=1 bits=200 depth=5 levels=2 group=2 list=9 store=2 dividers=2 record=13 linear=7 port=24 renderers=2 programs=15"
     "latency=300 word=7 depth=4 renderers=2 buffers=2 port=24 move=4 clear=3" "word=2 depth=1 port=24"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1000 link_width=6 latency=7 clear=2 port=13 programs=200"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1 link_width=6 clear=2 port=7 move=1 programs=200")

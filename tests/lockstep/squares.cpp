@@ -39,6 +39,7 @@ Settings read_settings(int count, char** arguments) {
   machine.link = {.width = 32, .word_clocks = 1, .fifo_depth = 64, .latency = 0};
   auto& figures = machines::own<pixel_square::Figures>(machine);
   figures.model_bits = 10'000'000;
+  figures.record_bits = 32;
   figures.halfspaces = 1'000'000;
   figures.nodes = 1'000'000;
   figures.store_words = 10'000'000;
@@ -70,6 +71,13 @@ Settings read_settings(int count, char** arguments) {
                                                     {"halfspace", &figures.halfspace_clocks},
                                                     {"cell", &figures.cell_clocks},
                                                     {"node", &figures.node_clocks},
+                                                    {"linear", &figures.linear_clocks},
+                                                    {"dividers", &figures.dividers},
+                                                    {"memory", &figures.model_bits},
+                                                    {"record", &figures.record_bits},
+                                                    {"halfspaces", &figures.halfspaces},
+                                                    {"nodes", &figures.nodes},
+                                                    {"store", &figures.store_words},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);

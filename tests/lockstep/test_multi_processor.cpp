@@ -16,6 +16,7 @@
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "tests/support/two_cubes.h"
+#include "tests/unit/division/hand_models.h"
 
 namespace {
 
@@ -56,7 +57,7 @@ TEST_CASE("the picture is that of the display model: a facet of another colour t
   }
   program.display_model = bytes_of(model);
   CHECK_THROWS_AS(engine->run(program, {}), InputError);
-  const division::Divider divider(model);
+  testing::ModelDivider divider(model);
   for (isa::Segment& segment : program.segments) segment.instructions = divider.divide(segment.region).instructions;
   const std::vector<std::uint32_t> after = engine->run(program, {}).scanned_out;
   REQUIRE(after.size() == before.size());
@@ -93,8 +94,7 @@ TEST_CASE("the machine counts its own tests: what a Program says of them changes
   const engine::RunResult before = engine->run(program, {});
   CHECK(before.clocks == engine::make_functional_engine(machine)->run(program, {}).clocks);
   for (isa::Segment& segment : program.segments) {
-    segment.division.halfspaces += 3;
-    segment.division.nodes += 2;
+    segment.division.steps.push_back({.halfspaces = 3, .nodes = 2});
     segment.division.group_boxes += 1;
   }
   program.facts.model = {};

@@ -11,16 +11,18 @@
 #include "host/read/read.h"
 #include "hw/division/encoding.h"
 #include "hw/pixel_square/kind.h"
+#include "tests/unit/division/hand_models.h"
 
 namespace csgsim::testing {
 
 namespace {
 
 std::string show(const division::Counts& counts) {
-  return fmt::format("{} boxes, {} half-spaces, {} cells, {} nodes, {} instructions", counts.boxes, counts.halfspaces,
-                     counts.cells, counts.nodes, counts.instructions);
+  return fmt::format("{} boxes, {} lists, {} half-spaces, {} cells, {} nodes, {} instructions", counts.boxes,
+                     counts.lists, counts.halfspaces, counts.cells, counts.nodes, counts.instructions);
 }
 
+/// The host's counts are the Program's, of which the last may be nothing.
 std::string difference(const division::Divided& divided, const isa::Segment& segment,
                        const emit::SquareCounts& square) {
   for (std::size_t i = 0; i < std::max(divided.instructions.size(), segment.instructions.size()); ++i) {
@@ -28,15 +30,14 @@ std::string difference(const division::Divided& divided, const isa::Segment& seg
     if (i >= segment.instructions.size()) return fmt::format("the host stops after {} instructions", i);
     if (!(divided.instructions[i] == segment.instructions[i])) return fmt::format("instruction {} differs", i);
   }
-  division::Counts counts = square.counts;
-  counts.instructions = segment.instructions.size();
-  if (!(divided.counts == counts))
-    return fmt::format("the divider counts {}; the host {}", show(divided.counts), show(counts));
-  if (!(divided.at_hand == square.at_hand)) {
-    return fmt::format("the divider has {} half-spaces and {} nodes at hand; the host {} and {}",
-                       divided.at_hand.halfspaces, divided.at_hand.nodes, square.at_hand.halfspaces,
-                       square.at_hand.nodes);
+  std::uint64_t written = 0;
+  for (std::size_t i = 0; i < std::max(divided.steps.size(), square.size()); ++i) {
+    division::Counts mine = i < divided.steps.size() ? divided.steps[i] : division::Counts{};
+    written += std::exchange(mine.instructions, 0);
+    const division::Counts host = i < square.size() ? square[i].counts : division::Counts{};
+    if (!(mine == host)) return fmt::format("the divider counts {} in step {}; the host {}", show(mine), i, show(host));
   }
+  if (written != segment.instructions.size()) return fmt::format("the divider counts {} instructions", written);
   return {};
 }
 
@@ -44,21 +45,21 @@ std::string at(const isa::Region& square, const char* levels, const std::string&
   return what.empty() ? what : fmt::format("square {},{}, {}: {}", square.x, square.y, levels, what);
 }
 
-std::string one_level(const ForDivider& made, const DivisionCase& how, const division::Divider& divider,
+std::string one_level(const ForDivider& made, const DivisionCase& how, ModelDivider& divider,
                       const std::vector<isa::Region>& squares, division::Counts& done) {
   const Compiled& host = made.host;
   const std::vector<emit::SquareCounts> counts =
       emit::count_division(host.tree, host.scene, host.view, how.setup.options, squares);
   for (std::size_t i = 0; i < squares.size(); ++i) {
     const division::Divided divided = divider.divide(squares[i]);
-    done += divided.counts;
+    done += divided.counts();
     std::string what = difference(divided, host.program.segments[i], counts[i]);
     if (!what.empty()) return at(squares[i], "one level", what);
   }
   return {};
 }
 
-std::string two_levels(const ForDivider& made, const DivisionCase& how, const division::Divider& divider) {
+std::string two_levels(const ForDivider& made, const DivisionCase& how, ModelDivider& divider) {
   const Compiled& host = made.host;
   const isa::ArrayShape& picture = host.program.shape;
   const std::uint32_t width = how.group_side * how.setup.square.width;
@@ -72,7 +73,7 @@ std::string two_levels(const ForDivider& made, const DivisionCase& how, const di
     const isa::Region group{x, y, std::min(width, picture.width - x), std::min(height, picture.height - y)};
     std::vector<isa::Region> squares;
     for (const isa::Segment* segment : segments) squares.push_back(segment->region);
-    const division::DividedGroup divided = division::divide_group(divider, group, squares, how.list_entries);
+    const division::DividedGroup divided = divider.divide_group(group, squares, how.list_entries);
     const emit::GroupCounts counts =
         emit::count_group(host.tree, host.scene, host.view, how.setup.options, group, squares);
     if (!(divided.group == counts.group))
@@ -122,7 +123,7 @@ ForDivider compile_file_for_divider(const std::string& path, const Setup& setup)
 }
 
 std::string difference(const ForDivider& made, const DivisionCase& how, division::Counts& done) {
-  const division::Divider divider(division::decode(made.sent));
+  ModelDivider divider(division::decode(made.sent));
   std::vector<isa::Region> squares;
   for (const isa::Segment& segment : made.host.program.segments) squares.push_back(segment.region);
   std::string what = one_level(made, how, divider, squares, done);

@@ -23,7 +23,7 @@ std::vector<Tested> side_of(const std::vector<Plane>& planes, bool forward) {
   std::vector<Tested> side;
   side.reserve(planes.size());
   for (std::uint32_t i = 0; i < planes.size(); ++i)
-    side.push_back(division::test_corners(model, 0, {i, forward, 0}, pixels));
+    side.push_back(division::test_corners(model, {0, i, {i, forward, 0}, planes[i]}, pixels));
   return side;
 }
 
@@ -37,16 +37,17 @@ TEST_CASE("a corner test finds the four values, and the floors of the least and 
   division::DisplayModel model = testing::empty_model();
   model.fraction_bits = 2;
   model.planes = {{false, -3, 2, 10}, {false, 0, 0, -1}, {true, -3, 2, 10}};
-  const Tested depth = division::test_corners(model, 7, {0, true, 5}, {1, 2, 4, 3});
+  const Tested depth = division::test_corners(model, {7, 3, {0, true, 5}, model.planes[0]}, {1, 2, 4, 3});
   CHECK(depth.corners == std::array<std::int64_t, 4>{11, 2, 13, 4});
   CHECK(depth.low == 0);
   CHECK(depth.high == 3);
   CHECK(depth.side == division::Side::front);
   CHECK(depth.primitive == 7);
-  const Tested below = division::test_corners(model, 0, {1, false, 0}, {1, 2, 4, 3});
+  CHECK(depth.number == 3);
+  const Tested below = division::test_corners(model, {0, 0, {1, false, 0}, model.planes[1]}, {1, 2, 4, 3});
   CHECK(below.low == -1);
   CHECK(below.side == division::Side::back);
-  const Tested edge = division::test_corners(model, 0, {2, false, 0}, {1, 2, 4, 3});
+  const Tested edge = division::test_corners(model, {0, 0, {2, false, 0}, model.planes[2]}, {1, 2, 4, 3});
   CHECK(edge.low == 2);
   CHECK(edge.high == 13);
   CHECK(edge.side == division::Side::negative);

@@ -40,7 +40,7 @@ constexpr isa::Region top_left{0, 0, 8, 8};
 }  // namespace
 
 TEST_CASE("a slab that fills a square is its front, its back, a depth test, a copy and a colour") {
-  const division::Divider divider(testing::one_slab());
+  testing::ModelDivider divider(testing::one_slab());
   const division::Divided divided = divider.divide(top_left);
   const std::vector<Instruction> expected{
       plain(Opcode::enable_all, {}, {}, 0, setup),
@@ -55,24 +55,25 @@ TEST_CASE("a slab that fills a square is its front, its back, a depth test, a co
       plain(Opcode::set_constant, colour, {}, 5, shade),
   };
   CHECK(divided.instructions == expected);
-  CHECK(divided.counts == division::Counts{1, 2, 0, 0, 10});
+  // One list of two half-spaces; the one front and the one back are a cell each.
+  CHECK(divided.steps == std::vector<division::Counts>{{1, 1, 2, 2, 0, 10}});
 }
 
 TEST_CASE("a square that nothing touches has no instructions, but a box test for each primitive") {
-  const division::Divided divided = division::Divider(testing::one_slab()).divide({8, 0, 8, 8});
+  const division::Divided divided = testing::ModelDivider(testing::one_slab()).divide({8, 0, 8, 8});
   CHECK(divided.instructions.empty());
-  CHECK(divided.counts == division::Counts{1, 0, 0, 0, 0});
+  CHECK(divided.steps == std::vector<division::Counts>{{.boxes = 1}});
 }
 
 TEST_CASE("a square that is the whole picture is set up even if nothing is in it") {
-  CHECK(division::Divider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
+  CHECK(testing::ModelDivider(testing::empty_model()).divide({0, 0, 16, 16}).instructions.size() == 3);
 }
 
 TEST_CASE("linear expressions count from the square's corner, and a rectangle narrower than it is clipped") {
   division::DisplayModel model = testing::one_slab();
   model.planes[0] = {false, 0, 0, 3};
   model.primitives[0].box.pixels = {10, 0, 15, 15};
-  const division::Divided divided = division::Divider(model).divide({8, 8, 8, 8});
+  const division::Divided divided = testing::ModelDivider(model).divide({8, 8, 8, 8});
   // x - 10 at columns 8 to 15 is -2 to 5: 4 bits.
   CHECK(divided.instructions[4] == linear(Opcode::edge_not_negative, {}, {1, 0, -2, 4, 0}, render));
 }
@@ -82,7 +83,7 @@ TEST_CASE("a surface that begins at depth 0, or has no front left, starts there,
   model.planes[0].c = 0;
   for (const std::int64_t z_low : {0, 2}) {
     model.primitives[0].box.z_low = z_low;
-    const std::vector<Instruction> made = division::Divider(model).divide(top_left).instructions;
+    const std::vector<Instruction> made = testing::ModelDivider(model).divide(top_left).instructions;
     CHECK(made.size() == 10);
     CHECK(made.at(4) == plain(Opcode::set_constant, z1, {}, 0, render));
     CHECK(made.back() == plain(Opcode::set_constant, colour, {}, 1, shade));
@@ -90,17 +91,17 @@ TEST_CASE("a surface that begins at depth 0, or has no front left, starts there,
 }
 
 TEST_CASE("where a slab has a hole both are drawn and compared; where it has none the hole is not looked into") {
-  const division::Divider divider(testing::slab_with_hole());
+  testing::ModelDivider divider(testing::slab_with_hole());
   const division::Divided holed = divider.divide(top_left);
   // The slab and the hole, each with its own two half-spaces and the other's; each looks at the root and the other.
-  CHECK(holed.counts.boxes == 2);
-  CHECK(holed.counts.halfspaces == 8);
-  CHECK(holed.counts.nodes == 4);
+  CHECK(holed.counts().boxes == 2);
+  CHECK(holed.counts().halfspaces == 8);
+  CHECK(holed.counts().nodes == 4);
   // In columns 6 and 7 the hole has no pixels: the slab looks at the root and, in vain, at the hole.
   const division::Divided whole = divider.divide({6, 0, 2, 8});
-  CHECK(whole.counts.boxes == 2);
-  CHECK(whole.counts.halfspaces == 2);
-  CHECK(whole.counts.nodes == 2);
+  CHECK(whole.counts().boxes == 2);
+  CHECK(whole.counts().halfspaces == 2);
+  CHECK(whole.counts().nodes == 2);
   CHECK(whole.instructions.size() == 10);
 }
 
@@ -110,9 +111,9 @@ TEST_CASE("a tree with more pending results than there are bits for them is refu
   model.primitives.push_back(testing::slab(0, 3, 3, 5));
   model.primitives[2].box.pixels = {3, 0, 6, 15};
   model.nodes = {{}, {}, {}, {2, division::Operator::unite}, {2, division::Operator::intersect}};
-  CHECK_FALSE(division::Divider(model).divide(top_left).instructions.empty());
+  CHECK_FALSE(testing::ModelDivider(model).divide(top_left).instructions.empty());
   model.fields.stack_bits = 0;
-  CHECK_THROWS_WITH_AS(static_cast<void>(division::Divider(model).divide(top_left)),
+  CHECK_THROWS_WITH_AS(static_cast<void>(testing::ModelDivider(model).divide(top_left)),
                        "a square's tree has 1 pending results and pixel memory has 0 bits for them", InputError);
 }
 
@@ -124,18 +125,18 @@ TEST_CASE("a group leaves the primitives that touch it, without half-spaces that
   model.primitives[0].halfspaces.push_back({4, true, 2});
   model.primitives[0].halfspaces.push_back({5, true, 0});
   division::validate(model);
-  const division::Divider divider(model);
-  division::Counts counts;
-  const division::Candidates left = divider.survivors({0, 0, 16, 8}, counts);
-  CHECK(counts == division::Counts{2, 6, 2, 0, 0});  // the two fronts against their leader
+  testing::ModelDivider divider(model);
+  const division::Candidates left = divider.survivors({0, 0, 16, 8});
+  // The two fronts of the slab against their leader, its back, and the hole's front and back.
+  CHECK(divider.path.take_counts() == division::Counts{2, 2, 6, 5, 0, 0});
   CHECK(left.primitives == std::vector<std::uint32_t>{0, 1});
   CHECK(left.halfspaces[0].size() == 2);
   CHECK(left.entries() == 6);
   const division::Divided from_group = divider.divide(top_left, left);
   const division::Divided from_model = divider.divide(top_left);
   CHECK(from_group.instructions == from_model.instructions);
-  CHECK(from_group.counts.halfspaces == 8);
-  CHECK(from_model.counts.halfspaces == 12);
+  CHECK(from_group.counts().halfspaces == 8);
+  CHECK(from_model.counts().halfspaces == 12);
 }
 
 TEST_CASE("squares in rows make groups that the picture's edges cut off, in the order of their first squares") {
@@ -155,14 +156,14 @@ TEST_CASE("squares in rows make groups that the picture's edges cut off, in the 
 }
 
 TEST_CASE("a group whose survivors do not fit the list has its squares divided from the whole model") {
-  const division::Divider divider(testing::slab_with_hole());
-  const division::DividedGroup fits = division::divide_group(divider, {0, 0, 16, 16}, {top_left}, 6);
+  testing::ModelDivider divider(testing::slab_with_hole());
+  const division::DividedGroup fits = divider.divide_group({0, 0, 16, 16}, {top_left}, 6);
   CHECK(fits.fits);
-  const division::DividedGroup full = division::divide_group(divider, {8, 0, 8, 16}, {{8, 0, 8, 8}}, 5);
+  const division::DividedGroup full = divider.divide_group({8, 0, 8, 16}, {{8, 0, 8, 8}}, 5);
   CHECK(full.fits);
   CHECK(full.entries == 0);
-  CHECK(full.squares[0].counts.boxes == 0);
-  const division::DividedGroup spills = division::divide_group(divider, {0, 0, 16, 16}, {{8, 0, 8, 8}}, 5);
+  CHECK(full.squares[0].counts().boxes == 0);
+  const division::DividedGroup spills = divider.divide_group({0, 0, 16, 16}, {{8, 0, 8, 8}}, 5);
   CHECK_FALSE(spills.fits);
-  CHECK(spills.squares[0].counts.boxes == 2);
+  CHECK(spills.squares[0].counts().boxes == 2);
 }

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "hw/division/display_model.h"
+#include "hw/division/divide.h"
 
 namespace csgsim::testing {
 
@@ -50,5 +55,24 @@ inline division::DisplayModel slab_with_hole() {
   model.nodes = {{}, {}, {2, division::Operator::intersect}};
   return model;
 }
+
+/// A divider with the model that it reads, in no time.
+struct ModelDivider {
+  explicit ModelDivider(division::DisplayModel given) : model(std::move(given)), divider(model), path(model) {}
+
+  division::Divided divide(const isa::Region& square) { return divider.divide(square, path); }
+  division::Divided divide(const isa::Region& square, const division::Candidates& from) {
+    return divider.divide(square, from, path);
+  }
+  division::Candidates survivors(const isa::Region& group) { return divider.survivors(group, path); }
+  division::DividedGroup divide_group(const isa::Region& group, const std::vector<isa::Region>& squares,
+                                      std::uint64_t list_entries) {
+    return division::divide_group(divider, group, squares, list_entries, path);
+  }
+
+  division::DisplayModel model;
+  division::Divider divider;
+  division::PlainDatapath path;
+};
 
 }  // namespace csgsim::testing

@@ -51,7 +51,7 @@ TEST_CASE("a Program for a machine that divides has the model that is divided in
     std::uint64_t boxes = 0;
     std::uint64_t group_boxes = 0;
     for (const isa::Segment& segment : program.segments) {
-      boxes += segment.division.boxes;
+      boxes += segment.division.sum().boxes;
       group_boxes += segment.division.group_boxes;
     }
     CHECK(group_boxes == (levels == 1 ? 0 : 2 * 6));

@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
+#include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
@@ -21,6 +23,7 @@
 #include "hw/scan_line/kind.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random_program.h"
+#include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
 using isa::Field;
@@ -106,35 +109,114 @@ TEST_CASE("a slow host's word leaves in the last of its clocks, after the latenc
   CHECK(timing.account.host == Clocks{3, 4, 0, 0, 0, 2});
 }
 
-TEST_CASE("a divider takes the model, tests a square, and then sends it") {
-  // Two words leave the host at 1 and 2 and are taken at 2 and 3; six clocks of tests at 4 to 9; the header leaves at
-  // 10, is taken at 11, and a word of background is written at 12. With one place for the model its second word
-  // leaves at 3.
+namespace {
+
+/// A model of two primitives and three nodes. By docs/division.md its records have 77 bits (a primitive), 6 (a
+/// half-space) and 8 (a plane).
+std::vector<std::uint8_t> model_bytes() {
+  std::vector<std::uint8_t> bytes;
+  for (const isa::LinkWord& byte : division::to_link(division::encode(testing::slab_with_hole()), 8))
+    bytes.push_back(static_cast<std::uint8_t>(byte.number(0, 8)));
+  return bytes;
+}
+
+/// Through a port of 80 bits each record takes a clock.
+Figures dividing() {
+  return {.port_bits = 64,
+          .divider = pixel_square::DividerKind::corners,
+          .model_bits = 1'000'000,
+          .record_bits = 80,
+          .halfspaces = 1000,
+          .nodes = 1000,
+          .store_words = 1000,
+          .halfspace_clocks = 4};
+}
+
+}  // namespace
+
+TEST_CASE("a divider takes the model, tests a square, and then it is sent") {
   isa::Program program = program_of(3, {square(2, {})});
-  program.display_model.resize(8);
-  program.segments[0].division = {.boxes = 1, .halfspaces = 1, .group_boxes = 1};
-  Machine machine =
-      machine_of(2, {.port_bits = 64, .divider = pixel_square::DividerKind::corners, .halfspace_clocks = 4});
-  machine.link.width = 32;
+  program.display_model = model_bytes();
+  program.segments[0].division = {.steps = {{.boxes = 2, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
+  const Machine machine = machine_of(2, dividing());
+  // Of two words of 256 bits the last is taken at 3. A clock for each node of the tree; each box is read and tested in
+  // two; a half-space is read, with its plane, in two clocks and tested in four: fourteen for three. Then cells, nodes
+  // and the word that nothing is seen.
+  REQUIRE(program.display_model.size() > 32);
+  REQUIRE(program.display_model.size() <= 64);
+  constexpr std::uint64_t stored = 3 + 3 + 2 * 2 + 14 + 5 + 7 + 1;
   const Timing timing = time(program, machine);
-  CHECK(timing.clocks == 12);
-  CHECK(timing.account.host == Clocks{2, 0, 0, 0, 0, 10});
-  CHECK(timing.account.divider == Clocks{2 + 6 + 1, 1, 0, 0, 0, 2});
-  machine.link.fifo_depth = 1;
-  const Timing narrow = time(program, machine);
-  CHECK(narrow.clocks == 13);
-  CHECK(narrow.account.host == Clocks{2, 0, 1, 0, 0, 10});
-  CHECK(narrow.account.divider == Clocks{2 + 6 + 1, 2, 0, 0, 0, 2});
+  // The header leaves a clock later, is taken after another one, and then a word of background is written.
+  CHECK(timing.clocks == stored + 3);
+  CHECK(timing.account.host == Clocks{2, 0, 0, 0, 0, stored + 1});
+  CHECK(timing.account.dividers == std::vector<Clocks>{{stored - 1, 1, 0, 0, 0, 3}});
+  CHECK(timing.account.sender == Clocks{1, 0, stored, 0, 0, 2});
+}
+
+TEST_CASE("half-spaces, nodes and planes that a divider's memories do not hold cost clocks, each its own") {
+  isa::Program program = program_of(3, {square(2, {})});
+  program.display_model = model_bytes();
+  program.segments[0].division = {.steps = {{.boxes = 1, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
+  const auto clocks = [&](const auto& change) {
+    Machine machine = machine_of(2, dividing());
+    machine.link.latency = 6;
+    change(machines::own<Figures>(machine));
+    return time(program, machine).clocks;
+  };
+  const std::uint64_t fits = clocks([](Figures&) {});
+  // An entry of 251 bits and 15 places among 2 has 266, four words of 80: one is written, and five cells read.
+  CHECK(clocks([](Figures& own) { own.halfspaces = 2; }) == fits + (1 + 5) * 4);
+  // Two nodes of 98 bits are written and read, in two words each.
+  CHECK(clocks([](Figures& own) { own.nodes = 5; }) == fits + 2 * 2 * 2);
+  // A plane comes over the link in 6 + 1 clocks: with the half-space's own that is 8 in place of 4, and 4 in place of 2.
+  CHECK(clocks([](Figures& own) { own.model_bits = 8; }) == fits + 3 * (8 - 4) + (4 - 2));
+}
+
+TEST_CASE("a square begins to leave when all of it is stored, or when no more of it fits") {
+  isa::Program program = program_of(3, {square(2, {enable, enable, enable})});
+  program.display_model = model_bytes();
+  program.segments[0].division = {.steps = {{.boxes = 100, .instructions = 2}, {.boxes = 100, .instructions = 1}}};
+  const auto time_with = [&](std::uint32_t words) {
+    Machine machine = machine_of(2, dividing());
+    machines::own<Figures>(machine).store_words = words;
+    return time(program, machine);
+  };
+  // SegmentStart, two instructions; 200 clocks of boxes; an instruction, SegmentEnd. With room for three words the
+  // first three leave while the second surface is tested.
+  const Timing whole = time_with(5);
+  const Timing parts = time_with(3);
+  CHECK(whole.account.sender.value().of(pixel_square::SquareActivity::working) == 5);
+  CHECK(parts.account.sender.value().of(pixel_square::SquareActivity::working) == 5);
+  CHECK(whole.account.dividers.front() == parts.account.dividers.front());
+  // Clearing and drawing of the first two instructions are over when the third comes.
+  CHECK(parts.clocks < whole.clocks);
+  // With room for one word each waits for the one before to leave, which takes a clock more.
+  CHECK(time_with(1).account.dividers.front().of(pixel_square::SquareActivity::waiting_for_renderer) > 0);
+}
+
+TEST_CASE("two dividers halve the time of tests that bound a frame, and take squares in turn") {
+  isa::Program program = program_of(3, std::vector<isa::Segment>(4, square(2, {})));
+  program.display_model = model_bytes();
+  for (std::uint32_t i = 0; i < 4; ++i) {
+    program.segments[i].region = {2 * (i % 2), i / 2 * 2, 2, 2};
+    program.segments[i].division = {.steps = {{.boxes = 500}}};
+  }
+  Machine machine = machine_of(2, dividing());
+  const std::uint64_t one = time(program, machine).clocks;
+  machines::own<Figures>(machine).dividers = 2;
+  const Timing timing = time(program, machine);
+  CHECK(timing.account.dividers.size() == 2);
+  CHECK(one - timing.clocks == 2 * (500 * 2 + 1));
 }
 
 TEST_CASE("tests whose clocks would not fit their counter are refused") {
   isa::Program program = program_of(2, {square(1, {})});
   program.display_model.resize(1);
-  program.segments[0].division.cells = ~std::uint64_t{0};
+  program.segments[0].division.steps = {{.cells = ~std::uint64_t{0}}};
   CHECK(error_of([&] {
           pixel_square::check_countable(program, machine_of(1, {}));
         }).starts_with("the divider would test for more than"));
-  program.segments[0].division.cells = std::uint64_t{1} << 36U;
+  program.segments[0].division.steps = {{.cells = std::uint64_t{1} << 36U}};
   program.segments.assign(1 << 5, program.segments[0]);
   CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(1, {})));
   CHECK(error_of([&] {
@@ -260,38 +342,50 @@ std::uint64_t words_in(std::uint64_t bits, std::uint64_t width) { return (bits +
 Machine any_dividing_machine() {
   Machine machine = any_machine();
   auto& figures = machines::own<Figures>(machine);
-  figures.divider = pixel_square::DividerKind::corners;
+  const Figures own = dividing();
+  figures.divider = own.divider;
+  figures.model_bits = own.model_bits;
+  figures.record_bits = own.record_bits;
+  figures.halfspaces = own.halfspaces;
+  figures.nodes = own.nodes;
+  figures.store_words = *rc::gen::element(1U, 2U, 7U, 1000U);
   figures.box_clocks = pick(0, 3);
   figures.halfspace_clocks = pick(0, 5);
   figures.cell_clocks = pick(0, 3);
   figures.node_clocks = pick(0, 3);
+  figures.linear_clocks = pick(0, 3);
   return machine;
 }
 
 /// A Program for it, with any tests.
 isa::Program any_divided_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
-  program.display_model.resize(pick(1, 40));
+  program.display_model = model_bytes();
   for (isa::Segment& one : program.segments) {
-    one.division = {.boxes = pick(0, 9),
-                    .halfspaces = pick(0, 9),
-                    .cells = pick(0, 9),
-                    .nodes = pick(0, 9),
-                    .group_boxes = pick(0, 9),
-                    .group_halfspaces = pick(0, 9),
-                    .group_cells = pick(0, 9)};
+    one.division = {.steps = {{.boxes = pick(0, 9),
+                               .lists = pick(0, 9),
+                               .halfspaces = pick(0, 9),
+                               .cells = pick(0, 9),
+                               .nodes = pick(0, 9),
+                               .instructions = one.instructions.size()}}};
   }
   return program;
 }
 
-std::uint64_t test_clocks(const isa::Program& program, const Machine& machine) {
+/// What a divider does between the model's last word and its own last one.
+std::uint64_t dividing_clocks(const isa::Program& program, const Machine& machine) {
   const auto& figures = machines::own<Figures>(machine);
-  std::uint64_t clocks = 0;
+  constexpr std::uint64_t nodes = 3;
+  std::uint64_t clocks = nodes * figures.node_clocks;
   for (const isa::Segment& one : program.segments) {
-    const isa::DivisionCounts& tests = one.division;
-    clocks += figures.box_clocks * (tests.boxes + tests.group_boxes) +
-              figures.halfspace_clocks * (tests.halfspaces + tests.group_halfspaces) +
-              figures.cell_clocks * (tests.cells + tests.group_cells) + figures.node_clocks * tests.nodes;
+    const isa::DivisionStep& tests = one.division.steps.front();
+    const std::uint64_t test = figures.halfspace_clocks;
+    clocks += (1 + figures.box_clocks) * tests.boxes + std::max<std::uint64_t>(2, test) * tests.halfspaces +
+              std::min<std::uint64_t>(2, test) * tests.lists + figures.cell_clocks * tests.cells +
+              figures.node_clocks * tests.nodes;
+    for (const Instruction& instruction : one.instructions)
+      if (isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear))
+        clocks += figures.linear_clocks;
   }
   return clocks;
 }
@@ -384,18 +478,29 @@ TEST_CASE("with a divider a frame takes at least what its busiest part has to do
     const isa::Program program = any_divided_program(machine);
     const std::uint64_t model = words_in(8 * program.display_model.size(), machine.link.width);
     const std::uint64_t host = machine.link.latency + model * machine.link.word_clocks;
-    // The words of the squares leave the divider, one a clock.
+    // The words of the squares go to the store and leave it, one a clock; where nothing is seen one says so.
     Machine sending = machine;
     sending.link.latency = 0;
     sending.link.word_clocks = 1;
     const Work work = work_of(program, sending);
-    const std::uint64_t divider = model + test_clocks(program, machine) + work.host;
+    std::uint64_t stored = 0;
+    std::uint64_t headers = 0;
+    for (const isa::Segment& one : program.segments) {
+      const bool is_clear = one.instructions.empty();
+      stored += is_clear ? 1 : 0;
+      headers += is_clear ? words_in(64, machines::own<Figures>(machine).port_bits) : 0;
+    }
+    stored += work.host - headers;
+    const std::uint64_t divider = model + dividing_clocks(program, machine) + stored;
     const Timing timing = time(program, machine);
-    RC_ASSERT(timing.account.divider.value().of(pixel_square::SquareActivity::working) == divider);
-    RC_ASSERT(timing.clocks > std::max({host, divider, work.frame_buffer}));
-    RC_ASSERT(timing.clocks <= 2 * host + divider + work.host + work.renderers + 2 * work.frame_buffer +
+    RC_ASSERT(timing.account.dividers.size() == 1);
+    RC_ASSERT(timing.account.dividers.front().of(pixel_square::SquareActivity::working) == divider);
+    RC_ASSERT(timing.account.sender.value().of(pixel_square::SquareActivity::working) == work.host);
+    RC_ASSERT(timing.clocks > std::max({host, divider, work.host, work.frame_buffer}));
+    RC_ASSERT(timing.clocks <= 2 * host + divider + 2 * work.host + work.renderers + 2 * work.frame_buffer +
                                    4 * program.segments.size() + 4);
-    for (const SquareClocks& part : {timing.account.host, timing.account.divider.value(), timing.account.frame_buffer})
+    for (const SquareClocks& part : {timing.account.host, timing.account.dividers.front(),
+                                     timing.account.sender.value(), timing.account.frame_buffer})
       RC_ASSERT(part.total() == timing.clocks);
   }));
 }

@@ -57,25 +57,28 @@ void take_all(RecordReader& reader, const Words& words) {
 
 /// What a node makes of its subsegment, of the words that come over the bus.
 division::Divided divided_by_node(const RecordReader& reader, const isa::Region& part) {
-  return division::Divider(reader.model()).divide(part, reader.left());
+  division::PlainDatapath path(reader.model());
+  return division::Divider(reader.model()).divide(part, reader.left(), path);
 }
 
 /// A display processor with a model, and the subsegments of a segment that it divides.
 struct Display {
   isa::Program program;
   machines::Machine machine;
+  division::DisplayModel model;
   division::Divider divider;
 
   explicit Display(const machines::Machine& described)
       : program(test::any_divided_program(described)),
         machine(described),
-        divider(division::display_model_of(program.display_model)) {}
+        model(division::display_model_of(program.display_model)),
+        divider(model) {}
 
-  [[nodiscard]] Words frame() const { return words_of(frame_records(divider.model()), machine.link.width); }
+  [[nodiscard]] Words frame() const { return words_of(frame_records(model), machine.link.width); }
 
   [[nodiscard]] Words segment(const isa::Region& region) const {
-    division::Counts counts;
-    return words_of(segment_records(divider.model(), divider.survivors(region, counts)), machine.link.width);
+    division::PlainDatapath path(model);
+    return words_of(segment_records(model, divider.survivors(region, path)), machine.link.width);
   }
 
   [[nodiscard]] isa::Region whole_of(multi_processor::Subsegments parts) const {
@@ -92,11 +95,12 @@ bool alike(const isa::Instruction& one, const isa::Instruction& other) {
 void check_list(const division::Divided& divided, const isa::Segment& expected) {
   RC_ASSERT(std::equal(divided.instructions.begin(), divided.instructions.end(), expected.instructions.begin(),
                        expected.instructions.end(), alike));
-  const isa::DivisionCounts& facts = expected.division;
-  RC_ASSERT(divided.counts.boxes == facts.boxes);
-  RC_ASSERT(divided.counts.halfspaces == facts.halfspaces);
-  RC_ASSERT(divided.counts.cells == facts.cells);
-  RC_ASSERT(divided.counts.nodes == facts.nodes);
+  const isa::DivisionStep facts = expected.division.sum();
+  const division::Counts counts = divided.counts();
+  RC_ASSERT(counts.boxes == facts.boxes);
+  RC_ASSERT(counts.halfspaces == facts.halfspaces);
+  RC_ASSERT(counts.cells == facts.cells);
+  RC_ASSERT(counts.nodes == facts.nodes);
 }
 
 void flip(Words& words, std::uint64_t bit, unsigned width) {
@@ -126,7 +130,7 @@ TEST_CASE("records take the words that are worked out for them, on the bus and i
     const Display display(any_machine());
     const std::uint32_t width = display.machine.link.width;
     const multi_processor::ModelSizes sizes = multi_processor::sizes_of(display.program.display_model);
-    RC_ASSERT(sizes.planes == display.divider.model().planes.size());
+    RC_ASSERT(sizes.planes == display.model.planes.size());
     RC_ASSERT(display.frame().size() == frame_words(sizes, width));
     for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
       const multi_processor::SegmentDivision division = multi_processor::division_of(parts);

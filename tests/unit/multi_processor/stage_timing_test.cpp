@@ -88,11 +88,8 @@ isa::Program program_for(const Machine& machine) {
   first.instructions.push_back({.opcode = Opcode::enable_all});
   first.instructions.push_back(
       {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}});
-  for (isa::Segment& segment : program.segments) segment.division.boxes = 1;
-  first.division = {.boxes = 1,
-                    .halfspaces = 3,
-                    .cells = 1,
-                    .nodes = 2,
+  for (isa::Segment& segment : program.segments) segment.division.steps = {{.boxes = 1}};
+  first.division = {.steps = {{.boxes = 1, .halfspaces = 3, .cells = 1, .nodes = 2, .instructions = 2}},
                     .group_boxes = 2,
                     .group_halfspaces = 3,
                     .group_cells = 2,
@@ -136,7 +133,14 @@ isa::Program any_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
   program.display_model = model_bytes();
   for (isa::Segment& segment : program.segments)
-    segment.division = {below(3), below(20), below(20), below(5), below(3), below(9), below(30)};
+    segment.division = {.steps = {{.boxes = below(3),
+                                   .halfspaces = below(20),
+                                   .cells = below(20),
+                                   .nodes = below(5),
+                                   .instructions = segment.instructions.size()}},
+                        .group_boxes = below(3),
+                        .group_halfspaces = below(9),
+                        .group_cells = below(30)};
   return program;
 }
 
@@ -293,7 +297,7 @@ TEST_CASE("a frame that is longer than SystemC's time is refused") {
   machine.clock_hz = 1;
   figures(machine).transform_clocks = 1'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
-  program.segments[0].division.cells = ~0ULL;
+  program.segments[0].division.steps = {{.cells = ~0ULL}};
   machine.clock_hz = 1'000'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
 }

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "hw/division/encoding.h"
+#include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
+#include "hw/pixel_square/model_receiver.h"
+#include "hw/pixel_square/store_sender.h"
 #include "tests/unit/division/hand_models.h"
 #include "tests/unit/pixel_square/bench.h"
 
@@ -25,6 +28,9 @@ constexpr std::uint32_t link_width = 32;
 constexpr std::uint32_t port_bits = 16;
 constexpr std::uint64_t header_words = 4;
 
+/// Of 16 bits: 5 hold a primitive of the models here (77 bits), 1 a half-space (5 or 6), 1 a plane (8).
+constexpr std::uint32_t record_bits = 16;
+
 pixel_square::Figures figures(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
   return {.port_bits = port_bits,
           .divider = pixel_square::DividerKind::corners,
@@ -32,26 +38,49 @@ pixel_square::Figures figures(std::uint32_t levels, std::uint32_t group_side, st
           .group_side = group_side,
           .list_entries = list_entries,
           .model_bits = 100'000,
+          .record_bits = record_bits,
+          .halfspaces = 100,
+          .nodes = 100,
+          .store_words = 1000,
           .box_clocks = 2,
           .halfspace_clocks = 3,
           .cell_clocks = 5,
-          .node_clocks = 7};
+          .node_clocks = 7,
+          .linear_clocks = 4};
 }
 
-std::uint64_t clocks_of(const division::Counts& counts) {
-  return 2 * counts.boxes + 3 * counts.halfspaces + 5 * counts.cells + 7 * counts.nodes;
+/// A box is read in 5 clocks and held in 2; a half-space is read, with its plane, in 2, while the one before it is
+/// tested in 3. What a list says is read in a clock more.
+std::uint64_t clocks_of(const division::Counts& counts, bool from_list = false) {
+  return (from_list ? 8 : 7) * counts.boxes + 3 * counts.halfspaces + (from_list ? 3 : 2) * counts.lists +
+         5 * counts.cells + 7 * counts.nodes;
 }
+
+/// For a group half-spaces are read and tested again, in 3 clocks, to be held against leaders; what is left is listed.
+std::uint64_t clocks_of_group(const division::Counts& counts, std::uint64_t listed) {
+  return 7 * counts.boxes + 3 * counts.halfspaces + 2 * counts.lists + (5 + 3) * counts.cells + listed;
+}
+
+std::uint64_t tree_clocks(const division::DisplayModel& model) { return 7 * model.nodes.size(); }
 
 /// Four squares of 8 x 8; the FIFO of the model has room for all of it.
 struct Board {
   explicit Board(std::uint32_t levels, std::uint32_t group_side = 2, std::uint32_t list_entries = 100)
-      : machine(machine_of(levels, group_side, list_entries)), bench(machine), divider("divider", machine) {
-    divider.clock(bench.clock);
-    divider.model(model);
-    divider.links(links);
-    divider.finished(finished);
-    divider.clears(clears);
-    divider.retirement(retirement);
+      : Board(machine_of(levels, group_side, list_entries)) {}
+
+  explicit Board(const machines::Machine& described)
+      : machine(described),
+        bench(machine),
+        receiver("receiver", machine),
+        divider("divider", machine, receiver),
+        sender("sender", machine) {
+    receiver.clock(bench.clock);
+    receiver.model(model);
+    sender.clock(bench.clock);
+    sender.links(links);
+    sender.finished(finished);
+    sender.clears(clears);
+    sender.retirement(retirement);
     retirement.begin(listener);
   }
 
@@ -67,7 +96,9 @@ struct Board {
     const division::Bits bits = division::encode(display);
     const std::vector<isa::LinkWord> words = division::to_link(bits, link_width);
     for (const isa::LinkWord& word : words) CHECK(model.nb_write(word));
-    divider.begin({display.width, display.height}, division::to_link(bits, byte_bits).size());
+    receiver.begin(division::to_link(bits, byte_bits).size());
+    divider.begin({display.width, display.height}, squares, {0, 1, 2, 3});
+    sender.begin(squares, std::vector<pixel_square::Store*>(squares.size(), &divider.store()));
     return words.size();
   }
 
@@ -81,6 +112,7 @@ struct Board {
 
   machines::Machine machine;
   Bench bench;
+  std::vector<isa::Region> squares{{0, 0, 8, 8}, {8, 0, 8, 8}, {0, 8, 8, 8}, {8, 8, 8, 8}};
   sc_core::sc_fifo<isa::LinkWord> model{"model", 1000};
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> links{
       "links", 1, [](const char* name, std::size_t) { return new sc_core::sc_fifo<isa::LinkWord>(name, 10'000); }};
@@ -88,7 +120,9 @@ struct Board {
   sc_core::sc_fifo<PortWord> clears{"clears", 100};
   systemc::Retirement retirement{"retirement"};
   systemc::RunListener listener;
+  pixel_square::ModelReceiver receiver;
   CornerDivider divider;
+  pixel_square::StoreSender sender;
 };
 
 /// What hw/division makes of a square, as commands.
@@ -105,14 +139,26 @@ std::uint64_t words_of(const std::vector<isa::Command>& commands) {
   return words;
 }
 
+/// That it takes to write them.
+std::uint64_t writing_clocks(const std::vector<isa::Command>& commands) {
+  std::uint64_t clocks = words_of(commands);
+  for (const isa::Command& command : commands) {
+    const auto* instruction = std::get_if<isa::Instruction>(&command);
+    const bool is_linear = instruction != nullptr && isa::has_operand(isa::operands_of(instruction->opcode),
+                                                                      isa::OperandKind::linear);
+    clocks += is_linear ? 4 : 0;
+  }
+  return clocks;
+}
+
 }  // namespace
 
-TEST_CASE("the divider takes a word a clock, tests a square, sends it a word a clock, and goes on with the next") {
+TEST_CASE("the divider takes the model, tests and writes square after square, and what is whole leaves meanwhile") {
   const division::DisplayModel slab = testing::slab_with_hole();  // in the left half of the picture
-  const division::Divider judge(slab);
+  testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};
   const division::Divided drawn = judge.divide(left);
-  REQUIRE((drawn.counts.boxes > 0 && drawn.counts.halfspaces > 0 && drawn.counts.nodes > 0));
+  REQUIRE((drawn.counts().boxes > 0 && drawn.counts().halfspaces > 0 && drawn.counts().nodes > 0));
   const division::Divided empty = judge.divide({8, 0, 8, 8});
   REQUIRE(!drawn.instructions.empty());
   REQUIRE(empty.instructions.empty());
@@ -124,41 +170,72 @@ TEST_CASE("the divider takes a word a clock, tests a square, sends it a word a c
   CHECK(board.model.num_available() == 1);
   board.bench.edges(1);
   CHECK(board.model.num_available() == 0);
-  board.bench.edges(clocks_of(drawn.counts));
+  const std::uint64_t first = tree_clocks(slab) + clocks_of(drawn.counts()) + writing_clocks(expected);
+  board.bench.edges(first);
+  CHECK(board.divider.store().fill() == words_of(expected));
   CHECK(board.links[0].num_available() == 0);
   board.bench.edges(1);
   CHECK(board.links[0].num_available() == 1);
   board.bench.edges(words_of(expected) - 1);
   CHECK(static_cast<std::uint64_t>(board.links[0].num_available()) == words_of(expected));
-  board.bench.edges(clocks_of(empty.counts));
+  // That nothing is seen in the second is a word, of which its header is made a clock later.
+  const std::uint64_t second = clocks_of(empty.counts()) + 1;
+  REQUIRE(second < words_of(expected));
   CHECK(board.clears.num_available() == 0);
   board.bench.edges(header_words);
   CHECK(board.clears.num_available() == static_cast<int>(header_words));
   CHECK(board.commands() == expected);
   CHECK(testing::bits_of(testing::drained(board.clears), port_bits) ==
         testing::travelling({8, 0, 8, 8}, {}, 0, port_bits));
-  CHECK(board.divider.squares_skipped() == 1);
-  const std::uint64_t all =
-      model_words + clocks_of(drawn.counts) + words_of(expected) + clocks_of(empty.counts) + header_words;
-  CHECK(board.divider.account(all).of(SquareActivity::working) == all);
+  CHECK(board.sender.squares_skipped() == 1);
+  const std::uint64_t all = model_words + first + 1 + words_of(expected) - 1 + header_words;
+  const std::uint64_t sent = words_of(expected) + header_words;
+  CHECK(board.sender.account(all).of(SquareActivity::working) == sent);
+  CHECK(board.sender.account(all).of(SquareActivity::waiting_for_divider) == all - sent);
 }
 
 TEST_CASE("with two levels a group is tested before its first square, and the squares from what it leaves") {
   const division::DisplayModel slab = testing::one_slab();
-  const division::Divider judge(slab);
-  division::Counts group;
-  const division::Candidates list = judge.survivors({0, 0, 16, 16}, group);
+  testing::ModelDivider judge(slab);
+  const division::Candidates list = judge.survivors({0, 0, 16, 16});
+  const division::Counts group = judge.path.take_counts();
   const isa::Region left{0, 0, 8, 8};
   const division::Divided drawn = judge.divide(left, list);
-  REQUIRE(clocks_of(group) > 0);
+  const std::vector<isa::Command> expected = expected_commands(left, drawn);
+  const std::uint64_t group_clocks = clocks_of_group(group, list.entries());
+  REQUIRE(group_clocks > 0);
 
   Board board(2);
-  board.bench.edges(board.begin(slab) + clocks_of(group) + clocks_of(drawn.counts));
+  board.bench.edges(board.begin(slab) + tree_clocks(slab) + group_clocks + clocks_of(drawn.counts(), true) +
+                    writing_clocks(expected));
   CHECK(board.links[0].num_available() == 0);
   board.bench.edges(1);
   CHECK(board.links[0].num_available() == 1);
-  const std::vector<isa::Command> expected = expected_commands(left, drawn);
   board.bench.edges(words_of(expected) - 1);
+  CHECK(board.commands() == expected);
+}
+
+TEST_CASE("where the store is full a square leaves before all of it is there, and the divider waits for room") {
+  const division::DisplayModel slab = testing::one_slab();
+  testing::ModelDivider judge(slab);
+  const isa::Region left{0, 0, 8, 8};
+  const std::vector<isa::Command> expected = expected_commands(left, judge.divide(left));
+  constexpr std::uint32_t room = 6;
+  REQUIRE(words_of(expected) > 2 * room);
+  machines::Machine machine = Board::machine_of(1, 2, 100);
+  machines::own<pixel_square::Figures>(machine).store_words = room;
+
+  Board board(machine);
+  std::uint64_t edges = board.begin(slab);
+  board.bench.edges(edges);
+  while (board.divider.store().fill() < room) {
+    board.bench.edges(1);
+    ++edges;
+    REQUIRE(board.links[0].num_available() == 0);
+  }
+  board.bench.edges(1);
+  CHECK(board.links[0].num_available() == 1);
+  board.bench.edges(2 * writing_clocks(expected));
   CHECK(board.commands() == expected);
 }
 
@@ -178,16 +255,19 @@ division::DisplayModel two_slabs() {
 /// the slab on the right; from the whole model where it is an entry short.
 void check_list_with(std::uint64_t entries_short) {
   const division::DisplayModel slab = two_slabs();
-  const division::Divider judge(slab);
+  testing::ModelDivider judge(slab);
   const isa::Region left{0, 0, 8, 8};
-  division::Counts group;
-  const division::Candidates list = judge.survivors({0, 0, 8, 8}, group);
-  const std::uint64_t from_list = clocks_of(judge.divide(left, list).counts);
-  const std::uint64_t from_all = clocks_of(judge.divide(left).counts);
+  const division::Candidates list = judge.survivors({0, 0, 8, 8});
+  const division::Counts group = judge.path.take_counts();
+  const division::Divided drawn = judge.divide(left, list);
+  const std::uint64_t from_list = clocks_of(drawn.counts(), true);
+  const std::uint64_t from_all = clocks_of(judge.divide(left).counts());
   REQUIRE(list.entries() > 0);
   REQUIRE(from_list != from_all);
-  Board board(2, 1, static_cast<std::uint32_t>(list.entries() - entries_short));
-  board.bench.edges(board.begin(slab) + clocks_of(group) + (entries_short == 0 ? from_list : from_all));
+  const std::uint64_t room = list.entries() - entries_short;
+  Board board(2, 1, static_cast<std::uint32_t>(room));
+  board.bench.edges(board.begin(slab) + tree_clocks(slab) + clocks_of_group(group, room) +
+                    (entries_short == 0 ? from_list : from_all) + writing_clocks(expected_commands(left, drawn)));
   CHECK(board.links[0].num_available() == 0);
   board.bench.edges(1);
   CHECK(board.links[0].num_available() == 1);
