@@ -35,6 +35,7 @@ void CornerDivider::begin(const machines::Size& picture, std::span<const isa::Re
   square_.reset();
   clocks_ = {};
   state_ = {};
+  is_begun_ = true;
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
@@ -53,7 +54,10 @@ DividerStatus CornerDivider::status() const {
 
 void CornerDivider::work() {
   while (true) {
-    wait(begun_);
+    if (!std::exchange(is_begun_, false)) {
+      wait(begun_);
+      is_begun_ = false;
+    }
     wait(receiver_.received());
     take_model();
     SteppedDatapath path(header_, memory_, machine_, far_planes_, ends());

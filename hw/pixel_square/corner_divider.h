@@ -73,6 +73,7 @@ class CornerDivider final : public sc_core::sc_module {
   bool begun_square_ = false;                 ///< some of it is in the store
   SquareClocks clocks_;                       ///< once the model is in
   std::string_view state_;
+  bool is_begun_ = false;  ///< a frame, which the thread has not seen
   sc_core::sc_event begun_{"begun"};
 };
 
