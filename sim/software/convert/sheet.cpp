@@ -69,7 +69,7 @@ void Sheet::find_sides(const Region& region, facet::Halfspace halfspace) {
   sides_.clear();
   for (const std::uint32_t corner : region.corners) {
     const int side = planes_.side(points_[corner], halfspace.plane);
-    sides_.push_back(static_cast<std::int8_t>(halfspace.positive ? side : -side));
+    sides_.push_back(halfspace.positive ? side : -side);
   }
 }
 
@@ -78,8 +78,8 @@ template <class In, class Out>
 void Sheet::trace(const Region& region, std::uint32_t plane, const In& to_in, const Out& to_out) {
   const std::size_t count = region.corners.size();
   for (std::size_t i = 0; i < count; ++i) {
-    const int here = static_cast<int>(sides_[i]);
-    const int next = static_cast<int>(sides_[(i + 1) % count]);
+    const int here = sides_[i];
+    const int next = sides_[(i + 1) % count];
     const std::uint32_t corner = region.corners[i];
     const std::uint32_t along = region.planes[i];
     if (here <= 0) to_in(corner, here == 0 && next > 0 ? plane : along);

@@ -71,7 +71,7 @@ class Sheet {
   std::uint32_t plane_ = 0;
   std::vector<Meeting> points_;
   std::vector<glm::dvec3> places_;  ///< of the points, in units
-  std::vector<std::int8_t> sides_;  ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
+  std::vector<int> sides_;          ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
 };
 
 }  // namespace csgsim::software::convert
