@@ -68,6 +68,7 @@ bool is_solid_word(std::string_view word) {
 
 std::string_view solid_word_like(std::string_view word) {
   std::vector<std::string_view> words;
+  words.reserve(solid_rows.size());
   for (const SolidRow& row : solid_rows) words.push_back(row.word);
   return nearest_alike(word, words);
 }
