@@ -88,7 +88,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     machine_ = machine_of(options_);
     ModelFile file = read_model_file(options_);
     tree_ = std::move(file.tree);
-    faceting_ = faceting_of(options_, machine_, tree_);
+    faceting_ = flat_faceting_of(options_, machine_, tree_);
     inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
     std::vector<Asked> asked;
     for (const std::string& method : display_methods_in(methods_)) {

@@ -11,6 +11,7 @@
 #include "sim/shell/numbers.h"
 #include "sim/shell/text_columns.h"
 #include "sim/studies/display/show.h"
+#include "sim/studies/processors.h"
 
 namespace csgsim::studies {
 
@@ -37,8 +38,6 @@ std::vector<MethodGroup> by_method(DisplayRows rows) {
   }
   return groups;
 }
-
-std::string seconds_cell(double seconds) { return fmt::format("{:.4g}", seconds); }
 
 class Table {
  public:
@@ -68,11 +67,11 @@ void add_seconds(Table& table, const MethodGroup& group, const software::Priced&
     if (is_none) continue;
     table.add(fmt::format("{}: {}, s", processor.name, software::phase_rows[phase].meaning),
               [&](const DisplayStudyRow& row) {
-                return seconds_cell(display_seconds(row, processor).of[phase].value_or(0));
+                return seconds_text(display_seconds(row, processor).of[phase].value_or(0));
               });
   }
   table.add(processor.name + ": total without preprocessing, s",
-            [&](const DisplayStudyRow& row) { return seconds_cell(display_seconds(row, processor).total); });
+            [&](const DisplayStudyRow& row) { return seconds_text(display_seconds(row, processor).total); });
 }
 
 void print_group(const MethodGroup& group, std::span<const software::Priced> processors) {
