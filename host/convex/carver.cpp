@@ -11,15 +11,15 @@ namespace csgsim::convex {
 
 Carver::Carver(Polytope polytope, const facet::PlaneTable& planes)
     : planes_(planes), index_(polytope.empty() ? facet::Box{} : box_of(polytope)) {
-  for (const glm::dvec3& vertex : polytope.vertices) add_vertex(vertex);
+  for (const glm::dvec3& vertex : polytope.vertices) add_vertex(vertex, glm::dvec3(0));
   for (std::uint32_t face = 0; face < polytope.faces.size(); ++face)
     for (const std::uint32_t corner : polytope.faces[face].corners) at_[corner].push_back(face);
   polytope_.faces = std::move(polytope.faces);
   faces_ = static_cast<std::uint32_t>(polytope_.faces.size());
 }
 
-void Carver::add_vertex(const glm::dvec3& place) {
-  index_.insert(static_cast<std::uint32_t>(polytope_.vertices.size()), place);
+void Carver::add_vertex(const glm::dvec3& place, const glm::dvec3& normal) {
+  index_.insert(static_cast<std::uint32_t>(polytope_.vertices.size()), place, normal);
   polytope_.vertices.push_back(place);
   at_.emplace_back();
   is_alive_.push_back(true);
@@ -105,7 +105,8 @@ void Carver::apply(Cut made, facet::Halfspace halfspace) {
     }
   }
   const std::size_t old = polytope_.vertices.size();
-  for (const glm::dvec3& place : made.added) add_vertex(place);
+  const glm::dvec3 normal = outward_plane(halfspace, planes_).normal;
+  for (const glm::dvec3& place : made.added) add_vertex(place, normal);
   for (CutFace& one : made.faces) {
     for (const std::uint32_t corner : one.corners)
       if (corner >= old) at_[corner].push_back(one.face);

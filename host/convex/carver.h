@@ -31,7 +31,8 @@ class Carver {
   /// The faces at the vertices that were found, ascending.
   std::vector<std::uint32_t> faces_found();
   void apply(Cut made, facet::Halfspace halfspace);
-  void add_vertex(const glm::dvec3& place);
+  /// On a face with that normal.
+  void add_vertex(const glm::dvec3& place, const glm::dvec3& normal);
   /// Takes out vertices that only two faces are left at, whose edges there become one, and faces without area.
   void drop_flat(std::vector<std::uint32_t> doubtful);
   void drop_vertex(std::uint32_t vertex);

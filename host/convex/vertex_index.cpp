@@ -10,17 +10,8 @@ namespace csgsim::convex {
 
 namespace {
 
-constexpr std::size_t most_vertices = 32;  ///< of a cell that is not cut
+constexpr std::size_t most_vertices = 16;  ///< of a cell that is not cut
 constexpr unsigned most_depth = 64;
-
-/// Whether no point of the box is as high as that, rounding included.
-bool is_surely_below(const facet::Box& box, const facet::Plane& plane, double height) {
-  const glm::dvec3 half = (box.high - box.low) / 2.0;
-  const glm::dvec3 steepness = glm::abs(plane.normal);
-  const double highest = plane.height(box.low + half) + glm::dot(steepness, half);
-  const double size = glm::dot(steepness, glm::max(glm::abs(box.low), glm::abs(box.high))) + std::abs(plane.offset);
-  return highest + 1e-14 * size < height;
-}
 
 }  // namespace
 
@@ -30,15 +21,40 @@ VertexIndex::VertexIndex(const facet::Box& box) {
 }
 
 void VertexIndex::Cell::put(const Held& one) {
-  box = facet::hull(box, one.place);
+  if (count == 0) {
+    box = {one.place, one.place};
+    normal = one.normal;
+    highest = glm::dot(normal, one.place);
+  } else {
+    box = facet::hull(box, one.place);
+    highest = std::max(highest, glm::dot(normal, one.place));
+  }
   ++count;
   if (below == 0) held.push_back(one);
 }
 
-void VertexIndex::insert(std::uint32_t vertex, const glm::dvec3& place) {
+bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height) const {
+  const glm::dvec3 half = (box.high - box.low) / 2.0;
+  const glm::dvec3 middle = box.low + half;
+  const glm::dvec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
+  const glm::dvec3 ones(1.0);
+  const double doubt = 1e-13 * (glm::dot(ones, reach) + std::abs(plane.offset));
+  // Along the cell's own normal all are below `highest`; what of the plane's normal is left over is small where the
+  // plane is nearly a face there.
+  const double along = glm::dot(plane.normal, normal);
+  if (along > 0.0) {
+    const glm::dvec3 rest = plane.normal - along * normal;
+    const double most = along * highest + glm::dot(rest, middle) + glm::dot(glm::abs(rest), half) + plane.offset;
+    if (most + doubt < height) return true;
+  }
+  return plane.height(middle) + glm::dot(glm::abs(plane.normal), half) + doubt < height;
+}
+
+void VertexIndex::insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal) {
+  const Held held{vertex, place, normal};
   std::uint32_t cell = 0;
-  for (; cells_[cell].below != 0; cell = cells_[cell].half_of(place)) cells_[cell].put({vertex, place});
-  cells_[cell].put({vertex, place});
+  for (; cells_[cell].below != 0; cell = cells_[cell].half_of(place)) cells_[cell].put(held);
+  cells_[cell].put(held);
   if (cells_[cell].count > most_vertices && cells_[cell].depth < most_depth) divide(cell);
 }
 
@@ -75,7 +91,7 @@ std::uint64_t VertexIndex::find(const facet::Plane& plane, double near, std::vec
   while (!left.empty()) {
     const Cell& cell = cells_[left.back()];
     left.pop_back();
-    if (cell.count == 0 || is_surely_below(cell.box, plane, -near)) continue;
+    if (cell.count == 0 || cell.is_surely_below(plane, -near)) continue;
     if (cell.below != 0) {
       left.insert(left.end(), {cell.below, cell.below + 1});
       continue;

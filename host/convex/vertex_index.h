@@ -15,7 +15,8 @@ class VertexIndex {
   /// Vertices outside of the box are found too, though not as fast.
   explicit VertexIndex(const facet::Box& box);
 
-  void insert(std::uint32_t vertex, const glm::dvec3& place);
+  /// `normal` is that of a face at the vertex, or 0: planes like that face are told apart from it fastest.
+  void insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal);
   /// One that is there, at its place.
   void remove(std::uint32_t vertex, const glm::dvec3& place);
 
@@ -27,10 +28,13 @@ class VertexIndex {
   struct Held {
     std::uint32_t vertex = 0;
     glm::dvec3 place{};
+    glm::dvec3 normal{};
   };
   struct Cell {
     facet::Box whole;         ///< what is cut in half
-    facet::Box box;           ///< holds all vertices that were ever put in
+    facet::Box box;           ///< holds all vertices that were put in since it was empty
+    glm::dvec3 normal{};      ///< of the first of these
+    double highest = 0;       ///< and the most of normal . place of any
     std::uint32_t count = 0;  ///< of vertices
     std::uint32_t below = 0;  ///< the half below the middle, and after it the other one; 0: not cut
     unsigned depth = 0;
@@ -43,6 +47,8 @@ class VertexIndex {
       return below + (place[axis] < middle() ? 0U : 1U);
     }
     void put(const Held& one);
+    /// Whether none is as high above the plane as that, rounding included.
+    [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };
 
   void divide(std::uint32_t cell);
