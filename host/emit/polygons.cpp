@@ -37,9 +37,9 @@ class Faces {
 
   /// None where the face is at no pixel: then the region is empty.
   [[nodiscard]] std::vector<Neighbour> around(std::uint32_t face, view::Region& region) const {
-    region = view::Region(pixels_);
     const FixedLinear& own = boundary_.fronts[face];
     const view::Rivals& rivals = rivals_.of_fronts[face];
+    region = view::Region(rivals.pixels.empty() ? view::PixelRect{} : pixels_);
     // Depths that differ by less than a step may be one depth.
     const auto leave = [&](const FixedLinear& near, const FixedLinear& far) {
       region.clip(difference(far, near, step_ - 1));

@@ -116,13 +116,14 @@ class Finder {
       : boundary_(boundary),
         fronts_(boundary.fronts, false, shift),
         backs_(boundary.backs, true, shift),
-        rivals_(fronts_.size() + backs_.size()) {}
+        rivals_(fronts_.size() + backs_.size()),
+        pixels_(rivals_.size()) {}
 
   AllRivals operator()(const PixelRect& pixels) {
     if (!pixels.empty()) divide(pixels, up_to(boundary_.fronts), up_to(boundary_.backs), up_to(boundary_.edges));
     AllRivals all;
     for (std::size_t i = 0; i < rivals_.size(); ++i)
-      (i < fronts_.size() ? all.of_fronts : all.of_backs).push_back(sorted(rivals_[i]));
+      (i < fronts_.size() ? all.of_fronts : all.of_backs).push_back(sorted(rivals_[i], pixels_[i]));
     return all;
   }
 
@@ -177,8 +178,14 @@ class Finder {
       return;
     }
     if (fronts.numbers.size() + backs.numbers.size() + edges.size() <= few) {
-      for (const std::uint32_t number : fronts.numbers) add_to_all(fronts.numbers, backs.numbers, number);
-      for (const std::uint32_t number : backs.numbers) add_to_all(fronts.numbers, backs.numbers, back(number));
+      for (const std::uint32_t number : fronts.numbers) {
+        add_to_all(fronts.numbers, backs.numbers, number);
+        pixels_[number] = hull(pixels_[number], tile);
+      }
+      for (const std::uint32_t number : backs.numbers) {
+        add_to_all(fronts.numbers, backs.numbers, back(number));
+        pixels_[back(number)] = hull(pixels_[back(number)], tile);
+      }
       for (const std::uint32_t number : edges) add_to_all(fronts.numbers, backs.numbers, edge(number));
       return;
     }
@@ -191,10 +198,11 @@ class Finder {
                       [](std::int64_t begins, std::int64_t ends) { return begins >= -ends; });
   }
 
-  [[nodiscard]] Rivals sorted(Numbers& numbers) const {
+  [[nodiscard]] Rivals sorted(Numbers& numbers, const PixelRect& pixels) const {
     std::ranges::sort(numbers);
     numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
     Rivals rivals;
+    rivals.pixels = pixels;
     for (const std::uint32_t number : numbers) {
       if (number < back(0)) {
         rivals.fronts.push_back(number);
@@ -212,6 +220,7 @@ class Finder {
   Envelope fronts_;
   Envelope backs_;
   std::vector<Numbers> rivals_;
+  std::vector<PixelRect> pixels_;
 };
 
 }  // namespace

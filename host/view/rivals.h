@@ -21,6 +21,7 @@ struct Rivals {
   std::vector<std::uint32_t> fronts;
   std::vector<std::uint32_t> backs;
   std::vector<std::uint32_t> edges;
+  PixelRect pixels{};  ///< outside of these it is not where the solid begins or ends
 };
 
 struct AllRivals {

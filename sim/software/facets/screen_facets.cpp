@@ -33,11 +33,10 @@ view::Boundary boundary_of(TilePlanes planes) {
 class Maker {
  public:
   Maker(const view::View& view, std::uint32_t primitive, TilePlanes planes, ScreenFacets& made)
-      : pixels_(view.extents[primitive].pixels),
-        primitive_(primitive),
+      : primitive_(primitive),
         has_near_cap_(planes.fronts.empty()),
         boundary_(boundary_of(std::move(planes))),
-        rivals_(view::rivals(boundary_, pixels_, 0)),
+        rivals_(view::rivals(boundary_, view.extents[primitive].pixels, 0)),
         made_(made) {}
 
   void add_near_cap() {
@@ -78,12 +77,12 @@ class Maker {
 
   void add(ScreenFacet facet, std::uint32_t place, const view::Rivals& rivals, const std::vector<std::uint32_t>& same,
            const std::vector<std::uint32_t>& others) {
-    region_ = view::Region(pixels_);
+    region_ = view::Region(rivals.pixels);
     facet.primitive = primitive_;
     facet.bounds = made_.linears.size();
     for (const std::uint32_t i : rivals.edges) bound(boundary_.edges[i]);
     bound(facet, place, same, others);
-    facet.pixels = view::common(region_.pixels(), pixels_);
+    facet.pixels = view::common(region_.pixels(), rivals.pixels);
     if (region_.empty() || facet.pixels.empty()) {
       made_.linears.resize(facet.bounds);
       return;
@@ -122,7 +121,6 @@ class Maker {
     return facet.leaves ? difference(facet.depth, other, more) : difference(other, facet.depth, more);
   }
 
-  view::PixelRect pixels_;
   std::uint32_t primitive_;
   bool has_near_cap_;
   view::Boundary boundary_;

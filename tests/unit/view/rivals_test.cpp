@@ -91,11 +91,13 @@ Numbers all_of(const std::vector<FixedLinear>& functions) {
 
 /// What a boundary is at one pixel, in plain integers.
 struct AtPixel {
+  std::int32_t x;
+  std::int32_t y;
   std::vector<std::int64_t> fronts;
   std::vector<std::int64_t> backs;
   std::vector<bool> edges;
 
-  AtPixel(const Drawn& drawn, std::int32_t x, std::int32_t y) {
+  AtPixel(const Drawn& drawn, std::int32_t column, std::int32_t row) : x(column), y(row) {
     const auto value = [&](const FixedLinear& one) { return one.a * x + one.b * y + one.c; };
     const std::int64_t step = std::int64_t{1} << drawn.shift;
     const auto depth = [&](const FixedLinear& one) {
@@ -139,6 +141,10 @@ struct Tally {
   std::uint64_t left_out = 0;
 };
 
+bool holds(const view::PixelRect& rect, const AtPixel& at) {
+  return at.x >= rect.x0 && at.x <= rect.x1 && at.y >= rect.y0 && at.y <= rect.y1;
+}
+
 void require_ends(const AtPixel& at, const view::AllRivals& found, const view::Rivals& all, Tally& tally) {
   const auto depth_in = [](const std::vector<std::int64_t>& depths) {
     return [&depths](std::uint32_t i) { return depths[i]; };
@@ -148,6 +154,7 @@ void require_ends(const AtPixel& at, const view::AllRivals& found, const view::R
     RC_ASSERT(at.is_front(i, rivals) == at.is_front(i, all));
     if (!at.is_front(i, all) || at.backs.empty()) continue;
     ++tally.leads;
+    RC_ASSERT(holds(rivals.pixels, at));
     RC_ASSERT(!rivals.backs.empty());
     RC_ASSERT(at.backs[std::ranges::min(rivals.backs, {}, depth_in(at.backs))] == std::ranges::min(at.backs));
   }
@@ -155,6 +162,7 @@ void require_ends(const AtPixel& at, const view::AllRivals& found, const view::R
     const view::Rivals& rivals = found.of_backs[i];
     RC_ASSERT(at.is_back(i, rivals) == at.is_back(i, all));
     if (!at.is_back(i, all) || at.fronts.empty()) continue;
+    RC_ASSERT(holds(rivals.pixels, at));
     RC_ASSERT(!rivals.fronts.empty());
     RC_ASSERT(at.fronts[std::ranges::max(rivals.fronts, {}, depth_in(at.fronts))] == std::ranges::max(at.fronts));
   }
