@@ -11,7 +11,8 @@
 namespace csgsim::convex {
 
 /// Clips one polytope by one half-space after another, as clip() does, to the same bits, but without a look at the
-/// vertices and faces that a plane is far from. Keeps references.
+/// vertices and faces that a plane is far from. Each cut goes over all corners of the faces that it meets: solids whose
+/// faces all share a corner, or a face, still take the square of their half-spaces. Keeps references.
 class Carver {
  public:
   Carver(Polytope polytope, const facet::PlaneTable& planes);
