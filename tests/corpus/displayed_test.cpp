@@ -55,11 +55,12 @@ void for_each_model(const std::map<std::string, std::string>& models, const Use&
   const auto refused = testing::refused_models();
   // One projection a model is enough: which, its place in the alphabet says.
   std::size_t number = 0;
-  for (const auto& [name, path] : models) {
+  for (const auto& model : models) {
+    const std::string& name = model.first;
     const auto projection = ++number % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
     if (refused.contains(name) || take_long.contains(name)) continue;
     CAPTURE(name);
-    const Drawn one = drawn(path, projection);
+    const Drawn one = drawn(model.second, projection);
     REQUIRE(one.compiled.scene.is_faceted());
     use(name, one);
   }
@@ -92,7 +93,7 @@ std::string wrong_pictures(const std::string& name, const Drawn& drawn) {
   const software::Tree tree = software::make_tree(model.tree, software::Shape::balanced);
   // One directory a model: which, its name says.
   const std::vector<std::string> directories = software::halving_directories();
-  const std::string directory = directories[name.size() % directories.size()];
+  const std::string& directory = directories[name.size() % directories.size()];
   const software::DisplaySubject subject{model.tree, model.scene, model.view, tree, facets, 24, directory};
   std::string lines;
   for (const software::DisplayRow* const row : software::display_methods()) {

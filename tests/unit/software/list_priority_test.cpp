@@ -88,7 +88,7 @@ std::string fault_of_wrong(const Scene& scene, const software::Displayed& displa
 std::string fault_of_priority(const Scene& scene, std::size_t bucket_size, Wrong& wrong) {
   const Shown shown(scene);
   const std::vector<std::string> directories = software::halving_directories();
-  const std::string directory = directories[bucket_size % directories.size()];
+  const std::string& directory = directories[bucket_size % directories.size()];
   const software::Displayed plain = shown.by("list-priority", true, bucket_size, directory);
   const software::Displayed mended = shown.by("list-priority/depth-buffer", true, bucket_size, directory);
   ++wrong.scenes;
