@@ -7,8 +7,8 @@
 #include "host/csg/box_index.h"
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
-#include "sim/software/convert/unit_box.h"
-#include "sim/software/convert/whole_planes.h"
+#include "sim/software/planes/unit_box.h"
+#include "sim/software/planes/whole_planes.h"
 
 namespace csgsim::software::convert {
 

@@ -7,7 +7,7 @@
 #include "sim/software/convert/bodies.h"
 #include "sim/software/convert/fragments.h"
 #include "sim/software/convert/local_tree.h"
-#include "sim/software/convert/sheet.h"
+#include "sim/software/planes/sheet.h"
 
 namespace csgsim::software::convert {
 

@@ -7,7 +7,7 @@
 #include "host/csg/tree_paths.h"
 #include "sim/software/convert/division.h"
 #include "sim/software/convert/local_tree.h"
-#include "sim/software/convert/sheet.h"
+#include "sim/software/planes/sheet.h"
 
 namespace csgsim::software::convert {
 

@@ -89,15 +89,41 @@ def work(figures):
     head = ["", "method", *OBJECTS]
     rows = (("events at pixels", "depth-lists", "pixel_events"), ("passes", "depth-peeling", "passes"), ("spans", "scan-line", "spans"),
             ("spans split", "scan-line", "splits"), ("events at their ends", "scan-line", "pixel_events"), ("polygons", "list-priority", "polygons"),
-            ("after clipping", "list-priority", "clipped_polygons"), ("cells", "list-priority", "cells"),
+            ("after clipping", "list-priority", "clipped_polygons"), ("in several cells", "list-priority", "shared_polygons"),
+            ("cut by cells", "list-priority", "references"), ("tests of polygon and polygon", "list-priority", "crossing_tests"),
+            ("tests of polygon and cell", "list-priority", "overlap_tests"), ("cells", "list-priority", "cells"),
+            ("cells and halves looked at", "list-priority", "cell_visits"),
             ("cells overfull", "list-priority", "overfull_cells"), ("evaluations", "scan-line", "evaluations"),
             ("words", "depth-lists", "words"), ("words", "list-priority", "words"), ("words", "scan-line", "words"), ("words", "rays", "words"))
     return ruled(head, [(name, f"`{method}`", *(whole(shown(figures, each, method)[key]) for each in OBJECTS)) for name, method, key in rows], 2)
 
 
+CAUSES = (("wrong pixels", "wrong"), ("bits of depth", "wrong_depth_bits"), ("two surfaces coincide", "wrong_coincident"),
+          ("a third is near", "wrong_three_way"), ("order", "wrong_order"))
+
+
 def wrong(figures):
     head = ["", "method", *OBJECTS]
-    rows = (("wrong pixels", "wrong"), ("two surfaces coincide", "wrong_coincident"), ("three and more do", "wrong_three_way"),
-            ("order", "wrong_order"), ("conflicts of order", "conflicts"))
     return ruled(head, [(name, f"`{method}`", *(whole(shown(figures, each, method)[key]) for each in OBJECTS))
-                        for method in LIST_PRIORITY for name, key in rows], 2)
+                        for method in LIST_PRIORITY for name, key in (*CAUSES, ("conflicts of order", "conflicts"))], 2)
+
+
+def few_bits(figures):
+    """Wrong pixels of list priority by cause, with fewer and fewer bits."""
+    lines = []
+    for method in LIST_PRIORITY:
+        for bits in (16, 12, 8):
+            points = [of(figures.display(name, f"--size 256x256 --methods {method} --z-bits {bits} --fraction-bits 4"), method) for name in OBJECTS[1:]]
+            lines.append((f"`{method}`", bits, *(" + ".join(whole(point[key]) for _, key in CAUSES[1:]) for point in points)))
+    return ruled(["bits of depth + coincide + three + order", "bits", *OBJECTS[1:]], lines)
+
+
+def directories(figures):
+    lines = []
+    for name in OBJECTS[1:]:
+        for directory in ("excell", "octree", "kd-tree"):
+            point = of(figures.display(name, "--size 256x256 --methods list-priority --directories excell,octree,kd-tree"), "list-priority", directory=directory)
+            seconds = point.seconds.mc68000
+            lines.append((f"{name}, `{directory}`", *(whole(point[key]) for key in ("cells", "overfull_cells", "references", "conflicts", "wrong_order")),
+                          *(three_digits(seconds[key]) for key in ("preprocessing", "sorting", "total"))))
+    return ruled(["list priority", "cells", "overfull", "cut by cells", "conflicts", "order", "mc68000, s: preprocessing", "sorting", "total"], lines)

@@ -3,14 +3,15 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "host/facet/planes.h"
-#include "sim/software/convert/unit_box.h"
-#include "sim/software/convert/whole_planes.h"
+#include "sim/software/planes/unit_box.h"
+#include "sim/software/planes/whole_planes.h"
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 /// A convex polygon of a sheet, counter-clockwise as seen from where the plane's normal points to. None if it has no
 /// corners.
@@ -26,6 +27,15 @@ struct Parts {
   Region in;
   Region out;
 };
+
+/// Where a plane passes through a region: a part of the line that it has in common with the region's sheet.
+struct Chord {
+  std::array<Meeting, 2> ends{};
+  std::array<std::uint32_t, 2> sides{};  ///< planes along the region's sides that end it
+};
+
+/// Whether two chords of one line have more than a point in common; exact.
+bool overlap(const WholePlanes& planes, const Chord& one, const Chord& other);
 
 /// A ball and a box that hold a region, in units.
 struct Bounds {
@@ -55,6 +65,9 @@ class Sheet {
   };
   [[nodiscard]] Sides sides(const Region& region, facet::Halfspace halfspace) const;
 
+  /// Nothing where no corners are on both sides of the plane.
+  [[nodiscard]] std::optional<Chord> chord(const Region& region, std::uint32_t plane) const;
+
   /// Both sides of the half-space's plane.
   Parts cut(const Region& region, facet::Halfspace halfspace);
 
@@ -74,4 +87,4 @@ class Sheet {
   std::vector<int> sides_;          ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
 };
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "host/facet/planes.h"
-#include "sim/software/convert/wide.h"
+#include "sim/software/planes/wide.h"
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 /// Numbers of three planes that meet in one point, ascending.
 using Triple = std::array<std::uint32_t, 3>;
@@ -30,7 +30,9 @@ class WholePlanes {
   /// Walls across an axis, evenly from one side of the model to the other; the first and last are outside of it.
   static constexpr std::uint32_t walls = 1025;
 
-  explicit WholePlanes(const facet::PlaneTable& planes);
+  explicit WholePlanes(const facet::PlaneTable& planes) : WholePlanes(planes, planes.diagonal()) {}
+  /// Units by another length than the model's diagonal: everything is no farther than half of it from the middle.
+  WholePlanes(const facet::PlaneTable& planes, double diameter);
 
   /// How far apart units are, in model units.
   [[nodiscard]] double unit() const { return unit_; }
@@ -67,4 +69,4 @@ inline glm::dvec3 place_of(const Meeting& point) {
   return glm::dvec3(point.near[0], point.near[1], point.near[2]) / point.near[3];
 }
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software
