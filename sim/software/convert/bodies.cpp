@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <map>
 #include <utility>
@@ -46,6 +47,7 @@ class BodyMaker {
         stretch(body.faces[face_of[i]].box, solid.vertices[corner]);
     }
     find_neighbours(solid, face_of, body);
+    find_polygons(solid, face_of, body);
     for (BodyFace& face : body.faces)
       if (face.box.empty()) face.box = body.box;
     return body;
@@ -74,6 +76,30 @@ class BodyMaker {
       neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
       std::erase(neighbours, i);
     }
+  }
+
+  /// A solid's polygons all run the same way, be it counter-clockwise or not.
+  static void find_polygons(const facet::Solid& solid, const std::vector<std::uint32_t>& face_of, Body& body) {
+    double turns = 0;
+    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+      const facet::Face& face = solid.faces[i];
+      if (face.corners.empty()) {
+        body.polygons.clear();
+        return;
+      }
+      turns += glm::dot(twice_area(solid, face), face.plane.normal);
+      body.polygons.push_back({face_of[i], face.corners});
+    }
+    if (turns > 0) return;
+    for (BodyPolygon& polygon : body.polygons) std::ranges::reverse(polygon.corners);
+  }
+
+  static glm::dvec3 twice_area(const facet::Solid& solid, const facet::Face& face) {
+    const glm::dvec3 first = solid.vertices[face.corners.front()];
+    glm::dvec3 sum(0);
+    for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
+      sum += glm::cross(solid.vertices[face.corners[i]] - first, solid.vertices[face.corners[i + 1]] - first);
+    return sum;
   }
 
   facet::PlaneTable& planes_;

@@ -19,9 +19,17 @@ struct BodyFace {
   UnitBox box;                            ///< holds it
 };
 
+/// Corners of a face, vertices of the solid (facet::Convex), that run counter-clockwise as seen from outside.
+struct BodyPolygon {
+  std::uint32_t face = 0;
+  std::vector<std::uint32_t> corners;
+};
+
 /// A primitive as a convex solid.
 struct Body {
   std::vector<BodyFace> faces;
+  std::vector<BodyPolygon>
+      polygons;  ///< several of a face whose half-space is several planes'; none if not all are known
   UnitBox box;
 };
 

@@ -3,10 +3,12 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "host/csg/positive_tree.h"
 #include "sim/software/convert/bodies.h"
 #include "sim/software/convert/fragments.h"
+#include "sim/software/convert/side_by_side.h"
 
 namespace csgsim::software::convert {
 
@@ -15,7 +17,11 @@ Outlines boundary(const model::Tree& tree, const facet::Faceting& faceting, cons
   const csg::PositiveTree positive = csg::make_positive(tree);
   for (const Neighbours neighbours : {Neighbours::corner, Neighbours::all}) {
     const Bodies bodies = make_bodies(tree, faceting, neighbours);
-    if (std::optional<Outlines> outlines = join(bodies, fragments(bodies, positive, work))) return *std::move(outlines);
+    const std::vector<bool> none(bodies.bodies.size(), false);
+    const std::vector<bool> whole = neighbours == Neighbours::all ? none : side_by_side(bodies, positive, work);
+    std::optional<Outlines> outlines = join(bodies, whole, fragments(bodies, positive, whole, work));
+    if (!outlines && whole != none) outlines = join(bodies, none, fragments(bodies, positive, none, work));
+    if (outlines) return *std::move(outlines);
   }
   throw std::logic_error("the boundary of the model is not closed");
 }

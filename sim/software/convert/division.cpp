@@ -65,7 +65,7 @@ Known Division::value_in(const Operand& operand) const {
 Known Division::look(const Region& region, const Bounds& bounds, Operand& operand) const {
   const Body& body = bodies_.bodies[operand.body];
   if (are_apart(body.box, bounds.box)) return outside;
-  std::vector<std::uint32_t> crossing;
+  Numbers crossing;
   const std::size_t count = operand.tests_all ? body.faces.size() : operand.tests.size();
   work_.charge(1 + count / 4, converting);
   for (std::size_t i = 0; i < count; ++i) {

@@ -18,7 +18,7 @@ struct Operand {
   bool is_behind = false;    ///< if so: the body is behind the plane
   bool owns = false;         ///< what it shares of the plane is its own, and is left out
   bool tests_all = true;     ///< all faces' planes are to be looked at, not only those of `tests`
-  std::vector<std::uint32_t> tests{};
+  Numbers tests{};
   Known known{};
 };
 

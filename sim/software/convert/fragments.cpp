@@ -111,10 +111,12 @@ class Evaluation {
 
 }  // namespace
 
-std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work) {
+std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
+                                const Work& work) {
   if (tree.root == model::no_index) return {};
   Evaluation evaluation(bodies, tree, work);
-  for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i) evaluation.add(i);
+  for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i)
+    if (!whole[i]) evaluation.add(i);
   return evaluation.result();
 }
 
