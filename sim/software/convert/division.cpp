@@ -4,14 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <string_view>
 #include <utility>
 
 namespace csgsim::software::convert {
 
 namespace {
-
-constexpr std::string_view converting = "converting the model to a boundary";
 
 /// Where as many bodies cut a region, it is halved first, so that no cut goes through parts that it does not matter to.
 constexpr std::size_t most_cutting = 6;

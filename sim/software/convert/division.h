@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "hw/base/work.h"
@@ -10,6 +11,9 @@
 #include "sim/software/convert/sheet.h"
 
 namespace csgsim::software::convert {
+
+/// What work is charged for.
+inline constexpr std::string_view converting = "converting the model to a boundary";
 
 /// A body besides the one whose face is divided.
 struct Operand {

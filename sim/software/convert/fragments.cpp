@@ -2,6 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <exception>
+#include <iterator>
+#include <mutex>
+#include <thread>
 #include <utility>
 
 #include "host/csg/tree_paths.h"
@@ -32,7 +37,8 @@ class Evaluation {
     for (std::uint32_t face = 0; face < bodies_.bodies[body].faces.size(); ++face) add_face(body, face, tree);
   }
 
-  std::vector<Fragment> result() { return std::move(found_); }
+  /// What was found since it was last asked.
+  std::vector<Fragment> taken() { return std::exchange(found_, {}); }
 
  private:
   /// The face, exactly: what the other half-spaces leave of its plane.
@@ -85,7 +91,7 @@ class Evaluation {
   void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
     const BodyFace& face = bodies_.bodies[body].faces[number];
     const facet::Halfspace halfspace = face.halfspace;
-    work_.charge(near_.size(), "converting the model to a boundary");
+    work_.charge(near_.size(), converting);
     std::vector<Operand> operands;
     operands.reserve(near_.size());
     for (const std::uint32_t other : near_) {
@@ -109,15 +115,64 @@ class Evaluation {
   std::vector<std::uint32_t> near_;  ///< bodies that may meet the present one, and itself
 };
 
+/// Evaluates bodies on several threads, which take one after another.
+class Sharing {
+ public:
+  Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work)
+      : bodies_(bodies), tree_(tree), numbers_(std::move(numbers)), work_(work), found_(numbers_.size()) {}
+
+  std::vector<Fragment> operator()(std::size_t threads) {
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { take(); });
+      take();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    work_.charge(done_, converting);
+    std::vector<Fragment> all;
+    for (std::vector<Fragment>& found : found_) std::ranges::move(found, std::back_inserter(all));
+    return all;
+  }
+
+ private:
+  void take() {
+    const Work work = work_.afresh();  // counts of several threads are added up at the end
+    try {
+      Evaluation evaluation(bodies_, tree_, work);
+      for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {
+        evaluation.add(numbers_[i]);
+        found_[i] = evaluation.taken();
+      }
+    } catch (...) {
+      const std::lock_guard guard(lock_);
+      failure_ = std::current_exception();
+      next_ = numbers_.size();
+    }
+    const std::lock_guard guard(lock_);
+    done_ += work.done();
+  }
+
+  const Bodies& bodies_;
+  const csg::PositiveTree& tree_;
+  std::vector<std::uint32_t> numbers_;
+  const Work& work_;
+  std::vector<std::vector<Fragment>> found_;  ///< of each body
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex lock_;
+  std::exception_ptr failure_;
+  std::uint64_t done_ = 0;
+};
+
 }  // namespace
 
 std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
-                                const Work& work) {
+                                const Work& work, unsigned threads) {
   if (tree.root == model::no_index) return {};
-  Evaluation evaluation(bodies, tree, work);
+  std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i)
-    if (!whole[i]) evaluation.add(i);
-  return evaluation.result();
+    if (!whole[i]) numbers.push_back(i);
+  if (numbers.empty()) return {};
+  return Sharing(bodies, tree, numbers, work)(std::min<std::size_t>(threads, numbers.size()));
 }
 
 }  // namespace csgsim::software::convert

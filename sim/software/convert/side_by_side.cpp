@@ -10,6 +10,7 @@
 
 #include "host/convex/clip.h"
 #include "host/csg/tree_paths.h"
+#include "sim/software/convert/division.h"
 #include "sim/software/convert/local_tree.h"
 #include "sim/software/convert/sets.h"
 
@@ -32,7 +33,7 @@ class Pairs {
   [[nodiscard]] bool is_before_a_face(std::uint32_t body, std::uint32_t of) const {
     const facet::Convex& solid = bodies_.geometry.solids[body];
     const std::span<const facet::Halfspace> faces = bodies_.geometry.solids[of].halfspaces;
-    work_.charge(faces.size(), "converting the model to a boundary");
+    work_.charge(faces.size(), converting);
     return std::ranges::any_of(faces, [&](const facet::Halfspace& face) { return is_before(solid, face); });
   }
 
@@ -56,7 +57,7 @@ class Pairs {
     const facet::Convex& a = bodies_.geometry.solids[one];
     const facet::Convex& b = bodies_.geometry.solids[other];
     if (a.edges.size() * b.edges.size() > most_pairs) return false;
-    work_.charge(a.edges.size() * b.edges.size(), "converting the model to a boundary");
+    work_.charge(a.edges.size() * b.edges.size(), converting);
     const auto way = [](const facet::Convex& solid, const std::array<std::uint32_t, 2>& edge) {
       return solid.vertices[edge[1]] - solid.vertices[edge[0]];
     };
@@ -119,7 +120,7 @@ std::vector<bool> side_by_side(const Bodies& bodies, const csg::PositiveTree& tr
   Sets groups(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     near[i] = bodies.meeting(bodies.bodies[i].box);
-    work.charge(near[i].size(), "converting the model to a boundary");
+    work.charge(near[i].size(), converting);
     for (const std::uint32_t other : near[i]) groups.join(i, other);
   }
   std::vector<std::vector<std::uint32_t>> members(count);
