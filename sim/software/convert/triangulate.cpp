@@ -165,6 +165,22 @@ bool is_bounded_by(const std::vector<Triangle>& triangles, const Outline& outlin
 
 }  // namespace
 
+bool is_flat(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& round) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double level = points[round.front()][axis];
+    if (std::ranges::all_of(round, [&](std::uint32_t corner) { return points[corner][axis] == level; })) return true;
+  }
+  const auto at = [&](std::size_t i) {
+    const glm::dvec3& point = points[round[i]];
+    return Kernel::Point_3(point.x, point.y, point.z);
+  };
+  std::size_t third = 2;
+  while (third < round.size() && CGAL::collinear(at(0), at(1), at(third))) ++third;
+  for (std::size_t i = third + 1; i < round.size(); ++i)
+    if (CGAL::orientation(at(0), at(1), at(third), at(i)) != CGAL::COPLANAR) return false;
+  return true;
+}
+
 std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline) {
   std::vector<Side> sides = outline.sides;
   std::ranges::sort(sides);

@@ -27,6 +27,9 @@ struct TwoSides {
 /// None if sides cross.
 std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const Outline& outline);
 
+/// Whether the corners are in one plane, exactly.
+bool is_flat(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& round);
+
 /// The rounds that sides make, each once.
 std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline);
 
