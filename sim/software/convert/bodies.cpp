@@ -78,20 +78,16 @@ class BodyMaker {
     }
   }
 
-  /// A solid's polygons all run the same way, be it counter-clockwise or not.
   static void find_polygons(const facet::Solid& solid, const std::vector<std::uint32_t>& face_of, Body& body) {
-    double turns = 0;
     for (std::size_t i = 0; i < solid.faces.size(); ++i) {
       const facet::Face& face = solid.faces[i];
       if (face.corners.empty()) {
         body.polygons.clear();
         return;
       }
-      turns += glm::dot(twice_area(solid, face), face.plane.normal);
-      body.polygons.push_back({face_of[i], face.corners});
+      BodyPolygon& polygon = body.polygons.emplace_back(BodyPolygon{face_of[i], face.corners});
+      if (glm::dot(twice_area(solid, face), face.plane.normal) < 0) std::ranges::reverse(polygon.corners);
     }
-    if (turns > 0) return;
-    for (BodyPolygon& polygon : body.polygons) std::ranges::reverse(polygon.corners);
   }
 
   static glm::dvec3 twice_area(const facet::Solid& solid, const facet::Face& face) {
