@@ -4,8 +4,10 @@
 #include <array>
 #include <atomic>
 #include <exception>
+#include <glm/geometric.hpp>
 #include <iterator>
 #include <mutex>
+#include <span>
 #include <thread>
 #include <utility>
 
@@ -88,6 +90,51 @@ class Evaluation {
     return operand;
   }
 
+  /// A ball that holds the face.
+  [[nodiscard]] std::pair<glm::dvec3, double> ball_about(std::uint32_t body, const BodyFace& face) const {
+    const glm::dvec3 middle = (face.box.low + face.box.high) / 2.0;
+    const std::vector<glm::dvec3>& vertices = bodies_.geometry.solids[body].vertices;
+    double radius = 0;
+    for (const BodyPolygon& polygon : polygons_of(body, face)) {
+      for (const std::uint32_t corner : polygon.corners) {
+        const glm::dvec3 place = (vertices[corner] - bodies_.geometry.planes.centre()) / bodies_.planes.unit();
+        radius = std::max(radius, glm::distance(middle, place));
+      }
+    }
+    return {middle, radius + box_margin};
+  }
+
+  [[nodiscard]] std::span<const BodyPolygon> polygons_of(std::uint32_t body, const BodyFace& face) const {
+    return std::span(bodies_.bodies[body].polygons).subspan(face.first_polygon, face.polygons);
+  }
+
+  /// Adds all of the face or nothing of it, if a ball about it tells which. Notes what it tells of the operands.
+  bool add_whole(std::uint32_t body, const BodyFace& face, const LocalTree& tree, std::vector<Operand>& operands) {
+    const auto [middle, radius] = ball_about(body, face);
+    std::vector<Known> known;
+    std::vector<bool> may_differ;
+    for (Operand& operand : operands) {
+      if (!operand.known.is_known) {
+        const Body& other = bodies_.bodies[operand.body];
+        work_.charge(1, converting);
+        const BallIs where = bodies_.ball_is(other, middle, radius, face.halfspace.plane);
+        if (where == BallIs::outside) operand.known = {true, {}};
+        if (where == BallIs::inside && !operand.is_coplanar) operand.known = {true, {true, true}};
+      }
+      known.push_back(operand.known);
+      may_differ.push_back(operand.is_coplanar);
+    }
+    const LocalTree left = tree.reduced(known, may_differ);
+    if (!left.value().is_known) return false;
+    const Both value = left.value().value;
+    if (value.behind == value.before) return true;
+    const auto is_open = [](const Operand& operand) { return operand.owns && !operand.known.is_known; };
+    if (std::ranges::any_of(operands, is_open)) return false;
+    for (const BodyPolygon& polygon : polygons_of(body, face))
+      found_.push_back({face.halfspace.plane, value.behind, {}, body, &polygon});
+    return true;
+  }
+
   void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
     const BodyFace& face = bodies_.bodies[body].faces[number];
     const facet::Halfspace halfspace = face.halfspace;
@@ -101,6 +148,7 @@ class Evaluation {
       operands.back().known = {true, {halfspace.positive, !halfspace.positive}};
       operands.back().owns = false;
     }
+    if (face.polygons > 0 && add_whole(body, face, tree, operands)) return;
     const Region region = polygon_of(bodies_.bodies[body], face);
     if (!region.empty()) divide_(region, tree, std::move(operands));
   }

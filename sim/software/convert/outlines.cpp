@@ -74,6 +74,7 @@ class Gathering {
   void add(const Fragment& fragment) {
     round_.clear();
     for (const FragmentCorner& corner : fragment.corners) round_.push_back(points_.number_of(corner));
+    if (fragment.polygon != nullptr) add_polygon(fragment);
     add_round(sides_of(fragment.plane, fragment.is_front ? front : back));
   }
 
@@ -114,6 +115,13 @@ class Gathering {
   static constexpr std::size_t back = 0;
   static constexpr std::size_t front = 1;
   static constexpr std::size_t sum = 2;  ///< of fronts, and of backs the other way
+
+  void add_polygon(const Fragment& fragment) {
+    const Body& body = bodies_.bodies[fragment.body];
+    for (const std::uint32_t corner : fragment.polygon->corners)
+      round_.push_back(points_.number_of(fragment.body, corner));
+    if (body.faces[fragment.polygon->face].halfspace.positive != fragment.is_front) std::ranges::reverse(round_);
+  }
 
   template <class Do>
   void for_faces(const std::vector<bool>& whole, const Do& what) const {
