@@ -116,7 +116,7 @@ class Evaluation {
     for (Operand& operand : operands) {
       if (!operand.known.is_known) {
         const Body& other = bodies_.bodies[operand.body];
-        work_.charge(1, converting);
+        work_.charge(1 + other.faces.size() / 4, converting);
         const BallIs where = bodies_.ball_is(other, middle, radius, face.halfspace.plane);
         if (where == BallIs::outside) operand.known = {true, {}};
         if (where == BallIs::inside && !operand.is_coplanar) operand.known = {true, {true, true}};
