@@ -61,6 +61,7 @@ Sheet::Sides Sheet::sides(const Region& region, facet::Halfspace halfspace) cons
     const int side = planes_.side(points_[corner], halfspace.plane);
     if (side == 0) continue;
     ((side < 0) == halfspace.positive ? sides.any_in : sides.any_out) = true;
+    if (sides.any_in && sides.any_out) break;
   }
   return sides;
 }

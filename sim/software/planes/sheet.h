@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -13,11 +14,14 @@
 
 namespace csgsim::software {
 
+/// Few numbers, in place: regions are made by the thousand.
+using Numbers = boost::container::small_vector<std::uint32_t, 8>;
+
 /// A convex polygon of a sheet, counter-clockwise as seen from where the plane's normal points to. None if it has no
 /// corners.
 struct Region {
-  std::vector<std::uint32_t> corners;  ///< points of the sheet
-  std::vector<std::uint32_t> planes;   ///< along the side from each corner to the next
+  Numbers corners;  ///< points of the sheet
+  Numbers planes;   ///< along the side from each corner to the next
 
   [[nodiscard]] bool empty() const { return corners.empty(); }
 };

@@ -47,6 +47,13 @@ class WholePlanes {
   /// The coefficients, rounded to no more than they are: normal and offset, in units.
   [[nodiscard]] const std::array<double, 4>& near(std::uint32_t plane) const { return near_[plane]; }
 
+  /// How far a place, in units, is out of a half-space, as rounded numbers tell it.
+  [[nodiscard]] double height(facet::Halfspace halfspace, const glm::dvec3& place) const {
+    const std::array<double, 4>& near = near_[halfspace.plane];
+    const double height = near[0] * place.x + near[1] * place.y + near[2] * place.z + near[3];
+    return halfspace.positive ? height : -height;
+  }
+
   /// The planes have to have one point in common.
   [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
 
