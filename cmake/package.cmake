@@ -19,8 +19,6 @@ each part of the machine takes.")
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_NAME csgsim)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_SHLIBDEPS ON)
-# Opened when it is needed (hw/base/highway.cpp), so that it is not found as what the program is linked with.
-set(CPACK_DEBIAN_CSGSIM_PACKAGE_DEPENDS libhwy1)
 # Plots in PNG are drawn by gnuplot; OpenSCAD evaluates its source (.scad) and is not needed for .csg; the usual font of its text.
 set(CPACK_DEBIAN_CSGSIM_PACKAGE_RECOMMENDS "gnuplot-nox, openscad, fonts-liberation")
 
