@@ -1,4 +1,5 @@
 #include <doctest/doctest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
 #include <array>
@@ -123,11 +124,24 @@ facet::PlaneTable hostile_planes(testing::Random& random) {
   return table;
 }
 
-Polygon any_polygon(testing::Random& random, std::uint32_t planes) {
-  Polygon polygon{static_cast<std::uint32_t>(random.below(planes)), {}};
+/// Whether two planes are the same points, whatever their numbers and lengths.
+bool coincide(const WholePlanes& planes, std::uint32_t a, std::uint32_t b) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (Rational(planes.near(a)[i]) * Rational(planes.near(b)[j]) !=
+          Rational(planes.near(a)[j]) * Rational(planes.near(b)[i]))
+        return false;
+    }
+  }
+  return true;
+}
+
+/// Bounded by other planes than its own.
+Polygon any_polygon(testing::Random& random, const WholePlanes& planes) {
+  Polygon polygon{static_cast<std::uint32_t>(random.below(hostile)), {}};
   for (std::uint64_t i = 2 + random.below(5); i > 0; --i) {
-    const auto bound = static_cast<std::uint32_t>(random.below(planes));
-    if (bound != polygon.plane) polygon.bounds.push_back({bound, random.below(2) == 0});
+    const auto bound = static_cast<std::uint32_t>(random.below(hostile));
+    if (!coincide(planes, bound, polygon.plane)) polygon.bounds.push_back({bound, random.below(2) == 0});
   }
   return polygon;
 }
@@ -190,16 +204,16 @@ std::string fault_of(const WholePlanes& planes, Polygon one, Polygon other, Pair
 
 TEST_CASE("whether polygons cross is what rational numbers say, of many that share edges, corners and planes") {
   Pairs pairs;
-  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    CAPTURE(seed);
-    testing::Random random(seed);
+  CHECK(rc::check([&] {
+    testing::Random random(*rc::gen::arbitrary<std::uint64_t>());
     const WholePlanes planes(hostile_planes(random));
     for (unsigned i = 0; i < 60; ++i) {
-      const Polygon one = any_polygon(random, hostile);
-      const Polygon other = any_polygon(random, hostile);
-      CHECK(fault_of(planes, one, other, pairs) == "");
+      const Polygon one = any_polygon(random, planes);
+      const Polygon other = any_polygon(random, planes);
+      const std::string fault = fault_of(planes, one, other, pairs);
+      if (!fault.empty()) RC_FAIL(fault);
     }
-  }
+  }));
   MESSAGE(pairs.all, " pairs, ", pairs.crossing, " cross, ", pairs.touching, " touch");
   CHECK(pairs.crossing > pairs.all / 20);
   CHECK(pairs.touching > pairs.all / 100);
@@ -264,6 +278,7 @@ TEST_CASE("polygons that share an edge, a corner or a plane, or touch, do not cr
   CHECK(!lattice.cross(floor, Lattice::rectangle(2, 0, {0, 0}, {3, 3})));
   CHECK(!lattice.cross(floor, Lattice::rectangle(2, 1, {-2, -2}, {2, 2})));
 }
+
 TEST_CASE("slivers cross by however little they reach beyond a plane") {
   for (const double beyond : {0x1p-30, 0x1p-45, 0x1p-52, 0.0, -0x1p-52}) {
     CAPTURE(beyond);
