@@ -31,7 +31,7 @@ Polytope cuboid(const glm::dvec3& low, const glm::dvec3& high) {
 /// More half-spaces than this are not clipped by in their own order: face after face around a round solid, each cut
 /// would make as many vertices as a ring has faces, which the next one takes away again. In no order at all it makes
 /// few.
-constexpr std::size_t most_in_order = 1000;
+constexpr std::size_t most_in_order = 10'000;
 
 /// Scatters numbers, no two to one place.
 constexpr std::uint32_t scattered(std::uint32_t number) {

@@ -89,12 +89,24 @@ class Maker {
     }
     leave_out_slack(facet.bounds);
     facet.opposites = made_.linears.size();
+    if (!covers_a_pixel(facet)) {
+      made_.linears.resize(facet.bounds);
+      return;
+    }
     for (const std::uint32_t i : others) {
       const FixedLinear& other = opposite(facet, i);
       if (!is_surely_behind(facet, other)) made_.linears.push_back(other);
     }
     facet.end = made_.linears.size();
     made_.facets.push_back(facet);
+  }
+
+  /// Rivals bound it at pixels: between these it may reach far beyond its place.
+  [[nodiscard]] bool covers_a_pixel(const ScreenFacet& facet) const {
+    for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
+      if (!made_.span_of(facet, row).empty()) return true;
+    }
+    return false;
   }
 
   [[nodiscard]] const FixedLinear& opposite(const ScreenFacet& facet, std::uint32_t number) const {
