@@ -164,9 +164,12 @@ void Interpreter::define(const Item& name, Cursor& line) {
 
 Interpreter::SolidName& Interpreter::solid_named(const Item& name) {
   const auto found = names_.find(name.text);
-  if (found == names_.end())
-    source_.fail(name.offset,
-                 fmt::format("no line before this one makes {0}; write `{0} = ...` above", read::shown(name.text)));
+  if (found == names_.end()) {
+    const std::string_view meant = solid_word_like(name.text);
+    source_.fail(name.offset, fmt::format("no line before this one makes {0}; {1}", read::shown(name.text),
+                                          meant.empty() ? fmt::format("write `{} = ...` above", read::shown(name.text))
+                                                        : fmt::format("did you mean {}?", meant)));
+  }
   if (std::holds_alternative<Curve>(found->second))
     source_.fail(name.offset,
                  fmt::format("{} is a curve, which bounds no solid; make one by a sweep", read::shown(name.text)));

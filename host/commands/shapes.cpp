@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "host/model/limits.h"
+#include "hw/base/nearest.h"
 
 namespace csgsim::commands {
 
@@ -49,8 +52,8 @@ glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
   if (point.empty() || point.size() > 3)
     line.fail(offset, fmt::format("a point has 1 to 3 numbers, not {}", point.size()));
   if (numbers != 0 && point.size() != numbers)
-    line.fail(offset,
-              fmt::format("this point has {} numbers, those before it {}; make them alike", point.size(), numbers));
+    line.fail(offset, fmt::format("the numbers of this point are {}, of those before it {}; make them alike",
+                                  point.size(), numbers));
   if (std::ranges::any_of(point, [](double one) { return std::abs(one) > model::most_coordinate; }))
     line.fail(offset, fmt::format("a point is farther than {:g} from the origin", model::most_coordinate));
   numbers = point.size();
@@ -61,6 +64,13 @@ glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
 
 bool is_solid_word(std::string_view word) {
   return std::ranges::any_of(solid_rows, [&](const SolidRow& row) { return row.word == word; });
+}
+
+std::string_view solid_word_like(std::string_view word) {
+  std::vector<std::string_view> words;
+  words.reserve(solid_rows.size());
+  for (const SolidRow& row : solid_rows) words.push_back(row.word);
+  return nearest_alike(word, words);
 }
 
 model::Shape read_solid(std::string_view word, Cursor& line, const model::FacetControl& facets) {

@@ -22,6 +22,9 @@ struct Curve {
 /// The words that a primitive solid begins with.
 bool is_solid_word(std::string_view word);
 
+/// The one of them that a word is nearly; empty if it is like none.
+std::string_view solid_word_like(std::string_view word);
+
 /// After its word: a primitive, of which round ones are faceted like this.
 model::Shape read_solid(std::string_view word, Cursor& line, const model::FacetControl& facets);
 

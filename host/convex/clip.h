@@ -23,7 +23,10 @@ double tolerance(const facet::PlaneTable& planes);
 /// of the tolerance, and then with multiples, until it is one.
 Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes);
 
-/// Steps of work (hw/base/work.h) that it takes to cut such a polytope once, about.
+/// Steps of work (hw/base/work.h) that it takes to cut a polytope once of which so many vertices are looked at, about.
+std::uint64_t clip_steps(std::uint64_t vertices);
+
+/// The same of clip().
 std::uint64_t clip_steps(const Polytope& polytope);
 
 /// The other side of the plane.

@@ -18,8 +18,8 @@ std::array<glm::dvec3, 2> axes_in(const glm::dvec3& normal);
 std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double near);
 
 /// The corners of the face that a primitive has in a plane, in turn around it, relative to PlaneTable::centre(): what
-/// its other half-spaces leave of that plane, which takes a step for each of them, where make_polytope() takes their
-/// square. None if the primitive has only an edge or a corner there, or a sliver no wider than the tolerance of
+/// its other half-spaces leave of that plane, which takes a step for each of them, where make_polytope() makes all
+/// faces. None if the primitive has only an edge or a corner there, or a sliver no wider than the tolerance of
 /// clip(), or if the half-spaces leave the face without an end.
 std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t plane, const facet::PlaneTable& planes);
 

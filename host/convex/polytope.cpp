@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <utility>
 
+#include "host/convex/carver.h"
 #include "host/convex/clip.h"
 
 namespace csgsim::convex {
@@ -24,6 +26,37 @@ Polytope cuboid(const glm::dvec3& low, const glm::dvec3& high) {
   polytope.faces = {{none, {0, 4, 6, 2}}, {none, {1, 3, 7, 5}}, {none, {0, 1, 5, 4}},
                     {none, {2, 6, 7, 3}}, {none, {0, 2, 3, 1}}, {none, {4, 5, 7, 6}}};
   return polytope;
+}
+
+/// More half-spaces than this are not clipped by in their own order: face after face around a round solid, each cut
+/// would make as many vertices as a ring has faces, which the next one takes away again. In no order at all it makes
+/// few.
+constexpr std::size_t most_in_order = 10'000;
+
+/// Scatters numbers, no two to one place.
+constexpr std::uint32_t scattered(std::uint32_t number) {
+  number = (number ^ (number >> 16U)) * 0x7feb352dU;
+  number = (number ^ (number >> 15U)) * 0x846ca68bU;
+  return number ^ (number >> 16U);
+}
+
+/// The order to clip by so many half-spaces in.
+std::vector<std::uint32_t> clipping_order(std::size_t count) {
+  std::vector<std::uint32_t> order(count);
+  std::iota(order.begin(), order.end(), 0U);
+  if (count > most_in_order) std::ranges::sort(order, {}, scattered);
+  return order;
+}
+
+/// Puts the faces, which are in the order of clipping, into that of the half-spaces.
+void sort_faces(std::vector<Face>& faces, std::span<const facet::Halfspace> halfspaces,
+                const std::vector<std::uint32_t>& order) {
+  std::vector<Face> sorted(halfspaces.size());
+  std::size_t next = 0;
+  for (const std::uint32_t i : order)
+    if (next < faces.size() && faces[next].halfspace == halfspaces[i]) sorted[i] = std::move(faces[next++]);
+  std::erase_if(sorted, [](const Face& face) { return face.corners.empty(); });
+  faces = std::move(sorted);
 }
 
 }  // namespace
@@ -73,16 +106,19 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
   if (box.empty()) return {};
   // Wide enough for none of the box's faces to be left.
   const glm::dvec3 margin(0.1 * box.diagonal() + 10.0 * tolerance(planes));
-  Polytope polytope = cuboid(box.low - margin, box.high + margin);
-  for (const facet::Halfspace& halfspace : halfspaces) {
-    work.charge(clip_steps(polytope), "intersecting half-spaces");
-    polytope = clip(std::move(polytope), halfspace, planes);
-    if (polytope.empty()) return {};
+  Carver carver(cuboid(box.low - margin, box.high + margin), planes);
+  const std::vector<std::uint32_t> order = clipping_order(halfspaces.size());
+  for (const std::uint32_t i : order) {
+    carver.clip(halfspaces[i]);
+    work.charge(carver.steps(), "intersecting half-spaces");
+    if (carver.empty()) return {};
   }
+  Polytope polytope = carver.take();
   // Half-spaces bound their solid, unless planes have become one that differ by less than the tolerance.
   const bool unbounded = std::any_of(polytope.faces.begin(), polytope.faces.end(),
                                      [](const Face& face) { return face.halfspace.plane == no_plane; });
   if (unbounded) return {};
+  sort_faces(polytope.faces, halfspaces, order);
   return polytope;
 }
 

@@ -43,8 +43,9 @@ facet::Box box_of(const Polytope& polytope);
 /// In cubic model units, by the divergence theorem.
 double volume(const Polytope& polytope);
 
-/// The intersection of half-spaces, found by clipping a box. The box has to hold it, and is relative to
-/// PlaneTable::centre(). Empty if it is thinner than the tolerance of clip(). Throws WorkError past the limit on work.
+/// The intersection of half-spaces, found by clipping a box. Its faces are in the order of the half-spaces. The box has
+/// to hold it, and is relative to PlaneTable::centre(). Empty if it is thinner than the tolerance of clip(). Throws
+/// WorkError past the limit on work.
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
                       const facet::PlaneTable& planes, const Work& work = {});
 

@@ -9,6 +9,7 @@
 #include "host/emit/early_out.h"
 #include "host/emit/shading.h"
 #include "host/view/region.h"
+#include "host/view/rivals.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -18,9 +19,6 @@ namespace {
 using isa::Opcode;
 using view::difference;
 using view::FixedLinear;
-
-/// Each face is held against all of its surface.
-constexpr std::size_t most_faces = 4'096;
 
 /// A plane that a face is compared with.
 struct Neighbour {
@@ -32,38 +30,48 @@ struct Neighbour {
 class Faces {
  public:
   Faces(const Context& context, const Sides& sides, const Surface& surface)
-      : pixels_(surface.block.pixels), step_(std::int64_t{1} << context.view.sampling.fraction_bits) {
-    for (const Facet& front : surface.facets) fronts_.push_back(context.linear_of(front.halfspace));
-    for (const Facet& back : sides.backs.facets) backs_.push_back(context.linear_of(back.halfspace));
-  }
+      : pixels_(surface.block.pixels),
+        step_(std::int64_t{1} << context.view.sampling.fraction_bits),
+        boundary_(boundary_of(context, sides, surface)),
+        rivals_(view::rivals(boundary_, pixels_, context.view.sampling.fraction_bits)) {}
 
   /// None where the face is at no pixel: then the region is empty.
-  [[nodiscard]] std::vector<Neighbour> around(std::size_t face, view::Region& region) const {
-    region = view::Region(pixels_);
-    const FixedLinear& own = fronts_[face];
+  [[nodiscard]] std::vector<Neighbour> around(std::uint32_t face, view::Region& region) const {
+    const FixedLinear& own = boundary_.fronts[face];
+    const view::Rivals& rivals = rivals_.of_fronts[face];
+    region = view::Region(rivals.pixels.empty() ? view::PixelRect{} : pixels_);
     // Depths that differ by less than a step may be one depth.
     const auto leave = [&](const FixedLinear& near, const FixedLinear& far) {
       region.clip(difference(far, near, step_ - 1));
     };
-    for (std::size_t i = 0; i < fronts_.size(); ++i)
-      if (i != face) leave(fronts_[i], own);
-    for (const FixedLinear& back : backs_) leave(own, back);
+    for (const std::uint32_t i : rivals.fronts) leave(boundary_.fronts[i], own);
+    for (const std::uint32_t i : rivals.backs) leave(own, boundary_.backs[i]);
     std::vector<Neighbour> neighbours;
     const auto add = [&](Opcode opcode, const FixedLinear& plane, const FixedLinear& thickness) {
       if (!region.is_surely_at_least(thickness, static_cast<double>(step_))) neighbours.push_back({opcode, plane});
     };
     // Of faces at one depth the first is seen.
-    for (std::size_t i = 0; i < fronts_.size(); ++i)
-      if (i != face) add(i < face ? Opcode::linear_lt : Opcode::linear_le, fronts_[i], difference(own, fronts_[i]));
-    for (const FixedLinear& back : backs_) add(Opcode::linear_gt, back, difference(back, own));
+    for (const std::uint32_t i : rivals.fronts) {
+      const FixedLinear& front = boundary_.fronts[i];
+      add(i < face ? Opcode::linear_lt : Opcode::linear_le, front, difference(own, front));
+    }
+    for (const std::uint32_t i : rivals.backs)
+      add(Opcode::linear_gt, boundary_.backs[i], difference(boundary_.backs[i], own));
     return neighbours;
   }
 
  private:
+  static view::Boundary boundary_of(const Context& context, const Sides& sides, const Surface& surface) {
+    view::Boundary boundary;
+    for (const Facet& front : surface.facets) boundary.fronts.push_back(context.linear_of(front.halfspace));
+    for (const Facet& back : sides.backs.facets) boundary.backs.push_back(context.linear_of(back.halfspace));
+    return boundary;
+  }
+
   view::PixelRect pixels_;
   std::int64_t step_;
-  std::vector<FixedLinear> fronts_;
-  std::vector<FixedLinear> backs_;
+  view::Boundary boundary_;
+  view::AllRivals rivals_;
 };
 
 /// The face where E is 1: its depth and its colour where it is nearer than Z2.
@@ -88,8 +96,7 @@ void emit_face(const Context& context, Broadcast& out, const PlannedSurface& pla
 bool has_polygons(const Context& context, const PlannedSurface& planned, const Surface& surface) {
   const bool is_plain = context.called.size() <= 1 && context.base.width == 0 && context.beyond.width == 0 &&
                         context.beyond_plane == nullptr && context.paint == nullptr && context.layout.owner.width == 0;
-  return is_plain && surface.facets.size() <= most_faces && planned.active.operands.empty() &&
-         !context.complemented(planned.primitive()) &&
+  return is_plain && planned.active.operands.empty() && !context.complemented(planned.primitive()) &&
          std::ranges::all_of(planned.set,
                              [&](std::uint32_t one) { return context.geometry.solids[one].quadrics.empty(); }) &&
          std::ranges::all_of(surface.facets, [](const Facet& facet) { return facet.at == At::plane; });
@@ -105,7 +112,7 @@ void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface&
   out.plain(Opcode::enable_store, context.layout.mask);
   const Faces faces(context, sides, surface);
   view::Region region{pixels};
-  for (std::size_t i = 0; i < surface.facets.size(); ++i) {
+  for (std::uint32_t i = 0; i < surface.facets.size(); ++i) {
     const std::vector<Neighbour> neighbours = faces.around(i, region);
     if (region.empty()) continue;
     out.origin = origin_of(isa::Purpose::render, planned, surface.facets[i]);

@@ -103,9 +103,10 @@ void WireFrame::number_corners(Output& output) {
       ++vertices_;
       if (!is_last) set(along_u_[u_edge(column, row)].front(), number, point);
       if (column > 0 || v_joints_ == columns_)
-        set(along_u_[u_edge((column + columns_ - 1) % columns_, row)].back(), number, point);
+        set(along_u_[u_edge(column == 0 ? columns_ - 1 : column - 1, row)].back(), number, point);
       if (row < rows_) set(along_v_[v_edge(column, row)].front(), number, point);
-      if (row > 0 || u_joints_ == rows_) set(along_v_[v_edge(column, (row + rows_ - 1) % rows_)].back(), number, point);
+      if (row > 0 || u_joints_ == rows_)
+        set(along_v_[v_edge(column, row == 0 ? rows_ - 1 : row - 1)].back(), number, point);
     }
   }
 }

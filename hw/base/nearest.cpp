@@ -51,7 +51,9 @@ std::string_view nearest_alike(std::string_view word, std::span<const std::strin
 namespace {
 
 std::string plural(std::string_view kind) {
-  if (kind.ends_with('y')) return fmt::format("{}ies", kind.substr(0, kind.size() - 1));
+  constexpr std::string_view vowels = "aeiou";
+  const bool has_vowel = kind.size() > 1 && vowels.find(kind[kind.size() - 2]) != vowels.npos;
+  if (kind.ends_with('y') && !has_vowel) return fmt::format("{}ies", kind.substr(0, kind.size() - 1));
   return fmt::format("{}s", kind);
 }
 

@@ -1,9 +1,12 @@
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "hw/base/error.h"
 #include "hw/base/inputs_kept.h"
@@ -53,7 +56,35 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   return 0;
 }
 
-void add_commands(csgsim::shell::CommandLine& line) {
+/// Commands that ask for other commands.
+constexpr std::array<std::string_view, 3> asking{"rerun", "manual", "gather"};
+
+/// Whether nothing of the command line but this command can matter. To describe all of them takes longer than to
+/// convert a small model.
+bool is_alone(std::string_view name, std::span<char* const> arguments) {
+  const auto names_settings = [](std::string_view word) { return word.starts_with("--config"); };
+  return std::ranges::find(asking, name) == asking.end() && std::ranges::none_of(arguments, names_settings);
+}
+
+/// The command of that name, if there is one that is alone.
+bool add_command(csgsim::shell::CommandLine& line, std::string_view asked, std::span<char* const> arguments) {
+  if (!is_alone(asked, arguments)) return false;
+#define CSGSIM_ADD_ASKED(name)     \
+  if (asked == #name) {            \
+    csgsim::app::add_##name(line); \
+    return true;                   \
+  }
+  CSGSIM_COMMANDS(CSGSIM_ADD_ASKED)
+#undef CSGSIM_ADD_ASKED
+  const auto studies = csgsim::studies::all();
+  const auto found = std::ranges::find_if(studies, [&](const auto* row) { return row->name == asked; });
+  if (found == studies.end()) return false;
+  csgsim::studies::add_study(line, **found);
+  return true;
+}
+
+void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
+  if (arguments.size() > 1 && add_command(line, arguments[1], arguments)) return;
 #define CSGSIM_ADD_COMMAND(name) csgsim::app::add_##name(line);
   CSGSIM_COMMANDS(CSGSIM_ADD_COMMAND)
 #undef CSGSIM_ADD_COMMAND
@@ -71,7 +102,8 @@ int main(int argc, char** argv) {
       "csgsim: clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models",
       "csgsim");
   line.add_own_options();
-  add_commands(line);
-  const int code = run(line, {argv, static_cast<std::size_t>(argc)});
+  const std::span<char* const> arguments(argv, static_cast<std::size_t>(argc));
+  add_commands(line, arguments);
+  const int code = run(line, arguments);
   return code == 0 && !printed() ? not_printed() : code;
 }

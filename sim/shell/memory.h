@@ -51,9 +51,11 @@ auto with_memory_for_run(std::span<const isa::Program> programs, const isa::Arra
 /// For what is measured at the same time, on so many threads: `points`, `choices`.
 template <class Call>
 auto with_memory_for_threads(unsigned threads, const char* what, Call call) {
-  return with_memory(
-      [&] { return fmt::format("there is not enough memory for {} {} at once; take fewer --threads", threads, what); },
-      call);
+  const auto say = [&] {
+    if (threads == 1) return std::string("there is not enough memory; take a smaller picture or model");
+    return fmt::format("there is not enough memory for {} {} at once; take fewer --threads", threads, what);
+  };
+  return with_memory(say, call);
 }
 
 /// Memory that a run takes beside what every process does, about: what a pixel takes was measured with pictures of

@@ -313,6 +313,14 @@ facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine
   return faceting;
 }
 
+facet::Faceting flat_faceting_of(const ModelOptions& options, const machines::Machine& machine,
+                                 const model::Tree& tree) {
+  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+  if (curves == emit::Curves::exact || curves == emit::Curves::fast)
+    throw UsageError("--curves", "this command takes facets alone; leave it out");
+  return planar_faceting_of(options, machine, tree);
+}
+
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine) {
   if (options.near && projection_of(options) != view::Projection::perspective) {
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");

@@ -102,6 +102,10 @@ machines::Machine machine_of(const ModelOptions& options);
 /// what was chosen is printed.
 facet::Faceting faceting_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree);
 
+/// The same, of what takes facets alone: throws UsageError if --curves asks for curved surfaces.
+facet::Faceting flat_faceting_of(const ModelOptions& options, const machines::Machine& machine,
+                                 const model::Tree& tree);
+
 /// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
 std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view);
 

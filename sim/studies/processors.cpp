@@ -1,5 +1,11 @@
 #include "sim/studies/processors.h"
 
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+
+#include "hw/base/text.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/read_by.h"
@@ -23,6 +29,12 @@ void add_model_without_machine(shell::ModelOptions& model, shell::Command& comma
   model.add_to(command);
   for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
     command.remove(of_machines);
+}
+
+std::string seconds_text(double seconds) {
+  constexpr double grouped_from = 1000;
+  return seconds < grouped_from ? fmt::format("{:.4g}", seconds)
+                                : grouped(static_cast<std::uint64_t>(std::llround(seconds)));
 }
 
 std::vector<std::filesystem::path> inputs_with_processors(const shell::ModelOptions& model, const std::string& list) {

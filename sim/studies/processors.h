@@ -20,6 +20,9 @@ void add_processors(shell::Command& command, std::string& list);
 /// The options of a model without those that only machines have a use for.
 void add_model_without_machine(shell::ModelOptions& model, shell::Command& command);
 
+/// Four digits; of 1000 seconds and more those before the point, in groups.
+std::string seconds_text(double seconds);
+
 /// The files of a model, and those of processors.
 std::vector<std::filesystem::path> inputs_with_processors(const shell::ModelOptions& model, const std::string& list);
 

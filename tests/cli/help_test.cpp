@@ -61,6 +61,21 @@ TEST_CASE("no line of any help is longer than 80 columns") {
   }
 }
 
+TEST_CASE("remarks of a help are filled: no line breaks where the next word has room") {
+  for (const std::string& command : commands()) {
+    const std::vector<std::string> lines = lines_of(run(command + " --help").out);
+    const auto example = std::ranges::find(lines, "Example:");
+    CAPTURE(command);
+    REQUIRE(example != lines.end());
+    for (auto line = example + 1; line + 1 < lines.end(); ++line) {
+      const std::string& next = *(line + 1);
+      if (line->starts_with("  ") || next.starts_with("  ")) continue;
+      CAPTURE(*line);
+      CHECK(line->size() + 1 + std::min(next.find(' '), next.size()) > 80);
+    }
+  }
+}
+
 TEST_CASE("help has the options by subject, and none is left for the last resort") {
   const std::string help = run("render --help").out;
   std::size_t at = 0;

@@ -54,13 +54,17 @@ TEST_CASE("a surface that a tolerance is too fine for is a row that says so, and
 }
 
 TEST_CASE("mesh refuses what it does not know, and files without a surface") {
-  misused("mesh " + commands("jug") + " --flatness flat", "test of flatness");
+  misused("mesh " + commands("jug") + " --flatness flat", "the flatness tests are");
   misused("mesh " + commands("jug") + " --repairs filtre", "did you mean filter");
   misused("mesh " + commands("jug") + " --tolerances 0", "no tolerance");
   misused("mesh " + commands("jug") + " --processors this-computer", "has no prices");
   const Outcome none = run("mesh " + commands("thesis_fig_2_3"));
   CHECK(none.code == 1);
   CHECK(none.err.find("there is no sweep and no patch in it") != std::string::npos);
+  const Outcome other = run("mesh " + model("sphere"));
+  CHECK(other.code == 1);
+  CHECK(other.err.find("sphere.csg: elements are made of the sweeps and patches of commands, .jan") !=
+        std::string::npos);
 }
 
 TEST_CASE("files of commands are drawn as their .csg, and their errors tell the place") {

@@ -67,6 +67,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/software/display": ["software", "cli"],
     "sim/software/facets": ["software"],
     "sim/software/methods": ["software", "m68000", "cli"],
+    "sim/software/planes": ["convert", "software"],
     "sim/software/rays": ["software", "hard_cases"],
     "sim/software/space": ["software"],
     "sim/software/tracing": ["software", "scenes"],

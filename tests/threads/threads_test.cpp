@@ -11,8 +11,13 @@
 
 #include "host/read/read.h"
 #include "hw/base/output_file.h"
+#include "hw/base/work.h"
 #include "hw/kinds/load.h"
+#include "places.h"
 #include "sim/engine/engine.h"
+#include "sim/software/convert/boundary.h"
+#include "sim/software/convert/formats.h"
+#include "sim/software/convert/surface.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/sweep/measure.h"
 #include "tests/support/drawing.h"
@@ -119,4 +124,23 @@ TEST_CASE("what a receiver throws while others still measure comes out once, and
   };
   CHECK_THROWS_WITH_AS(measure_all(drawn_points(), false, fails_at_the_third), "the disk is full", std::runtime_error);
   CHECK(received == 3);
+}
+
+TEST_CASE("a mesh is the same on any number of threads, and so is a refusal of too much work") {
+  namespace convert = software::convert;
+  for (const char* const name : {"corpus/thread", "corpus/mesh_booleans", "models/carburettor"}) {
+    CAPTURE(name);
+    const model::Tree tree = read::read_csg_file(std::string(CSGSIM_SOURCE_DIR "/tests/") + name + ".csg");
+    const auto stl = [&](unsigned threads, const Work& work) {
+      return convert::format_of(".stl")->write(convert::make_surface(convert::boundary(tree, {}, work, threads)), {});
+    };
+    const Work counted(1'000'000'000);
+    const std::string alone = stl(1, counted);
+    for (const unsigned threads : {2U, 3U, 8U}) {
+      CAPTURE(threads);
+      CHECK(stl(threads, {}) == alone);
+      CHECK_NOTHROW(stl(threads, Work(counted.done())));
+      CHECK_THROWS_AS(stl(threads, Work(counted.done() - 1)), WorkError);
+    }
+  }
 }

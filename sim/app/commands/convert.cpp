@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <chrono>
@@ -10,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #include "host/facet/faceting.h"
@@ -24,6 +26,7 @@
 #include "sim/shell/numbers.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
+#include "sim/shell/run_options.h"
 #include "sim/shell/usage.h"
 #include "sim/software/convert/blocks.h"
 #include "sim/software/convert/boundary.h"
@@ -42,6 +45,7 @@ struct Options {
   std::string stats;
   bool ascii = false;
   std::optional<std::uint32_t> resolution;
+  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
 };
 
 constexpr std::string_view block_ending = ".bintree";
@@ -126,8 +130,9 @@ void convert_to_mesh(const Options& options) {
   Outputs outputs(options);
   const auto begin = std::chrono::steady_clock::now();
   const model::Tree tree = solid_model(options);
-  const convert::Surface surface = with_memory_for(
-      "the mesh", [&] { return convert::make_surface(convert::boundary(tree, faceting, work_of(options))); });
+  const convert::Surface surface = with_memory_for("the mesh", [&] {
+    return convert::make_surface(convert::boundary(tree, faceting, work_of(options), options.threads));
+  });
   if (surface.triangles.empty()) refuse_empty(options);
   const convert::Measures measures = convert::measure(surface);
   const std::string content = format.write(surface, {.is_text = options.ascii});
@@ -214,6 +219,8 @@ void add_convert(CommandLine& line) {
       .option("--resolution", options->resolution,
               "Cells of a block model along each side, a power of two; 64 if not given")
       .between(convert::fewest_cells, convert::most_cells);
+  command.option("--threads", options->threads, "Threads that a mesh is made on; it is the same")
+      .between(1U, most_threads);
   command.option("--stats", options->stats, "What was converted, .json").check(not_empty);
   command.prints_summary();
   command.runs([options] { run(*options); });

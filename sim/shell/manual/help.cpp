@@ -103,6 +103,20 @@ std::string joined(std::string_view line) {
   return text;
 }
 
+bool is_command(std::string_view line) { return line.starts_with("  "); }
+
+/// Whether what is left of a footer belongs to the remark before it.
+bool goes_on(std::string_view footer) {
+  return !footer.empty() && !is_command(footer) && !footer.starts_with('\n') && !footer.starts_with("Example:");
+}
+
+std::string_view taken_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find('\n'), text.size());
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  return line;
+}
+
 std::string usage_line(const CommandHelp& command) {
   std::string line = fmt::format("Usage: csgsim {} [OPTIONS]", command.name);
   for (const OptionHelp& operand : command.operands) {
@@ -142,13 +156,14 @@ std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
 std::string footer_lines(std::string_view footer, std::size_t columns) {
   std::string text;
   while (!footer.empty()) {
-    const std::size_t end = std::min(footer.find('\n'), footer.size());
-    const std::string_view line = footer.substr(0, end);
-    footer.remove_prefix(std::min(end + 1, footer.size()));
-    const bool is_command = line.starts_with("  ");
-    text += is_command ? "  " + wrapped(joined(line.substr(indent)), indent, indent + 4, continued, columns)
-                       : wrapped(line, 0, 0, {}, columns);
-    text += '\n';
+    const std::string_view line = taken_line(footer);
+    if (is_command(line)) {
+      text += "  " + wrapped(joined(line.substr(indent)), indent, indent + 4, continued, columns) + '\n';
+      continue;
+    }
+    std::string remark(line);
+    while (goes_on(footer)) remark += fmt::format(" {}", taken_line(footer));
+    text += wrapped(remark, 0, 0, {}, columns) + '\n';
   }
   std::ranges::replace(text, joint, ' ');
   return text;

@@ -50,7 +50,8 @@ std::string value_name(const OptionHelp& option);
 /// The first long name without dashes, empty if there is none.
 std::string long_name(const OptionHelp& option);
 
-/// A footer with no line beyond the columns; its commands go on behind a backslash, as a shell takes them.
+/// A footer with no line beyond the columns: its commands go on behind a backslash, as a shell takes them; remarks that
+/// follow each other are one text.
 std::string footer_lines(std::string_view footer, std::size_t columns);
 
 /// What `csgsim COMMAND --help` prints: options by subject (option_subjects.h), no line longer than help_columns.

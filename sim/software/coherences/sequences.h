@@ -94,12 +94,6 @@ class Sequences {
     return {farthest, Seen::nothing_seen};
   }
 
-  /// The surfaces that lead to an element, from the front; of their depths nothing is known.
-  std::span<const Event> surfaces(std::uint32_t element) {
-    follow_back(element);
-    return events_;
-  }
-
   [[nodiscard]] std::uint64_t words() const { return elements_.words() + evaluator_.words(); }
 
  private:

@@ -6,6 +6,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <optional>
 
 #include "host/convex/extent.h"
@@ -219,6 +220,8 @@ Bintree read_bintree(std::string_view text, std::string_view name) {
   words.expect("cube");
   for (int axis = 0; axis < 3; ++axis) bintree.low[axis] = words.number<double>();
   bintree.side = words.number<double>();
+  const bool has_place = std::isfinite(bintree.low.x) && std::isfinite(bintree.low.y) && std::isfinite(bintree.low.z);
+  if (!has_place || !std::isfinite(bintree.side) || bintree.side <= 0) words.fail("the cube has no place or no size");
   for (std::string_view word = words.next(); !word.empty(); word = words.next()) bintree.code += word;
   const bool is_code = bintree.code.find_first_not_of("(01") == std::string::npos &&
                        visit_leaves(bintree.code, bintree.resolution, [](const Block&, bool) {});

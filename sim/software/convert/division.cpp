@@ -4,14 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <string_view>
 #include <utility>
 
 namespace csgsim::software::convert {
 
 namespace {
-
-constexpr std::string_view converting = "converting the model to a boundary";
 
 /// Where as many bodies cut a region, it is halved first, so that no cut goes through parts that it does not matter to.
 constexpr std::size_t most_cutting = 6;
@@ -65,16 +62,19 @@ Known Division::value_in(const Operand& operand) const {
 Known Division::look(const Region& region, const Bounds& bounds, Operand& operand) const {
   const Body& body = bodies_.bodies[operand.body];
   if (are_apart(body.box, bounds.box)) return outside;
-  std::vector<std::uint32_t> crossing;
+  if (operand.tests_all) {
+    const double far = glm::distance(bounds.middle, body.middle);
+    if (far > body.outer + bounds.radius) return outside;
+    if (far < body.inner - bounds.radius) return value_in(operand);
+  }
+  Numbers crossing;
   const std::size_t count = operand.tests_all ? body.faces.size() : operand.tests.size();
   work_.charge(1 + count / 4, converting);
   for (std::size_t i = 0; i < count; ++i) {
     const std::uint32_t face = operand.tests_all ? static_cast<std::uint32_t>(i) : operand.tests[i];
     const facet::Halfspace halfspace = body.faces[face].halfspace;
     if (halfspace.plane == sheet_.plane()) continue;
-    const std::array<double, 4>& near = bodies_.planes.near(halfspace.plane);
-    const double height = near[0] * bounds.middle.x + near[1] * bounds.middle.y + near[2] * bounds.middle.z + near[3];
-    const double out = halfspace.positive ? height : -height;
+    const double out = bodies_.planes.height(halfspace, bounds.middle);
     if (out < -bounds.radius - place_error) continue;
     if (out > bounds.radius + place_error) return outside;
     const Sheet::Sides sides = sheet_.sides(region, halfspace);
@@ -220,7 +220,7 @@ void Division::operator()(const Region& face, const LocalTree& tree, std::vector
   parts_.clear();
   divide(face, tree, std::move(operands));
   for (const Part& part : parts_) {
-    Fragment fragment{sheet_.plane(), part.fate == Fate::front, {}};
+    Fragment fragment{.plane = sheet_.plane(), .is_front = part.fate == Fate::front, .corners = {}};
     for (const std::uint32_t corner : part.region.corners)
       fragment.corners.push_back({sheet_.point(corner).planes, sheet_.place(corner)});
     if (!fragment.is_front) std::ranges::reverse(fragment.corners);

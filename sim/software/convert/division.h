@@ -1,15 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "hw/base/work.h"
 #include "sim/software/convert/bodies.h"
 #include "sim/software/convert/fragments.h"
 #include "sim/software/convert/local_tree.h"
-#include "sim/software/convert/sheet.h"
+#include "sim/software/planes/sheet.h"
 
 namespace csgsim::software::convert {
+
+/// What work is charged for.
+inline constexpr std::string_view converting = "converting the model to a boundary";
 
 /// A body besides the one whose face is divided.
 struct Operand {
@@ -18,7 +22,7 @@ struct Operand {
   bool is_behind = false;    ///< if so: the body is behind the plane
   bool owns = false;         ///< what it shares of the plane is its own, and is left out
   bool tests_all = true;     ///< all faces' planes are to be looked at, not only those of `tests`
-  std::vector<std::uint32_t> tests{};
+  Numbers tests{};
   Known known{};
 };
 

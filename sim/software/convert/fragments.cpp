@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
+#include <exception>
+#include <glm/geometric.hpp>
+#include <iterator>
+#include <mutex>
+#include <span>
+#include <thread>
 #include <utility>
 
 #include "host/csg/tree_paths.h"
 #include "sim/software/convert/division.h"
 #include "sim/software/convert/local_tree.h"
-#include "sim/software/convert/sheet.h"
+#include "sim/software/planes/sheet.h"
 
 namespace csgsim::software::convert {
 
@@ -32,7 +39,8 @@ class Evaluation {
     for (std::uint32_t face = 0; face < bodies_.bodies[body].faces.size(); ++face) add_face(body, face, tree);
   }
 
-  std::vector<Fragment> result() { return std::move(found_); }
+  /// What was found since it was last asked.
+  std::vector<Fragment> taken() { return std::exchange(found_, {}); }
 
  private:
   /// The face, exactly: what the other half-spaces leave of its plane.
@@ -82,10 +90,55 @@ class Evaluation {
     return operand;
   }
 
+  /// A ball that holds the face.
+  [[nodiscard]] std::pair<glm::dvec3, double> ball_about(std::uint32_t body, const BodyFace& face) const {
+    const glm::dvec3 middle = (face.box.low + face.box.high) / 2.0;
+    const std::vector<glm::dvec3>& vertices = bodies_.geometry.solids[body].vertices;
+    double radius = 0;
+    for (const BodyPolygon& polygon : polygons_of(body, face)) {
+      for (const std::uint32_t corner : polygon.corners) {
+        const glm::dvec3 place = (vertices[corner] - bodies_.geometry.planes.centre()) / bodies_.planes.unit();
+        radius = std::max(radius, glm::distance(middle, place));
+      }
+    }
+    return {middle, radius + box_margin};
+  }
+
+  [[nodiscard]] std::span<const BodyPolygon> polygons_of(std::uint32_t body, const BodyFace& face) const {
+    return std::span(bodies_.bodies[body].polygons).subspan(face.first_polygon, face.polygons);
+  }
+
+  /// Adds all of the face or nothing of it, if a ball about it tells which. Notes what it tells of the operands.
+  bool add_whole(std::uint32_t body, const BodyFace& face, const LocalTree& tree, std::vector<Operand>& operands) {
+    const auto [middle, radius] = ball_about(body, face);
+    std::vector<Known> known;
+    std::vector<bool> may_differ;
+    for (Operand& operand : operands) {
+      if (!operand.known.is_known) {
+        const Body& other = bodies_.bodies[operand.body];
+        work_.charge(1 + other.faces.size() / 4, converting);
+        const BallIs where = bodies_.ball_is(other, middle, radius, face.halfspace.plane);
+        if (where == BallIs::outside) operand.known = {true, {}};
+        if (where == BallIs::inside && !operand.is_coplanar) operand.known = {true, {true, true}};
+      }
+      known.push_back(operand.known);
+      may_differ.push_back(operand.is_coplanar);
+    }
+    const LocalTree left = tree.reduced(known, may_differ);
+    if (!left.value().is_known) return false;
+    const Both value = left.value().value;
+    if (value.behind == value.before) return true;
+    const auto is_open = [](const Operand& operand) { return operand.owns && !operand.known.is_known; };
+    if (std::ranges::any_of(operands, is_open)) return false;
+    for (const BodyPolygon& polygon : polygons_of(body, face))
+      found_.push_back({face.halfspace.plane, value.behind, {}, body, &polygon});
+    return true;
+  }
+
   void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
     const BodyFace& face = bodies_.bodies[body].faces[number];
     const facet::Halfspace halfspace = face.halfspace;
-    work_.charge(near_.size(), "converting the model to a boundary");
+    work_.charge(near_.size(), converting);
     std::vector<Operand> operands;
     operands.reserve(near_.size());
     for (const std::uint32_t other : near_) {
@@ -95,6 +148,7 @@ class Evaluation {
       operands.back().known = {true, {halfspace.positive, !halfspace.positive}};
       operands.back().owns = false;
     }
+    if (face.polygons > 0 && add_whole(body, face, tree, operands)) return;
     const Region region = polygon_of(bodies_.bodies[body], face);
     if (!region.empty()) divide_(region, tree, std::move(operands));
   }
@@ -109,13 +163,64 @@ class Evaluation {
   std::vector<std::uint32_t> near_;  ///< bodies that may meet the present one, and itself
 };
 
+/// Evaluates bodies on several threads, which take one after another.
+class Sharing {
+ public:
+  Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work)
+      : bodies_(bodies), tree_(tree), numbers_(std::move(numbers)), work_(work), found_(numbers_.size()) {}
+
+  std::vector<Fragment> operator()(std::size_t threads) {
+    {
+      std::vector<std::jthread> others;
+      for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { take(); });
+      take();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    work_.charge(done_, converting);
+    std::vector<Fragment> all;
+    for (std::vector<Fragment>& found : found_) std::ranges::move(found, std::back_inserter(all));
+    return all;
+  }
+
+ private:
+  void take() {
+    const Work work = work_.afresh();  // counts of several threads are added up at the end
+    try {
+      Evaluation evaluation(bodies_, tree_, work);
+      for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {
+        evaluation.add(numbers_[i]);
+        found_[i] = evaluation.taken();
+      }
+    } catch (...) {
+      const std::lock_guard guard(lock_);
+      failure_ = std::current_exception();
+      next_ = numbers_.size();
+    }
+    const std::lock_guard guard(lock_);
+    done_ += work.done();
+  }
+
+  const Bodies& bodies_;
+  const csg::PositiveTree& tree_;
+  std::vector<std::uint32_t> numbers_;
+  const Work& work_;
+  std::vector<std::vector<Fragment>> found_;  ///< of each body
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex lock_;
+  std::exception_ptr failure_;
+  std::uint64_t done_ = 0;
+};
+
 }  // namespace
 
-std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const Work& work) {
+std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
+                                const Work& work, unsigned threads) {
   if (tree.root == model::no_index) return {};
-  Evaluation evaluation(bodies, tree, work);
-  for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i) evaluation.add(i);
-  return evaluation.result();
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i)
+    if (!whole[i]) numbers.push_back(i);
+  if (numbers.empty()) return {};
+  return Sharing(bodies, tree, numbers, work)(std::min<std::size_t>(threads, numbers.size()));
 }
 
 }  // namespace csgsim::software::convert

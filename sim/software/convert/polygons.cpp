@@ -36,8 +36,10 @@ class PlaneFaces {
         for (std::size_t corner = 0; corner < 3; ++corner) outline.sides.push_back(side(i, corner));
       cancel(outline.sides);
       std::vector<std::vector<std::uint32_t>> rounds = rounds_of(outline);
-      // A polygon of n corners is cut into n - 2 triangles; where it touches itself it is left in these.
-      if (rounds.size() == 1 && rounds.front().size() == triangles.size() + 2 && is_simple(rounds.front())) {
+      // A polygon of n corners is cut into n - 2 triangles; where it touches itself it is left in these. So is one that
+      // rounding has bent, which OpenSCAD takes for none.
+      if (rounds.size() == 1 && rounds.front().size() == triangles.size() + 2 && is_simple(rounds.front()) &&
+          is_flat(surface_.points, rounds.front())) {
         polygons.push_back(std::move(rounds.front()));
         continue;
       }

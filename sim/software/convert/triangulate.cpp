@@ -85,15 +85,16 @@ class Covering {
     }
   }
 
-  std::vector<Triangle> triangles() {
+  TwoSides two_sides() {
     if (triangulation_.dimension() < 2) return {};
     spread();
-    std::vector<Triangle> found;
+    TwoSides found;
     for (const Triangulation::Face_handle face : triangulation_.finite_face_handles()) {
       const int times = face->info().value_or(0);
       Triangle triangle{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
       if (times < 0) std::swap(triangle[1], triangle[2]);
-      for (int i = 0; i < std::abs(times); ++i) found.push_back(triangle);
+      std::vector<Triangle>& side = times < 0 ? found.back : found.front;
+      for (int i = 0; i < std::abs(times); ++i) side.push_back(triangle);
     }
     return found;
   }
@@ -141,6 +142,12 @@ class Covering {
   std::map<Side, int> surplus_;
 };
 
+std::vector<Triangle> all_of(const TwoSides& sides) {
+  std::vector<Triangle> all = sides.front;
+  all.insert(all.end(), sides.back.begin(), sides.back.end());
+  return all;
+}
+
 /// Every side of the outline, and others only with their backs.
 bool is_bounded_by(const std::vector<Triangle>& triangles, const Outline& outline) {
   std::map<Side, int> sums;
@@ -157,6 +164,22 @@ bool is_bounded_by(const std::vector<Triangle>& triangles, const Outline& outlin
 }
 
 }  // namespace
+
+bool is_flat(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& round) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double level = points[round.front()][axis];
+    if (std::ranges::all_of(round, [&](std::uint32_t corner) { return points[corner][axis] == level; })) return true;
+  }
+  const auto at = [&](std::size_t i) {
+    const glm::dvec3& point = points[round[i]];
+    return Kernel::Point_3(point.x, point.y, point.z);
+  };
+  std::size_t third = 2;
+  while (third < round.size() && CGAL::collinear(at(0), at(1), at(third))) ++third;
+  for (std::size_t i = third + 1; i < round.size(); ++i)
+    if (CGAL::orientation(at(0), at(1), at(third), at(i)) != CGAL::COPLANAR) return false;
+  return true;
+}
 
 std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline) {
   std::vector<Side> sides = outline.sides;
@@ -179,21 +202,26 @@ std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline) {
   return rounds;
 }
 
+std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const Outline& outline) {
+  try {
+    TwoSides sides = Covering(outline, Seen(points, outline.outward)).two_sides();
+    if (is_bounded_by(all_of(sides), outline)) return sides;
+  } catch (const Triangulation::Intersection_of_constraints_exception&) {
+    // Said to the caller.
+  }
+  return std::nullopt;
+}
+
 std::vector<Triangle> triangulate(const std::vector<glm::dvec3>& points, const Outline& outline) {
   const Seen seen(points, outline.outward);
-  std::vector<Triangle> triangles;
   const std::vector<std::vector<std::uint32_t>> rounds = rounds_of(outline);
   if (rounds.size() == 1 && is_convex(rounds.front(), seen)) {
+    std::vector<Triangle> triangles;
     add_fan(rounds.front(), triangles);
     return triangles;
   }
-  try {
-    triangles = Covering(outline, seen).triangles();
-    if (is_bounded_by(triangles, outline)) return triangles;
-  } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    // As below.
-  }
-  triangles.clear();
+  if (const std::optional<TwoSides> sides = two_sides(points, outline)) return all_of(*sides);
+  std::vector<Triangle> triangles;
   for (const std::vector<std::uint32_t>& round : rounds) add_fan(round, triangles);
   return triangles;
 }

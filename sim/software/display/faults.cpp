@@ -1,42 +1,61 @@
 #include "sim/software/display/faults.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace csgsim::software {
 
 namespace {
 
-/// No more than a step apart.
-bool are_near(std::uint32_t a, std::uint32_t b) { return std::max(a, b) - std::min(a, b) <= 1; }
+/// Of a step: more than doubles err in depths.
+constexpr double coincidence = 0x1p-10;
 
-std::size_t events_near(std::span<const Event> exact, std::uint32_t depth) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(exact, [&](const Event& event) { return are_near(event.depth, depth); }));
+struct Surface {
+  Event event;
+  double depth;
+};
+
+/// Of a surface that others are taken for equal to, or that comes before those that integers have before it.
+Fault fault_near(const WrongRay& ray, const Surface& surface) {
+  const auto coinciding =
+      std::ranges::count_if(ray.depths, [&](double other) { return std::abs(other - surface.depth) <= coincidence; });
+  if (coinciding < 2) return Fault::depth_bits;
+  const std::uint32_t depth = surface.event.depth;
+  const auto near = std::ranges::count_if(
+      ray.events, [&](const Event& other) { return std::max(other.depth, depth) - std::min(other.depth, depth) <= 1; });
+  return near <= 2 ? Fault::coincident : Fault::three_way;
 }
 
 }  // namespace
 
 void Faults::add(Fault fault) {
   switch (fault) {
+    case Fault::depth_bits: ++depth_bits; break;
     case Fault::coincident: ++coincident; break;
     case Fault::three_way: ++three_way; break;
     case Fault::order: ++order; break;
   }
 }
 
-Fault fault_of(std::span<const Event> exact, std::span<const Event> drawn) {
-  std::vector<Event> left(exact.begin(), exact.end());
-  std::size_t most = 0;
+Fault fault_of(const WrongRay& ray, std::span<const Event> drawn) {
+  std::vector<Surface> left;
+  for (std::size_t i = 0; i < ray.events.size(); ++i) left.push_back({ray.events[i], ray.depths[i]});
+  std::optional<Fault> worst;
   for (std::size_t i = 0; i < drawn.size(); ++i) {
-    const auto place = std::ranges::find(left, drawn[i].crossing, &Event::crossing);
-    if (place == left.end() || !are_near(place->depth, left.front().depth)) return Fault::order;
-    if (place != left.begin() || i + 1 == drawn.size()) most = std::max(most, events_near(exact, place->depth));
+    const auto place =
+        std::ranges::find(left, drawn[i].crossing, [](const Surface& one) { return one.event.crossing; });
+    if (place == left.end()) return Fault::order;
+    const bool is_tied = i + 1 == drawn.size() && std::ranges::count(ray.events, place->event.depth, &Event::depth) > 1;
+    for (auto overtaken = left.begin(); overtaken != place; ++overtaken) {
+      if (place->depth - overtaken->depth > ray.rounding) return Fault::order;
+    }
+    if (place != left.begin() || is_tied) worst = std::max(worst.value_or(Fault::depth_bits), fault_near(ray, *place));
     left.erase(place);
   }
-  if (most < 2) return Fault::order;
-  return most == 2 ? Fault::coincident : Fault::three_way;
+  return worst.value_or(ray.has_lost ? Fault::depth_bits : Fault::order);
 }
 
 }  // namespace csgsim::software

@@ -11,6 +11,7 @@
 #include "sim/software/display/depth_order.h"
 #include "sim/software/display/faults.h"
 #include "sim/software/display/polygons.h"
+#include "sim/software/display/real_depths.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/display/scan.h"
 #include "sim/software/display/screen_pieces.h"
@@ -42,26 +43,29 @@ class ListPriority {
         pixels_(subject.pixels(), PriorityPixel{Sequences<Count>::none}) {
     ledger[Phase::initialisation](Operation::store_long, (has_depth_buffer ? 2 : 1) * pixels_.size());
     if (has_depth_buffer) ledger[Phase::initialisation](Operation::store, pixels_.size());
+    if constexpr (Count::counts) drawn_.resize(pixels_.size());
   }
 
   void draw(const Polygons& polygons, const ScreenFacets& seen) {
     const view::EyeSpace eye = view::eye_space(subject_.view.camera, subject_.view.sampling);
     const CellOrder order = front_to_back(polygons, eye, subject_.geometry.planes.centre(),
                                           subject_.view.sampling.width, subject_.view.sampling.height);
-    const ScreenPieces screen = screen_pieces(polygons, order.cells, seen, subject_.geometry, subject_.view);
+    screen_ = screen_pieces(polygons, order.cells, seen, subject_.geometry, subject_.view);
     count_retrieval(order);
-    count_pieces(polygons, order, seen, screen);
+    count_pieces(polygons, order, seen, screen_);
     // Rays that begin in a primitive do so before all polygons.
     for (const ScreenFacet& facet : seen.facets) {
-      if (facet.facet == ScreenFacet::near_cap) draw_piece(seen, facet);
+      if (facet.facet != ScreenFacet::near_cap) continue;
+      draw_piece(seen, facet);
+      near_caps_.push_back(facet.primitive);
     }
     const std::uint64_t longs = longs_of(subject_.view.sampling);
-    DepthOrder<Count> sorted(screen.pieces, longs, ledger_[Phase::sorting]);
-    for (std::size_t cell = 0; cell + 1 < screen.begins.size(); ++cell) {
-      for (const std::uint32_t piece : sorted.of(screen.begins[cell], screen.begins[cell + 1]))
-        draw_piece(screen.pieces, screen.pieces.facets[piece]);
+    DepthOrder<Count> sorted(screen_.pieces, longs, ledger_[Phase::sorting]);
+    for (std::size_t cell = 0; cell + 1 < screen_.begins.size(); ++cell) {
+      for (const std::uint32_t piece : sorted.of(screen_.begins[cell], screen_.begins[cell + 1]))
+        draw_piece(screen_.pieces, screen_.pieces.facets[piece]);
     }
-    tell(polygons, order.cells.size(), screen);
+    tell(polygons, order, screen_);
     result_.counts.conflicts = sorted.conflicts();
   }
 
@@ -70,6 +74,9 @@ class ListPriority {
     const RayCaster rays(subject_.model, subject_.geometry, subject_.view);
     UncountedMethod uncounted;
     Sequences<UncountedMethod> exact(subject_.tree, uncounted);
+    const RealDepths real(subject_.geometry, subject_.view);
+    std::vector<Event> events;
+    std::vector<double> depths;
     RayBand band;
     for (std::uint32_t row = 0; row < rays.height(); row += band_rows) {
       rays.cast(row, band);
@@ -77,12 +84,32 @@ class ListPriority {
         const std::size_t pixel = std::size_t{row} * rays.width() + ray;
         const Seen expected = exact.along(band.events_of(ray), rays.farthest(), uncounted);
         if (expected == result_.picture.seen[pixel]) continue;
-        result_.faults.add(fault_of(band.events_of(ray), sequences_.surfaces(pixels_[pixel].element)));
+        const auto column = static_cast<std::uint32_t>(pixel % rays.width());
+        const auto at = static_cast<std::uint32_t>(pixel / rays.width());
+        events.clear();
+        depths.clear();
+        for (const Event& event : band.events_of(ray)) {
+          if (!is_drawn(event, column, at)) continue;
+          events.push_back(event);
+          depths.push_back(real.of(event.crossing, column, at));
+        }
+        const bool has_lost = events.size() < band.events_of(ray).size();
+        result_.faults.add(fault_of({events, depths, real.rounding(column, at), has_lost}, drawn_[pixel]));
       }
     }
   }
 
  private:
+  [[nodiscard]] bool is_drawn(const Event& event, std::uint32_t column, std::uint32_t row) const {
+    const auto x = static_cast<std::int32_t>(column);
+    const auto y = static_cast<std::int32_t>(row);
+    const bool enters_before = event.depth == 0 && event.crossing == 2 * event.primitive();
+    return (enters_before && std::ranges::find(near_caps_, event.primitive()) != near_caps_.end()) ||
+           std::ranges::any_of(screen_.pieces.facets, [&](const ScreenFacet& piece) {
+             return piece.crossing() == event.crossing && screen_.pieces.event_at(piece, x, y) == event;
+           });
+  }
+
   /// A cell takes the side of a wall that the eye is on, four sides of what is seen at eight corners, its box.
   void count_retrieval(const CellOrder& order) {
     Count& count = ledger_[Phase::sorting];
@@ -106,23 +133,27 @@ class ListPriority {
     count_transformation(corners, seen.facets.size(), screen.pieces.linears.size(), ledger_[Phase::transformation]);
   }
 
-  void tell(const Polygons& polygons, std::size_t drawn_cells, const ScreenPieces& screen) {
+  void tell(const Polygons& polygons, const CellOrder& order, const ScreenPieces& screen) {
     DisplayCounts& counts = result_.counts;
-    counts.pieces = polygons.pieces();
+    counts.pieces = polygons.clipped;
+    counts.shared = polygons.shared;
+    counts.crossing_tests = polygons.crossing_tests;
+    counts.overlap_tests = polygons.overlap_tests;
     counts.drawn_polygons = screen.pieces.facets.size();
     counts.cells = polygons.filled();
-    counts.drawn_cells = drawn_cells;
+    counts.drawn_cells = order.cells.size();
+    counts.looked_parts = order.looked_at;
     std::uint64_t corners = 0;
-    std::uint64_t entries = 0;
     for (const PolygonCell& cell : polygons.cells) {
       if (cell.bucket.size() > subject_.bucket_size) ++counts.overfull_cells;
-      entries += cell.bucket.size();
+      counts.references += cell.bucket.size();
       for (const Piece& piece : cell.bucket) corners += piece.corners.size();
     }
     // A corner has three coordinates, a piece its facet and box; a plane in the picture three coefficients of two
     // longs.
-    counts.words.polygons = 3 * corners + 8 * entries + 6 * screen.pieces.linears.size() + 10 * counts.drawn_polygons;
-    counts.words.buckets = 10 * polygons.cells.size() + 2 * entries;
+    counts.words.polygons =
+        3 * corners + 8 * counts.references + 6 * screen.pieces.linears.size() + 10 * counts.drawn_polygons;
+    counts.words.buckets = polygons.words;
     counts.words.pixels += (has_depth_buffer ? 3 : 1) * pixels_.size();
     counts.words.sequences = sequences_.words();
   }
@@ -157,6 +188,7 @@ class ListPriority {
     pixel.depth = event.depth;
     pixel.level = 1;
     count(Operation::store_long);
+    if constexpr (Count::counts) drawn_[static_cast<std::size_t>(&pixel - pixels_.data())].push_back(event);
   }
 
   /// Sets a pixel, or takes it back, by what is behind the last surfaces, of which so many are at its depth.
@@ -198,7 +230,7 @@ class ListPriority {
   /// A surface before the last one, which it is exchanged with.
   void exchange(PriorityPixel& pixel, Seen& seen, const Event& event) {
     Count& count = ledger_[Phase::scan_conversion];
-    const Event last{pixel.depth, 2 * sequences_.primitive(pixel.element)};
+    const Event last = take_back(pixel);
     pixel.element = sequences_.before(pixel.element);
     count(Operation::load_long);
     count(Operation::load);
@@ -209,18 +241,34 @@ class ListPriority {
     classify(pixel, seen, last.primitive(), 1);
   }
 
+  /// The last surface of a pixel, as far as it is told apart where nothing is counted.
+  Event take_back(const PriorityPixel& pixel) {
+    Event last{pixel.depth, 2 * sequences_.primitive(pixel.element)};
+    if constexpr (Count::counts) {
+      std::vector<Event>& drawn = drawn_[static_cast<std::size_t>(&pixel - pixels_.data())];
+      last = drawn.back();
+      drawn.pop_back();
+    }
+    return last;
+  }
+
   const DisplaySubject& subject_;
   Ledger<Count>& ledger_;
   Displayed& result_;
   Sequences<Count> sequences_;
   std::vector<PriorityPixel> pixels_;
+  std::vector<std::vector<Event>> drawn_;  ///< at each pixel, to judge it; where it is counted
+  ScreenPieces screen_;
+  std::vector<std::uint32_t> near_caps_;  ///< primitives that rays begin in, at some pixels
 };
 
 template <class Count, bool has_depth_buffer>
 Displayed list_priority(const DisplaySubject& subject) {
   const auto begin = std::chrono::steady_clock::now();
   Count preprocessing;
-  const Polygons polygons = clipped(subject.facets, subject.geometry, subject.bucket_size, preprocessing);
+  const PolygonOptions options{directory_of(std::string(subject.directory)),
+                               static_cast<std::uint32_t>(subject.bucket_size)};
+  const Polygons polygons = clipped(subject.facets, subject.geometry, options, preprocessing);
   const double seconds = seconds_since(begin);
   Displayed result = displayed<Count>(subject, [&](const ScreenFacets& seen, Ledger<Count>& ledger, Displayed& drawn) {
     ledger[Phase::preprocessing] = preprocessing;

@@ -47,7 +47,11 @@ struct DisplayWords {
 /// What drawing a picture facet by facet takes.
 struct DisplayCounts {
   std::uint64_t polygons = 0;        ///< of the model
-  std::uint64_t pieces = 0;          ///< that preprocessing makes of them
+  std::uint64_t pieces = 0;          ///< that clipping them against each other makes of them
+  std::uint64_t shared = 0;          ///< of these, in several cells
+  std::uint64_t references = 0;      ///< parts of them in cells, in all
+  std::uint64_t crossing_tests = 0;  ///< pairs of polygons that were held against each other
+  std::uint64_t overlap_tests = 0;   ///< of a polygon and a cell
   std::uint64_t drawn_polygons = 0;  ///< that have pixels
   std::uint64_t pixel_events = 0;    ///< surfaces that were found at pixels, each time that they were
   std::uint64_t passes = 0;          ///< over all facets
@@ -55,6 +59,7 @@ struct DisplayCounts {
   std::uint64_t splits = 0;          ///< of spans in which the order of surfaces may change
   std::uint64_t cells = 0;           ///< with polygons in them
   std::uint64_t drawn_cells = 0;     ///< of these, in the viewing cone
+  std::uint64_t looked_parts = 0;    ///< of space, cells among them, that were looked at for their order
   std::uint64_t overfull_cells = 0;  ///< with more polygons than a bucket takes
   std::uint64_t conflicts = 0;       ///< polygons that were drawn before one that they may hide, since no order is left
   Counts csg;                        ///< of classification; its operations are of all phases

@@ -3,166 +3,169 @@
 #include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <optional>
+#include <memory>
+#include <span>
+#include <stdexcept>
 #include <utility>
 
 #include "host/convex/clip.h"
+#include "sim/software/display/count_clipping.h"
 #include "sim/software/methods/counts.h"
+#include "sim/software/space/facet_shapes.h"
 
 namespace csgsim::software {
 
 namespace {
 
-constexpr unsigned most_cell_levels = 18;
-
-/// Heights of corners over a plane: three products of longs each, of four products of words.
-template <class Count>
-void count_heights(Count& count, std::size_t corners) {
-  count(Operation::load_long, 6 * corners);
-  count(Operation::multiply, 12 * corners);
-  count(Operation::add_long, 15 * corners);
-  count(Operation::compare_long, 2 * corners);
-  count(Operation::branch, 2 * corners);
-  count(Operation::branch_taken, corners);
-}
-
-/// Corners where edges cross a plane: a quotient of two digits, three products.
-template <class Count>
-void count_crossings(Count& count, std::size_t crossings) {
-  count(Operation::divide, 2 * crossings);
-  count(Operation::multiply, (2 + 12) * crossings);
-  count(Operation::add_long, (2 + 18) * crossings);
-  count(Operation::load_long, 8 * crossings);
-  count(Operation::store_long, 3 * crossings);
-}
+/// What reaches less beyond a wall is not cut by it, of the tolerance that directories have cells reach: more than that
+/// moves walls off faces that they would be on.
+constexpr double least_overhang = 10;
 
 /// Which sides of a plane points are on.
-struct Sides {
+struct WallSides {
   bool above = false;
   bool below = false;
-
-  [[nodiscard]] bool both() const { return above && below; }
 };
 
-bool overlap(const facet::Box& a, const facet::Box& b, double tolerance) {
-  return a.low.x <= b.high.x + tolerance && b.low.x <= a.high.x + tolerance && a.low.y <= b.high.y + tolerance &&
-         b.low.y <= a.high.y + tolerance && a.low.z <= b.high.z + tolerance && b.low.z <= a.high.z + tolerance;
-}
-
-/// A part of a line, by how far along it.
-struct Along {
-  double first = std::numeric_limits<double>::infinity();
-  double last = -std::numeric_limits<double>::infinity();
-};
-
-template <class Count>
-class Clipper {
+/// The cells that a directory has polygons in, as ranges of numbers.
+class CellNumbers {
  public:
-  Clipper(const Facets& facets, const facet::Geometry& geometry, std::size_t bucket_size, Count& count)
-      : facets_(facets),
-        planes_(geometry.planes.planes()),
-        tolerance_(convex::tolerance(geometry.planes)),
-        bucket_size_(bucket_size),
-        count_(count) {
-    made_.canonical_planes = planes_.size();
+  CellNumbers(const std::vector<SpacePart>& space, std::size_t polygons) : space_(space), of_(polygons) {
+    ranges_.resize(space.size());
+    number(0);
   }
 
-  Polygons made() {
-    std::vector<Piece> pieces;
-    facet::Box box;
-    for (std::uint32_t facet = 0; facet < facets_.facets.size(); ++facet) {
-      pieces.push_back(whole(facet));
-      box = facet::hull(box, pieces.back().box);
-    }
-    made_.cells.push_back({box});
-    fill(0, 0, std::move(pieces));
-    return std::move(made_);
+  [[nodiscard]] bool has(std::uint32_t part, std::uint32_t polygon) const {
+    const auto place = std::ranges::lower_bound(of_[polygon], ranges_[part].first);
+    return place != of_[polygon].end() && *place < ranges_[part].end;
+  }
+  /// Polygons in several cells.
+  [[nodiscard]] std::uint64_t shared() const {
+    return static_cast<std::uint64_t>(std::ranges::count_if(of_, [](const auto& cells) { return cells.size() > 1; }));
   }
 
  private:
-  Piece whole(std::uint32_t facet) {
-    const std::span<const glm::dvec3> corners = facets_.corners_of(facet);
-    Piece piece{facet, {corners.begin(), corners.end()}, {}, facet::box_of(corners)};
-    if (!corners.empty()) return piece;
-    // It has no place of its own, and is where its primitive is.
-    const std::uint32_t primitive = facets_.facets[facet].primitive;
-    for (std::size_t i = facets_.of_primitives[primitive]; i < facets_.of_primitives[primitive + 1]; ++i) {
-      const std::span<const glm::dvec3> others = facets_.corners_of(static_cast<std::uint32_t>(i));
-      if (others.empty()) continue;
-      piece.corners = {others.front()};
-      piece.box = {others.front(), others.front()};
-      return piece;
+  struct Numbers {
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
+  };
+
+  void number(std::uint32_t part) {
+    ranges_[part].first = cells_;
+    if (space_[part].is_cell()) {
+      for (const std::uint32_t polygon : space_[part].facets) of_[polygon].push_back(cells_);
+      ++cells_;
+    } else {
+      number(space_[part].low);
+      number(space_[part].high);
     }
-    piece.corners = {glm::dvec3{0}};
-    piece.box = {glm::dvec3{0}, glm::dvec3{0}};
-    return piece;
+    ranges_[part].end = cells_;
   }
 
-  void fill(std::uint32_t cell, unsigned level, std::vector<Piece> pieces) {
-    if (pieces.size() <= bucket_size_ || level == most_cell_levels) clip_each_other(pieces);
-    count_(Operation::compare, 2);
-    count_(Operation::branch, 2);
-    if (pieces.size() <= bucket_size_ || level == most_cell_levels) {
-      count_(Operation::store_long, pieces.size());
-      made_.cells[cell].bucket = std::move(pieces);
+  const std::vector<SpacePart>& space_;
+  std::vector<std::vector<std::uint32_t>> of_;  ///< cells of each polygon, ascending
+  std::vector<Numbers> ranges_;                 ///< of each part
+  std::uint32_t cells_ = 0;
+};
+
+/// Takes polygons down a directory to its cells.
+template <class Count>
+class CellFiller {
+ public:
+  CellFiller(const std::vector<SpacePart>& space, const ClippedFacets& clipped, const facet::Geometry& geometry,
+             Count& count)
+      : space_(space),
+        numbers_(space, clipped.facets.size()),
+        tolerance_(least_overhang * convex::tolerance(geometry.planes)),
+        count_(count) {
+    made_.canonical_planes = geometry.planes.planes().size();
+    made_.clipped = clipped.polygons.polygons();
+    made_.crossing_tests = clipped.crossing_tests;
+    made_.overlap_tests = clipped.overlap_tests;
+    made_.shared = numbers_.shared();
+    made_.cells.resize(space.size());
+    std::vector<Entry> entries;
+    for (std::uint32_t i = 0; i < clipped.facets.size(); ++i) {
+      const std::span<const glm::dvec3> corners = clipped.polygons.corners_of(i);
+      entries.push_back(
+          {i, {clipped.facets[i], {corners.begin(), corners.end()}, clipped.cuts[i], facet::box_of(corners)}});
+    }
+    fill(0, std::move(entries));
+  }
+
+  Polygons made() { return std::move(made_); }
+
+ private:
+  struct Entry {
+    std::uint32_t polygon;  ///< of ClippedFacets
+    Piece piece;
+  };
+
+  void fill(std::uint32_t part, std::vector<Entry> entries) {
+    const SpacePart& space = space_[part];
+    PolygonCell& cell = made_.cells[part];
+    cell.box = space.box;
+    count_(Operation::load_long);
+    count_(Operation::branch);
+    if (space.is_cell()) {
+      for (Entry& entry : entries) cell.bucket.push_back(std::move(entry.piece));
+      count_(Operation::store_long, entries.size());
       return;
     }
-    halve(cell, level, std::move(pieces));
-  }
-
-  void halve(std::uint32_t cell, unsigned level, std::vector<Piece> pieces) {
-    const auto axis = static_cast<glm::length_t>(level % 3);
-    facet::Box low = made_.cells[cell].box;
-    facet::Box high = low;
-    const double middle = low.low[axis] + (low.high[axis] - low.low[axis]) / 2.0;
-    low.high[axis] = high.low[axis] = middle;
-    facet::Plane wall{glm::dvec3{0}, -middle};
-    wall.normal[axis] = 1.0;
-    const auto number = static_cast<std::uint32_t>(made_.walls.size());
+    cell.wall = static_cast<std::uint32_t>(made_.walls.size());
+    cell.low = space.low;
+    cell.high = space.high;
+    facet::Plane wall{glm::dvec3{0}, -space.wall};
+    wall.normal[space.axis] = 1.0;
     made_.walls.push_back(wall);
-    std::vector<Piece> below;
-    std::vector<Piece> above;
-    for (Piece& piece : pieces) share(std::move(piece), number, below, above);
-    const auto first = static_cast<std::uint32_t>(made_.cells.size());
-    made_.cells[cell].wall = number;
-    made_.cells[cell].low = first;
-    made_.cells[cell].high = first + 1;
-    made_.cells.push_back({low});
-    made_.cells.push_back({high});
-    fill(first, level + 1, std::move(below));
-    fill(first + 1, level + 1, std::move(above));
+    std::vector<Entry> low;
+    std::vector<Entry> high;
+    for (Entry& entry : entries) share(std::move(entry), space, cell.wall, low, high);
+    fill(space.low, std::move(low));
+    fill(space.high, std::move(high));
   }
 
-  /// Puts a piece, or its parts, on the sides of a wall.
-  void share(Piece piece, std::uint32_t wall, std::vector<Piece>& below, std::vector<Piece>& above) {
-    const facet::Plane& plane = made_.walls[wall];
+  /// Puts a polygon, or its parts, on the sides of a wall that have it.
+  void share(Entry entry, const SpacePart& space, std::uint32_t wall, std::vector<Entry>& low,
+             std::vector<Entry>& high) {
     count_(Operation::load_long, 2);
     count_(Operation::compare_long, 2);
     count_(Operation::branch, 2);
-    if (piece.corners.size() < 3) {
+    const bool is_low = numbers_.has(space.low, entry.polygon);
+    const bool is_high = numbers_.has(space.high, entry.polygon);
+    if (is_low != is_high) {
+      (is_low ? low : high).push_back(std::move(entry));
+      return;
+    }
+    const facet::Plane& plane = made_.walls[wall];
+    if (entry.piece.corners.size() < 3) {
       glm::dvec3 middle{0};
-      for (const glm::dvec3& corner : piece.corners) middle += corner / static_cast<double>(piece.corners.size());
-      (plane.height(middle) > 0.0 ? above : below).push_back(std::move(piece));
+      for (const glm::dvec3& corner : entry.piece.corners)
+        middle += corner / static_cast<double>(entry.piece.corners.size());
+      (plane.height(middle) > 0.0 ? high : low).push_back(std::move(entry));
       return;
     }
-    const Sides sides = sides_of(piece.corners, plane);
-    if (!sides.both()) {
-      (sides.above ? above : below).push_back(std::move(piece));
+    const WallSides sides = sides_of(entry.piece.corners, plane);
+    if (!sides.above || !sides.below) {
+      (sides.above ? high : low).push_back(std::move(entry));
       return;
     }
-    above.push_back(cut(piece, static_cast<std::uint32_t>(planes_.size() + wall), plane));
-    below.push_back(std::move(piece));
+    Entry above{entry.polygon, cut(entry.piece, static_cast<std::uint32_t>(made_.canonical_planes + wall), plane)};
+    high.push_back(std::move(above));
+    low.push_back(std::move(entry));
   }
 
-  Sides sides_of(std::span<const glm::dvec3> corners, const facet::Plane& plane) {
-    Sides sides;
+  WallSides sides_of(std::span<const glm::dvec3> corners, const facet::Plane& plane) {
+    WallSides sides;
     for (const glm::dvec3& corner : corners) {
       const double height = plane.height(corner);
       sides.above = sides.above || height > tolerance_;
       sides.below = sides.below || height < -tolerance_;
     }
-    count_heights(count_, corners.size());
+    count_(Operation::load_long, corners.size());
+    count_(Operation::compare_long, corners.size());
+    count_(Operation::branch, corners.size());
+    count_(Operation::branch_taken, corners.size());
     return sides;
   }
 
@@ -195,70 +198,9 @@ class Clipper {
     return above;
   }
 
-  [[nodiscard]] std::uint32_t plane_of(const Piece& piece) const { return facets_.facets[piece.facet].halfspace.plane; }
-
-  /// Cuts pieces of different primitives until none cross.
-  void clip_each_other(std::vector<Piece>& pieces) {
-    for (std::size_t i = 1; i < pieces.size(); ++i) {
-      for (std::size_t j = 0; j < i; ++j) {
-        if (!cross(pieces[i], pieces[j])) continue;
-        const std::uint32_t of_i = plane_of(pieces[i]);
-        const std::uint32_t of_j = plane_of(pieces[j]);
-        Piece rest_of_i = cut(pieces[i], of_j, planes_[of_j]);
-        Piece rest_of_j = cut(pieces[j], of_i, planes_[of_i]);
-        pieces.push_back(std::move(rest_of_i));
-        pieces.push_back(std::move(rest_of_j));
-      }
-    }
-  }
-
-  bool cross(const Piece& a, const Piece& b) {
-    count_(Operation::load, 2);
-    count_(Operation::compare);
-    count_(Operation::branch);
-    if (facets_.facets[a.facet].primitive == facets_.facets[b.facet].primitive) return false;
-    count_(Operation::load_long, 12);
-    count_(Operation::compare_long, 6);
-    count_(Operation::branch, 6);
-    if (a.corners.size() < 3 || b.corners.size() < 3 || !overlap(a.box, b.box, 0.0)) return false;
-    const facet::Plane& of_a = planes_[plane_of(a)];
-    const facet::Plane& of_b = planes_[plane_of(b)];
-    if (!sides_of(a.corners, of_b).both() || !sides_of(b.corners, of_a).both()) return false;
-    const glm::dvec3 line = glm::normalize(glm::cross(of_a.normal, of_b.normal));
-    const Along on_a = along(a.corners, of_b, line);
-    const Along on_b = along(b.corners, of_a, line);
-    count_(Operation::compare_long, 2);
-    count_(Operation::branch, 2);
-    return std::min(on_a.last, on_b.last) - std::max(on_a.first, on_b.first) > tolerance_;
-  }
-
-  /// Where a polygon that a plane cuts meets it.
-  Along along(std::span<const glm::dvec3> corners, const facet::Plane& plane, const glm::dvec3& line) {
-    Along part;
-    std::size_t crossings = 0;
-    const auto add = [&](const glm::dvec3& point) {
-      const double place = glm::dot(point, line);
-      part = {std::min(part.first, place), std::max(part.last, place)};
-      ++crossings;
-    };
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const glm::dvec3& here = corners[i];
-      const glm::dvec3& next = corners[(i + 1) % corners.size()];
-      const double height = plane.height(here);
-      const double beyond = plane.height(next);
-      if (height >= -tolerance_ && height <= tolerance_) add(here);
-      if ((height > tolerance_ && beyond < -tolerance_) || (height < -tolerance_ && beyond > tolerance_))
-        add(here + (next - here) * (height / (height - beyond)));
-    }
-    count_crossings(count_, crossings);
-    count_heights(count_, crossings);
-    return part;
-  }
-
-  const Facets& facets_;
-  const std::vector<facet::Plane>& planes_;
+  const std::vector<SpacePart>& space_;
+  CellNumbers numbers_;
   double tolerance_;
-  std::size_t bucket_size_;
   Count& count_;
   Polygons made_;
 };
@@ -297,12 +239,22 @@ std::size_t Polygons::filled() const {
 }
 
 template <class Count>
-Polygons clipped(const Facets& facets, const facet::Geometry& geometry, std::size_t bucket_size, Count& count) {
-  return Clipper<Count>(facets, geometry, bucket_size, count).made();
+Polygons clipped(const Facets& facets, const facet::Geometry& geometry, const PolygonOptions& options, Count& count) {
+  const ClippedFacets clipped = clip_each_other(facets, geometry, options.directory, options.bucket_size, count);
+  const FacetShapes shapes(clipped.polygons, convex::tolerance(geometry.planes));
+  const std::unique_ptr<Directory> directory = options.directory.make(shapes, {options.bucket_size});
+  const std::vector<SpacePart> space = directory->parts();
+  if (space.empty()) throw std::logic_error("this directory does not halve space");
+  Polygons polygons = CellFiller<Count>(space, clipped, geometry, count).made();
+  const SpaceBuilt built = directory->built();
+  count_built(count, built.operations);
+  polygons.overlap_tests += built.overlap_tests;
+  polygons.words = built.directory_words + built.bucket_words;
+  return polygons;
 }
 
-template Polygons clipped(const Facets&, const facet::Geometry&, std::size_t, CountingMethod&);
-template Polygons clipped(const Facets&, const facet::Geometry&, std::size_t, UncountedMethod&);
+template Polygons clipped(const Facets&, const facet::Geometry&, const PolygonOptions&, CountingMethod&);
+template Polygons clipped(const Facets&, const facet::Geometry&, const PolygonOptions&, UncountedMethod&);
 
 CellOrder front_to_back(const Polygons& polygons, const view::EyeSpace& eye, const glm::dvec3& centre,
                         std::uint32_t width, std::uint32_t height) {

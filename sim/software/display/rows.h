@@ -24,7 +24,8 @@ struct DisplaySubject {
   const view::View& view;
   const Tree& tree;  ///< of the model, in some shape
   const Facets& facets;
-  std::size_t bucket_size = 24;  ///< polygons that a bucket takes, of methods that have any
+  std::size_t bucket_size = 24;           ///< polygons that a bucket takes, of methods that have any
+  std::string_view directory = "excell";  ///< of the same, one that halves space
 
   /// 2^n - 1, where nothing is seen.
   [[nodiscard]] std::uint32_t farthest() const { return (std::uint32_t{1} << view.sampling.z_bits) - 1; }

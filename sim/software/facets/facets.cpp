@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "host/convex/clip.h"
 #include "host/convex/polytope.h"
@@ -11,18 +14,27 @@ namespace csgsim::software {
 
 namespace {
 
-/// The corners of the face in that plane; of a half-space without a face, the vertices that are on its plane.
-void add_corners(const convex::Polytope& polytope, facet::Halfspace halfspace, const facet::PlaneTable& planes,
+constexpr std::uint32_t no_face = 0xffffffffU;
+
+/// Of each half-space the face that the polytope has in it; no_face if it has none. Both are in one order: clipping
+/// adds a face with each half-space, behind the others.
+std::vector<std::uint32_t> faces_of(const convex::Polytope& polytope, const std::vector<facet::Halfspace>& halfspaces) {
+  std::vector<std::uint32_t> found(halfspaces.size(), no_face);
+  std::uint32_t next = 0;
+  for (std::size_t i = 0; i < halfspaces.size() && next < polytope.faces.size(); ++i)
+    if (polytope.faces[next].halfspace == halfspaces[i]) found[i] = next++;
+  return found;
+}
+
+/// The corners of the face; of a half-space without a face, the vertices that are on its plane.
+void add_corners(const convex::Polytope& polytope, std::uint32_t face, const facet::Plane& plane, double near,
                  std::vector<glm::dvec3>& corners) {
-  const auto face =
-      std::ranges::find_if(polytope.faces, [&](const convex::Face& one) { return one.halfspace == halfspace; });
-  if (face != polytope.faces.end()) {
-    for (const std::uint32_t corner : face->corners) corners.push_back(polytope.vertices[corner]);
+  if (face != no_face) {
+    for (const std::uint32_t corner : polytope.faces[face].corners) corners.push_back(polytope.vertices[corner]);
     return;
   }
-  const facet::Plane& plane = planes.planes()[halfspace.plane];
   for (const glm::dvec3& vertex : polytope.vertices) {
-    if (std::abs(plane.height(vertex)) <= convex::tolerance(planes)) corners.push_back(vertex);
+    if (std::abs(plane.height(vertex)) <= near) corners.push_back(vertex);
   }
 }
 
@@ -35,6 +47,7 @@ std::size_t Facets::polygons() const {
 
 Facets facets_of(const model::Tree& tree, const facet::Geometry& geometry) {
   Facets facets;
+  const double near = convex::tolerance(geometry.planes);
   for (std::uint32_t primitive = 0; primitive < geometry.solids.size(); ++primitive) {
     const facet::Convex& solid = geometry.solids[primitive];
     if (!solid.quadrics.empty()) {
@@ -43,9 +56,11 @@ Facets facets_of(const model::Tree& tree, const facet::Geometry& geometry) {
     }
     facets.of_primitives.push_back(facets.facets.size());
     const convex::Polytope polytope = convex::make_polytope(solid, geometry.planes);
-    for (const facet::Halfspace halfspace : solid.halfspaces) {
+    const std::vector<std::uint32_t> faces = faces_of(polytope, solid.halfspaces);
+    for (std::size_t i = 0; i < solid.halfspaces.size(); ++i) {
+      const facet::Halfspace halfspace = solid.halfspaces[i];
       const std::size_t begin = facets.corners.size();
-      add_corners(polytope, halfspace, geometry.planes, facets.corners);
+      add_corners(polytope, faces[i], geometry.planes.planes()[halfspace.plane], near, facets.corners);
       facets.facets.push_back({primitive, halfspace, begin, facets.corners.size()});
     }
   }

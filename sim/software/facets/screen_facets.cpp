@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/view/region.h"
+#include "host/view/rivals.h"
 #include "sim/software/rays/tile_planes.h"
 
 namespace csgsim::software {
@@ -20,21 +21,38 @@ FixedLinear passed(const TilePlanes::Edge& edge) {
   return {-edge.linear.a, -edge.linear.b, -edge.linear.c - 1};
 }
 
+/// A primitive's planes as rays meet them: one that has none at the front begins at the near cap, at depth 0.
+view::Boundary boundary_of(TilePlanes planes) {
+  view::Boundary boundary{std::move(planes.fronts), std::move(planes.backs), {}};
+  if (boundary.fronts.empty()) boundary.fronts.emplace_back();
+  for (const TilePlanes::Edge& edge : planes.edges) boundary.edges.push_back(passed(edge));
+  return boundary;
+}
+
 /// Makes the facets of one primitive.
 class Maker {
  public:
   Maker(const view::View& view, std::uint32_t primitive, TilePlanes planes, ScreenFacets& made)
-      : pixels_(view.extents[primitive].pixels), primitive_(primitive), planes_(std::move(planes)), made_(made) {}
+      : primitive_(primitive),
+        has_near_cap_(planes.fronts.empty()),
+        boundary_(boundary_of(std::move(planes))),
+        rivals_(view::rivals(boundary_, view.extents[primitive].pixels, 0)),
+        made_(made) {}
 
   void add_near_cap() {
-    if (planes_.fronts.empty()) add({}, 0, planes_.fronts, planes_.backs);
+    if (has_near_cap_) add_front(ScreenFacet::near_cap, 0);
   }
   /// The one of so many among those at the front, or at the back.
-  void add_front(std::uint32_t facet, std::size_t place) {
-    add({.facet = facet, .depth = planes_.fronts[place]}, place, planes_.fronts, planes_.backs);
+  void add_front(std::uint32_t facet, std::uint32_t place) {
+    const view::Rivals& rivals = rivals_.of_fronts[place];
+    add({.facet = facet, .depth = boundary_.fronts[place]}, place, rivals, rivals.fronts, rivals.backs);
   }
-  void add_back(std::uint32_t facet, std::size_t place) {
-    add({.facet = facet, .leaves = true, .depth = planes_.backs[place]}, place, planes_.backs, planes_.fronts);
+  void add_back(std::uint32_t facet, std::uint32_t place) {
+    const view::Rivals& rivals = rivals_.of_backs[place];
+    // What is before depth 0 is no event, with or without the near cap.
+    static const std::vector<std::uint32_t> none;
+    add({.facet = facet, .leaves = true, .depth = boundary_.backs[place]}, place, rivals, rivals.backs,
+        has_near_cap_ ? none : rivals.fronts);
   }
 
  private:
@@ -42,30 +60,57 @@ class Maker {
     if (!region_.clip(linear)) made_.linears.push_back(linear);
   }
 
-  void add(ScreenFacet facet, std::size_t place, const std::vector<FixedLinear>& same,
-           const std::vector<FixedLinear>& others) {
-    region_ = view::Region(pixels_);
+  /// Bounds the region by the rivals on the facet's own side, and by those on the other one.
+  void bound(const ScreenFacet& facet, std::uint32_t place, const std::vector<std::uint32_t>& same,
+             const std::vector<std::uint32_t>& others) {
+    for (const std::uint32_t i : same) {
+      if (region_.empty()) return;
+      const FixedLinear& one = facet.leaves ? boundary_.backs[i] : boundary_.fronts[i];
+      const std::int64_t more = i < place ? -1 : 0;
+      bound(facet.leaves ? difference(one, facet.depth, more) : difference(facet.depth, one, more));
+    }
+    for (const std::uint32_t i : others) {
+      if (region_.empty()) return;
+      bound(thickness(facet, opposite(facet, i), -1));
+    }
+  }
+
+  void add(ScreenFacet facet, std::uint32_t place, const view::Rivals& rivals, const std::vector<std::uint32_t>& same,
+           const std::vector<std::uint32_t>& others) {
+    region_ = view::Region(rivals.pixels);
     facet.primitive = primitive_;
     facet.bounds = made_.linears.size();
-    for (const TilePlanes::Edge& edge : planes_.edges) bound(passed(edge));
-    for (std::size_t i = 0; i < same.size() && !region_.empty(); ++i) {
-      if (i == place) continue;
-      const std::int64_t more = i < place ? -1 : 0;
-      bound(facet.leaves ? difference(same[i], facet.depth, more) : difference(facet.depth, same[i], more));
-    }
-    for (std::size_t i = 0; i < others.size() && !region_.empty(); ++i) bound(thickness(facet, others[i], -1));
-    facet.pixels = view::common(region_.pixels(), pixels_);
+    for (const std::uint32_t i : rivals.edges) bound(boundary_.edges[i]);
+    bound(facet, place, same, others);
+    facet.pixels = view::common(region_.pixels(), rivals.pixels);
     if (region_.empty() || facet.pixels.empty()) {
       made_.linears.resize(facet.bounds);
       return;
     }
     leave_out_slack(facet.bounds);
     facet.opposites = made_.linears.size();
-    for (const FixedLinear& other : others) {
+    if (!covers_a_pixel(facet)) {
+      made_.linears.resize(facet.bounds);
+      return;
+    }
+    for (const std::uint32_t i : others) {
+      const FixedLinear& other = opposite(facet, i);
       if (!is_surely_behind(facet, other)) made_.linears.push_back(other);
     }
     facet.end = made_.linears.size();
     made_.facets.push_back(facet);
+  }
+
+  /// Rivals bound it at pixels: between these it may reach far beyond its place.
+  [[nodiscard]] bool covers_a_pixel(const ScreenFacet& facet) const {
+    for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
+      if (!made_.span_of(facet, row).empty()) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] const FixedLinear& opposite(const ScreenFacet& facet, std::uint32_t number) const {
+    return facet.leaves ? boundary_.fronts[number] : boundary_.backs[number];
   }
 
   /// Leaves out bounds that were cut by before others took more: a convex region on which a function is above 0
@@ -88,9 +133,10 @@ class Maker {
     return facet.leaves ? difference(facet.depth, other, more) : difference(other, facet.depth, more);
   }
 
-  view::PixelRect pixels_;
   std::uint32_t primitive_;
-  TilePlanes planes_;
+  bool has_near_cap_;
+  view::Boundary boundary_;
+  view::AllRivals rivals_;
   ScreenFacets& made_;
   view::Region region_{view::PixelRect{}};
 };
@@ -100,8 +146,8 @@ void add_facets(const view::View& view, const Facets& facets, std::uint32_t prim
   if (planes.nowhere || view.extents[primitive].pixels.empty()) return;
   Maker maker(view, primitive, std::move(planes), made);
   maker.add_near_cap();
-  std::size_t fronts = 0;
-  std::size_t backs = 0;
+  std::uint32_t fronts = 0;
+  std::uint32_t backs = 0;
   for (std::size_t i = facets.of_primitives[primitive]; i < facets.of_primitives[primitive + 1]; ++i) {
     const facet::Halfspace halfspace = facets.facets[i].halfspace;
     const view::ScreenPlane& plane = view.planes[halfspace.plane];

@@ -44,6 +44,20 @@ class CellVisitor {
   virtual bool visit(const Cell& cell) = 0;
 };
 
+/// A part of space: halved by a wall across an axis, or a cell.
+struct SpacePart {
+  static constexpr std::uint32_t none = 0xffffffffU;
+
+  facet::Box box;
+  int axis = 0;
+  double wall = 0;
+  std::uint32_t low = none;  ///< parts on the sides of the wall; none of a cell
+  std::uint32_t high = none;
+  std::span<const std::uint32_t> facets{};  ///< of a cell
+
+  [[nodiscard]] bool is_cell() const { return low == none; }
+};
+
 /// What was built, and what that took.
 struct SpaceBuilt {
   std::uint64_t cells = 0;          ///< with or without facets; of a tree of boxes its leaves
@@ -85,6 +99,8 @@ class Directory {
   virtual void walk(const SpaceRay& ray, CellVisitor& visitor, Uncounted& count) const = 0;
   /// So far: some are built as rays come.
   [[nodiscard]] virtual SpaceBuilt built() const = 0;
+  /// Of a directory whose walls halve space, all of space first; nothing of others. Keeps references to it.
+  [[nodiscard]] virtual std::vector<SpacePart> parts() const { return {}; }
 };
 
 /// A directory that has a template `go` for both.
@@ -111,9 +127,12 @@ struct DirectoryRow {
   std::string_view source;
   /// Keeps a reference.
   std::unique_ptr<Directory> (*make)(const FacetShapes& shapes, const SpaceOptions& options) = nullptr;
+  bool halves_space = false;  ///< has parts(), and no other row has the same cells before
 };
 
 std::span<const DirectoryRow* const> directories();
+/// Names of those that halve space.
+std::vector<std::string> halving_directories();
 /// By name. Throws InputError that lists what there is.
 const DirectoryRow& directory_of(const std::string& name);
 

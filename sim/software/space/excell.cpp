@@ -120,6 +120,30 @@ void ExcellCells::halve(const Range& range) {
   }
 }
 
+void ExcellCells::add_part_of(const Range& asked, std::vector<SpacePart>& parts) const {
+  Uncounted uncounted;
+  const Looked looked = look(asked, uncounted);
+  const Range& range = looked.range;
+  const std::size_t number = parts.size();
+  parts.push_back({box_of(range.prefix, range.level)});
+  if (looked.is_cell) {
+    parts[number].facets = looked.facets;
+    return;
+  }
+  parts[number].axis = axis_of(range.level);
+  parts[number].wall = wall_of(range);
+  parts[number].low = static_cast<std::uint32_t>(parts.size());
+  add_part_of({range.directory, 2 * range.prefix, range.level + 1}, parts);
+  parts[number].high = static_cast<std::uint32_t>(parts.size());
+  add_part_of({range.directory, 2 * range.prefix + 1, range.level + 1}, parts);
+}
+
+std::vector<SpacePart> ExcellCells::parts() const {
+  std::vector<SpacePart> parts;
+  add_part_of({}, parts);
+  return parts;
+}
+
 SpaceBuilt ExcellCells::built() const {
   SpaceBuilt built = built_;
   built.operations = count_.done();
@@ -145,6 +169,7 @@ class Excell final : public DirectoryOf<Excell> {
   Excell(const FacetShapes& shapes, const SpaceOptions& options) : cells_(shapes, options) {}
 
   [[nodiscard]] SpaceBuilt built() const override { return cells_.built(); }
+  [[nodiscard]] std::vector<SpacePart> parts() const override { return cells_.parts(); }
 
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
@@ -161,6 +186,7 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
   RecursiveExcell(const FacetShapes& shapes, const SpaceOptions& options) : cells_(shapes, options) {}
 
   [[nodiscard]] SpaceBuilt built() const override { return cells_.built(); }
+  [[nodiscard]] std::vector<SpacePart> parts() const override { return cells_.parts(); }
 
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
@@ -190,7 +216,7 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
 
 extern const DirectoryRow excell_row{"excell",
                                      "halved cells behind an array that is addressed, from query point to query point",
-                                     "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>};
+                                     "Tamminen 1981; Jansen 1987, 5.1.3, algorithm 5.3", made_directory<Excell>, true};
 extern const DirectoryRow recursive_excell_row{"excell-recursive",
                                                "the same cells, the ray clipped to halves of the array",
                                                "Jansen 1987, algorithm 5.4", made_directory<RecursiveExcell>};

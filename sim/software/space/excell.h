@@ -89,6 +89,9 @@ class ExcellCells {
     }
   }
 
+  /// See Directory.
+  [[nodiscard]] std::vector<SpacePart> parts() const;
+
   /// The wall that halves a range.
   [[nodiscard]] double wall_of(const Range& range) const;
   static int axis_of(unsigned level) { return static_cast<int>(level % 3); }
@@ -125,6 +128,7 @@ class ExcellCells {
   }
   [[nodiscard]] facet::Box box_of(std::uint32_t prefix, unsigned level) const;
 
+  void add_part_of(const Range& asked, std::vector<SpacePart>& parts) const;
   void insert(Range range, std::uint32_t facet);
   void put(const Range& range, std::uint32_t facet);
   void halve(const Range& range);

@@ -32,6 +32,27 @@ class KdTree final : public DirectoryOf<KdTree> {
     return built;
   }
 
+  [[nodiscard]] std::vector<SpacePart> parts() const override {
+    std::vector<SpacePart> parts;
+    for (const Node& node : nodes_) {
+      if (node.low == 0) {
+        parts.push_back({.box = {}, .facets = node.facets});
+      } else {
+        parts.push_back({{}, node.axis, node.wall, node.low, node.low + 1});
+      }
+    }
+    // A node comes before the two that it is divided into.
+    parts.front().box = shapes_.box();
+    for (const Node& node : nodes_) {
+      if (node.low == 0) continue;
+      const facet::Box& box = parts[static_cast<std::size_t>(&node - nodes_.data())].box;
+      const auto [low, high] = halves(box, node.axis, node.wall);
+      parts[node.low].box = low;
+      parts[node.low + 1].box = high;
+    }
+    return parts;
+  }
+
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     const auto look = [&](std::uint32_t number, Count& counted) {
@@ -136,6 +157,6 @@ class KdTree final : public DirectoryOf<KdTree> {
 
 extern const DirectoryRow kd_tree_row{"kd-tree",
                                       "cells halved where the surface heuristic says, the ray clipped to halves",
-                                      "MacDonald and Booth 1990; Havran 2000", made_directory<KdTree>};
+                                      "MacDonald and Booth 1990; Havran 2000", made_directory<KdTree>, true};
 
 }  // namespace csgsim::software

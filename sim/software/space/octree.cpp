@@ -29,6 +29,12 @@ class Octree final : public DirectoryOf<Octree> {
     return built;
   }
 
+  [[nodiscard]] std::vector<SpacePart> parts() const override {
+    std::vector<SpacePart> parts;
+    add_parts_of(nodes_[0], {}, 0, parts);
+    return parts;
+  }
+
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     const auto locate = [&](const glm::uvec3& at, Count& counted) {
@@ -55,6 +61,35 @@ class Octree final : public DirectoryOf<Octree> {
   static std::uint32_t octant_of(const glm::uvec3& at, unsigned level) {
     const unsigned bit = octree_levels - 1 - level;
     return (at.x >> bit & 1U) + 2 * (at.y >> bit & 1U) + 4 * (at.z >> bit & 1U);
+  }
+
+  void add_parts_of(const Node& node, const glm::uvec3& at, unsigned level, std::vector<SpacePart>& parts) const {
+    if (node.first == 0) {
+      parts.push_back({.box = lattice_.block(at, glm::uvec3{level}), .facets = node.facets});
+      return;
+    }
+    add_half_of(node.first, 2, at, glm::uvec3{level}, parts);
+  }
+
+  /// Of nodes from `first` that differ in the bits of octants up to that axis's, z being the highest. They take the
+  /// block of the cell `at` with those depths.
+  void add_half_of(std::uint32_t first, int axis, const glm::uvec3& at, const glm::uvec3& depths,
+                   std::vector<SpacePart>& parts) const {
+    if (axis < 0) {
+      add_parts_of(nodes_[first], at, depths.x, parts);
+      return;
+    }
+    const std::uint32_t size = 1U << (octree_levels - 1 - depths[axis]);
+    const std::size_t number = parts.size();
+    parts.push_back({lattice_.block(at, depths), axis, lattice_.wall(axis, at[axis] + size)});
+    glm::uvec3 halved = depths;
+    ++halved[axis];
+    parts[number].low = static_cast<std::uint32_t>(parts.size());
+    add_half_of(first, axis - 1, at, halved, parts);
+    parts[number].high = static_cast<std::uint32_t>(parts.size());
+    glm::uvec3 above = at;
+    above[axis] += size;
+    add_half_of(first + (1U << static_cast<unsigned>(axis)), axis - 1, above, halved, parts);
   }
 
   void divide(std::uint32_t number, const glm::uvec3& at, unsigned level) {
@@ -90,6 +125,6 @@ class Octree final : public DirectoryOf<Octree> {
 }  // namespace
 
 extern const DirectoryRow octree_row{"octree", "cells cut into eight, found from the top for each query point",
-                                     "Glassner 1984", made_directory<Octree>};
+                                     "Glassner 1984", made_directory<Octree>, true};
 
 }  // namespace csgsim::software

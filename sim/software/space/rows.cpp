@@ -28,6 +28,14 @@ constexpr std::array directory_rows{&excell_row, &recursive_excell_row, &boxes_r
 
 std::span<const DirectoryRow* const> directories() { return directory_rows; }
 
+std::vector<std::string> halving_directories() {
+  std::vector<std::string> names;
+  for (const DirectoryRow* const row : directory_rows) {
+    if (row->halves_space) names.emplace_back(row->name);
+  }
+  return names;
+}
+
 const DirectoryRow& directory_of(const std::string& name) {
   const std::vector<std::string> names = names_in(directory_rows);
   const auto place = std::ranges::find(names, name);

@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
 
-#include "host/view/region.h"
+#include "sim/software/rays/span.h"
 
 namespace csgsim::software {
 
@@ -68,25 +69,34 @@ TraceScene::TraceScene(const model::Tree& model, const facet::Geometry& geometry
   }
 }
 
+/// Looked at where a row of its pixels begins and ends, between which nothing is farther off.
 bool TraceScene::is_loose(const ScreenFacet& facet) const {
   if (facet.facet == ScreenFacet::near_cap) return true;
   const std::span<const glm::dvec3> corners = facets_.corners_of(facet.facet);
   if (corners.empty()) return true;
-  const double one = std::ldexp(1.0, static_cast<int>(screen_.fraction_bits));
   const view::FixedLinear& depth = facet.depth;
-  view::Region region(facet.pixels);
-  for (const view::FixedLinear& bound : screen_.bounds_of(facet)) region.clip(bound);
-  if (!facet.leaves && !region.is_surely_at_least(depth, 0)) return true;
-  region.clip(depth);
-  region.clip({-depth.a, -depth.b, (std::int64_t{screen_.farthest} << screen_.fraction_bits) - depth.c});
-  return std::ranges::any_of(region.corners(), [&](const glm::dvec2& at) {
-    const double value =
-        static_cast<double>(depth.a) * at.x + static_cast<double>(depth.b) * at.y + static_cast<double>(depth.c);
-    const double distance = isa::distance_at(view_.depth, view_.sampling.z_bits, value / one);
-    if (!std::isfinite(distance) || (eye_.perspective && distance <= 0)) return true;
-    const glm::dvec3 place = eye_.to_model(eye_.from_picture({at.x, at.y, distance})) - geometry_.planes.centre();
-    return !(distance_to(place, corners) <= shapes_.reach() / 2);
-  });
+  const std::int64_t farthest = std::int64_t{screen_.farthest} << screen_.fraction_bits;
+  for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
+    const std::int64_t begin = depth.b * row + depth.c;
+    Span span = screen_.span_of(facet, row);
+    const auto is_before = [&](std::int32_t column) { return value_at(depth, column, row) < 0; };
+    if (!facet.leaves && !span.empty() && (is_before(span.first) || is_before(span.last))) return true;
+    clip(span, depth.a, begin);
+    clip(span, -depth.a, farthest - begin);
+    if (!span.empty() && (is_far(facet, corners, span.first, row) || is_far(facet, corners, span.last, row)))
+      return true;
+  }
+  return false;
+}
+
+bool TraceScene::is_far(const ScreenFacet& facet, std::span<const glm::dvec3> corners, std::int32_t column,
+                        std::int32_t row) const {
+  const double one = std::ldexp(1.0, static_cast<int>(screen_.fraction_bits));
+  const auto value = static_cast<double>(value_at(facet.depth, column, row));
+  const double distance = isa::distance_at(view_.depth, view_.sampling.z_bits, value / one);
+  if (!std::isfinite(distance) || (eye_.perspective && distance <= 0)) return true;
+  const glm::dvec3 place = eye_.to_model(eye_.from_picture({column, row, distance})) - geometry_.planes.centre();
+  return !(distance_to(place, corners) <= shapes_.reach() / 2);
 }
 
 SpaceRay TraceScene::ray_of(std::int32_t column, std::int32_t row) const {

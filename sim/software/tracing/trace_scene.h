@@ -60,6 +60,9 @@ class TraceScene {
 
  private:
   [[nodiscard]] bool is_loose(const ScreenFacet& facet) const;
+  /// Whether its integers at a pixel are away from those corners.
+  [[nodiscard]] bool is_far(const ScreenFacet& facet, std::span<const glm::dvec3> corners, std::int32_t column,
+                            std::int32_t row) const;
 
   const facet::Geometry& geometry_;
   const view::View& view_;

@@ -14,6 +14,7 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/hash.h"
 #include "hw/machines/regions.h"
+#include "sim/report/page.h"
 #include "sim/shell/options.h"
 #include "sim/shell/usage.h"
 #include "sim/shell/version.h"

@@ -10,6 +10,7 @@
 #include "sim/shell/numbers.h"
 #include "sim/shell/text_columns.h"
 #include "sim/studies/classify/show.h"
+#include "sim/studies/processors.h"
 
 namespace csgsim::studies {
 
@@ -67,8 +68,6 @@ void print_work(Rows rows) {
   }
   fmt::print("\n{}", shell::in_columns(lines, sides_of(lines)));
 }
-
-std::string seconds_text(double seconds) { return fmt::format("{:.4g}", seconds); }
 
 void print_seconds(Rows rows, const software::Priced& processor) {
   const std::vector<std::string> coherences = coherences_of(rows);

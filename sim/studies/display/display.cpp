@@ -18,6 +18,7 @@
 #include "sim/shell/version.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/methods/rows.h"
+#include "sim/software/space/directory.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/display/show.h"
 #include "sim/studies/folder.h"
@@ -37,6 +38,9 @@ std::vector<std::string> display_methods_in(const std::string& text) {
 }
 std::vector<unsigned> display_fragments_in(const std::string& text) {
   return parse_numbers(text, 3, most_display_fragments);
+}
+std::vector<std::string> display_directories_in(const std::string& text) {
+  return parse_names(text, "directory", software::halving_directories());
 }
 std::vector<unsigned> bucket_sizes_in(const std::string& text) { return parse_numbers(text, 1, most_bucket_size); }
 
@@ -72,6 +76,10 @@ class Display : public StudyOf<DisplayStudyRow> {
         .excludes("--tolerances");
     command.option("--bucket-sizes", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
         .check(is_read_by(bucket_sizes_in));
+    command
+        .option("--directories", directories_,
+                "List of directories, of list priority, as csgsim manual methods tells of them")
+        .words(software::halving_directories(), is_read_by(display_directories_in));
     add_processors(command, processors_);
   }
 
@@ -79,7 +87,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     return inputs_with_processors(options_, processors_);
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    return {"methods", "tolerances", "fragments", "bucket-sizes", "processors"};
+    return {"methods", "tolerances", "fragments", "bucket-sizes", "directories", "processors"};
   }
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
@@ -88,13 +96,19 @@ class Display : public StudyOf<DisplayStudyRow> {
     machine_ = machine_of(options_);
     ModelFile file = read_model_file(options_);
     tree_ = std::move(file.tree);
-    faceting_ = faceting_of(options_, machine_, tree_);
+    faceting_ = flat_faceting_of(options_, machine_, tree_);
     inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
     std::vector<Asked> asked;
     for (const std::string& method : display_methods_in(methods_)) {
       const bool has_buckets = method.starts_with("list-priority");
-      for (const unsigned size : has_buckets ? bucket_sizes_in(bucket_sizes_) : std::vector<unsigned>{0})
-        add(method, size);
+      if (!has_buckets) {
+        add({.method = method});
+        continue;
+      }
+      for (const std::string& directory : display_directories_in(directories_)) {
+        for (const unsigned size : bucket_sizes_in(bucket_sizes_))
+          add({.method = method, .bucket_size = size, .directory = directory});
+      }
     }
     for (const DisplayPoint& point : points_) asked.push_back({to_line(point), inputs_});
     return asked;
@@ -151,14 +165,19 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
  private:
-  void add(const std::string& method, unsigned bucket_size) {
+  /// With facets of each kind.
+  void add(DisplayPoint point) {
+    if (tolerances_.empty() && fragments_.empty()) points_.push_back(point);
     if (!tolerances_.empty()) {
-      for (const double tolerance : tolerances_in(tolerances_)) points_.push_back({method, tolerance, 0, bucket_size});
+      for (const double tolerance : tolerances_in(tolerances_)) {
+        point.tolerance = tolerance;
+        points_.push_back(point);
+      }
     } else if (!fragments_.empty()) {
-      for (const unsigned fragments : display_fragments_in(fragments_))
-        points_.push_back({method, std::nullopt, fragments, bucket_size});
-    } else {
-      points_.push_back({method, std::nullopt, 0, bucket_size});
+      for (const unsigned fragments : display_fragments_in(fragments_)) {
+        point.fragments = fragments;
+        points_.push_back(point);
+      }
     }
   }
 
@@ -167,6 +186,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   std::string tolerances_;
   std::string fragments_;
   std::string bucket_sizes_ = "24";
+  std::string directories_ = "excell";
   std::string processors_ = "mc68000,i486dx2,this-computer";
   machines::Machine machine_;
   model::Tree tree_;

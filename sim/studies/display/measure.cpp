@@ -15,10 +15,15 @@ namespace {
 void tell(const software::DisplayCounts& counts, DisplayStudyRow& row) {
   row.polygons = counts.polygons;
   row.clipped_polygons = counts.pieces;
+  row.shared_polygons = counts.shared;
+  row.references = counts.references;
   row.drawn_polygons = counts.drawn_polygons;
   row.cells = counts.cells;
   row.drawn_cells = counts.drawn_cells;
+  row.cell_visits = counts.looked_parts;
   row.overfull_cells = counts.overfull_cells;
+  row.overlap_tests = counts.overlap_tests;
+  row.crossing_tests = counts.crossing_tests;
   row.conflicts = counts.conflicts;
   row.passes = counts.passes;
   row.spans = counts.spans;
@@ -72,12 +77,17 @@ DisplayStudyRow measure_display(const DisplayPoint& point, const Inputs& inputs,
     const software::DisplayRow& method = software::display_method(point.method);
     const software::Tree balanced = software::make_tree(tree, software::Shape::balanced);
     const software::Facets facets = software::facets_of(tree, geometry);
-    const software::DisplaySubject subject{tree, geometry, view, balanced, facets, point.bucket_size};
+    software::DisplaySubject subject{tree, geometry, view, balanced, facets};
+    if (point.bucket_size != 0) {
+      subject.bucket_size = point.bucket_size;
+      subject.directory = point.directory;
+    }
     const software::Displayed displayed = method.run(subject, true);
     tell(displayed.counts, row);
     row.primitives = tree.primitives.size();
     row.halfspaces = geometry.halfspaces();
     row.wrong = displayed.faults.all();
+    row.wrong_depth_bits = displayed.faults.depth_bits;
     row.wrong_coincident = displayed.faults.coincident;
     row.wrong_three_way = displayed.faults.three_way;
     row.wrong_order = displayed.faults.order;

@@ -19,21 +19,23 @@ namespace csgsim::studies {
 /// A way to display a model, and how many polygons it has.
 struct DisplayPoint {
   std::string method;
-  std::optional<double> tolerance;  ///< of facets, model units; none as the model or `fragments` say
-  unsigned fragments = 0;           ///< of a circle; 0 for facets as the model asks for them
-  unsigned bucket_size = 0;         ///< polygons that a bucket takes; 0 for a method without buckets
+  std::optional<double> tolerance{};  ///< of facets, model units; none as the model or `fragments` say
+  unsigned fragments = 0;             ///< of a circle; 0 for facets as the model asks for them
+  unsigned bucket_size = 0;           ///< polygons that a bucket takes; 0 for a method without buckets
+  std::string directory = "none";     ///< of these buckets
 
   static void columns(auto& point, const auto& visit) {
     visit("method", point.method);
     visit("tolerance", point.tolerance);
     visit("fragments", point.fragments);
     visit("bucket_size", point.bucket_size);
+    visit("directory", point.directory);
   }
 };
 
 /// What it takes. Operations are told by kind and by what they are for, so that they can be priced for any processor.
 struct DisplayStudyRow {
-  static constexpr std::size_t point_columns = 4;
+  static constexpr std::size_t point_columns = 5;
 
   DisplayPoint point;
   Inputs inputs;
@@ -41,10 +43,15 @@ struct DisplayStudyRow {
   std::uint64_t halfspaces = 0;
   std::uint64_t polygons = 0;
   std::uint64_t clipped_polygons = 0;
+  std::uint64_t shared_polygons = 0;
+  std::uint64_t references = 0;
   std::uint64_t drawn_polygons = 0;
   std::uint64_t cells = 0;
   std::uint64_t drawn_cells = 0;
+  std::uint64_t cell_visits = 0;
   std::uint64_t overfull_cells = 0;
+  std::uint64_t overlap_tests = 0;
+  std::uint64_t crossing_tests = 0;
   std::uint64_t conflicts = 0;
   std::uint64_t passes = 0;
   std::uint64_t spans = 0;
@@ -60,6 +67,7 @@ struct DisplayStudyRow {
   std::uint64_t sequence_words = 0;
   std::uint64_t words = 0;
   std::uint64_t wrong = 0;
+  std::uint64_t wrong_depth_bits = 0;
   std::uint64_t wrong_coincident = 0;
   std::uint64_t wrong_three_way = 0;
   std::uint64_t wrong_order = 0;
@@ -78,10 +86,15 @@ struct DisplayStudyRow {
     visit("halfspaces", row.halfspaces);
     visit("polygons", row.polygons);
     visit("clipped_polygons", row.clipped_polygons);
+    visit("shared_polygons", row.shared_polygons);
+    visit("references", row.references);
     visit("drawn_polygons", row.drawn_polygons);
     visit("cells", row.cells);
     visit("drawn_cells", row.drawn_cells);
+    visit("cell_visits", row.cell_visits);
     visit("overfull_cells", row.overfull_cells);
+    visit("overlap_tests", row.overlap_tests);
+    visit("crossing_tests", row.crossing_tests);
     visit("conflicts", row.conflicts);
     visit("passes", row.passes);
     visit("spans", row.spans);
@@ -97,6 +110,7 @@ struct DisplayStudyRow {
     visit("sequence_words", row.sequence_words);
     visit("words", row.words);
     visit("wrong", row.wrong);
+    visit("wrong_depth_bits", row.wrong_depth_bits);
     visit("wrong_coincident", row.wrong_coincident);
     visit("wrong_three_way", row.wrong_three_way);
     visit("wrong_order", row.wrong_order);

@@ -19,8 +19,9 @@ std::vector<plots::Plot> plots_of_display(std::span<const DisplayStudyRow> rows,
     const std::size_t panel = chart.panels.size() - 1;
     for (const DisplayStudyRow& row : rows) {
       if (!row.drawn()) continue;
-      const std::string name =
-          row.point.bucket_size == 0 ? row.point.method : fmt::format("{} {}", row.point.method, row.point.bucket_size);
+      const std::string name = row.point.bucket_size == 0 ? row.point.method
+                                                          : fmt::format("{} {} {}", row.point.method,
+                                                                        row.point.directory, row.point.bucket_size);
       auto series = std::ranges::find_if(
           chart.series, [&](const plots::Series& one) { return one.name == name && one.panel == panel; });
       if (series == chart.series.end()) series = chart.series.insert(series, {name, panel});

@@ -11,6 +11,7 @@
 #include "sim/shell/numbers.h"
 #include "sim/shell/text_columns.h"
 #include "sim/studies/display/show.h"
+#include "sim/studies/processors.h"
 
 namespace csgsim::studies {
 
@@ -28,17 +29,15 @@ struct MethodGroup {
 std::vector<MethodGroup> by_method(DisplayRows rows) {
   std::vector<MethodGroup> groups;
   for (const DisplayStudyRow& row : rows) {
-    const std::string name = row.point.bucket_size == 0
-                                 ? row.point.method
-                                 : fmt::format("{}, buckets of {}", row.point.method, row.point.bucket_size);
+    const std::string name = row.point.bucket_size == 0 ? row.point.method
+                                                        : fmt::format("{}, {}, buckets of {}", row.point.method,
+                                                                      row.point.directory, row.point.bucket_size);
     auto group = std::ranges::find(groups, name, &MethodGroup::name);
     if (group == groups.end()) group = groups.insert(group, {name, {}});
     group->rows.push_back(&row);
   }
   return groups;
 }
-
-std::string seconds_cell(double seconds) { return fmt::format("{:.4g}", seconds); }
 
 class Table {
  public:
@@ -68,11 +67,11 @@ void add_seconds(Table& table, const MethodGroup& group, const software::Priced&
     if (is_none) continue;
     table.add(fmt::format("{}: {}, s", processor.name, software::phase_rows[phase].meaning),
               [&](const DisplayStudyRow& row) {
-                return seconds_cell(display_seconds(row, processor).of[phase].value_or(0));
+                return seconds_text(display_seconds(row, processor).of[phase].value_or(0));
               });
   }
   table.add(processor.name + ": total without preprocessing, s",
-            [&](const DisplayStudyRow& row) { return seconds_cell(display_seconds(row, processor).total); });
+            [&](const DisplayStudyRow& row) { return seconds_text(display_seconds(row, processor).total); });
 }
 
 void print_group(const MethodGroup& group, std::span<const software::Priced> processors) {
@@ -82,8 +81,13 @@ void print_group(const MethodGroup& group, std::span<const software::Priced> pro
   table.add("polygons", &DisplayStudyRow::polygons);
   const bool is_clipped = group.rows.front()->point.bucket_size != 0;
   if (is_clipped) table.add("after clipping", &DisplayStudyRow::clipped_polygons);
+  table.add("  in several cells", &DisplayStudyRow::shared_polygons);
+  table.add("  cut by cells", &DisplayStudyRow::references);
   table.add("with pixels", &DisplayStudyRow::drawn_polygons);
   table.add("cells", &DisplayStudyRow::cells);
+  table.add("cells and halves looked at", &DisplayStudyRow::cell_visits);
+  table.add("tests of polygon and cell", &DisplayStudyRow::overlap_tests);
+  table.add("tests of polygon and polygon", &DisplayStudyRow::crossing_tests);
   table.add("cells overfull", &DisplayStudyRow::overfull_cells);
   table.add("conflicts of order", &DisplayStudyRow::conflicts);
   table.add("passes", &DisplayStudyRow::passes);
@@ -94,6 +98,7 @@ void print_group(const MethodGroup& group, std::span<const software::Priced> pro
   for (const software::Priced& processor : processors) add_seconds(table, group, processor);
   table.add("words", &DisplayStudyRow::words);
   table.add("wrong pixels", [](const DisplayStudyRow& row) { return grouped(row.wrong); });
+  table.add("  bits of depth", &DisplayStudyRow::wrong_depth_bits);
   table.add("  faces coincide", &DisplayStudyRow::wrong_coincident);
   table.add("  three surfaces and more", &DisplayStudyRow::wrong_three_way);
   table.add("  order", &DisplayStudyRow::wrong_order);

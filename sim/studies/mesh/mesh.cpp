@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -32,9 +33,7 @@ namespace {
 const std::vector<std::string> flatnesses{of_plane, of_sides};
 const std::vector<std::string> repairs{by_filter, by_quadtree};
 
-std::vector<std::string> flatness_in(const std::string& text) {
-  return parse_names(text, "test of flatness", flatnesses);
-}
+std::vector<std::string> flatness_in(const std::string& text) { return parse_names(text, "flatness test", flatnesses); }
 std::vector<std::string> repairs_in(const std::string& text) { return parse_names(text, "repair", repairs); }
 
 std::vector<software::Priced> meshing_processors(const std::string& list) {
@@ -70,6 +69,12 @@ class Mesh : public StudyOf<MeshRow> {
 
   std::vector<Asked> ask() override {
     const std::string text = read_file(model_, read::model_file);
+    if (const std::string ending = std::filesystem::path(model_).extension().string();
+        ending == ".csg" || ending == ".scad")
+      throw InputError(
+          fmt::format("{}: elements are made of the sweeps and patches of commands, .jan; csgsim convert makes "
+                      "a mesh of other models",
+                      printable(shown_name(model_))));
     Hash hash;
     hash.add(text);
     inputs_ = {hash.text(), "none", version_and_build()};

@@ -11,6 +11,7 @@
 #include "sim/shell/text_columns.h"
 #include "sim/studies/mesh/price.h"
 #include "sim/studies/mesh/show.h"
+#include "sim/studies/processors.h"
 
 namespace csgsim::studies {
 
@@ -58,12 +59,10 @@ void print_group(std::span<const MeshRow> rows, std::span<const software::Priced
   if (rows.front().patches > 1) add("vertices between patches", &MeshRow::wire_vertices);
   for (const software::Priced& processor : processors) {
     if (!processor.processor) continue;
-    add_line(lines, processor.name + ": subdividing, s", rows, [&](const MeshRow& row) {
-      return fmt::format("{:.3g}", seconds_of(row, *processor.processor).subdividing);
-    });
-    add_line(lines, processor.name + ": repairing, s", rows, [&](const MeshRow& row) {
-      return fmt::format("{:.3g}", seconds_of(row, *processor.processor).repairing);
-    });
+    add_line(lines, processor.name + ": subdividing, s", rows,
+             [&](const MeshRow& row) { return seconds_text(seconds_of(row, *processor.processor).subdividing); });
+    add_line(lines, processor.name + ": repairing, s", rows,
+             [&](const MeshRow& row) { return seconds_text(seconds_of(row, *processor.processor).repairing); });
   }
   fmt::print("{}", shell::in_columns(lines, "<" + std::string(rows.size(), '>')));
   for (const MeshRow& row : rows) {

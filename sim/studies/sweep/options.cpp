@@ -23,7 +23,7 @@ std::vector<std::string> colourings_of(const std::string& text) {
   return shell::parse_names(text, "colouring", names_of(emit::colourings));
 }
 std::vector<std::string> curves_of(const std::string& text) {
-  return shell::parse_names(text, "way to draw curves", names_of(emit::curve_choices));
+  return shell::parse_names(text, "way", names_of(emit::curve_choices));
 }
 
 SweepRanges ranges_of(const SweepOptions& options) {
@@ -86,7 +86,7 @@ void SweepOptions::add_to(shell::Command& command) {
   command
       .option("--curves", curves,
               "List of the ways in which spheres, cylinders and cones are drawn: facets, exact, auto")
-      .list_of(names_of(emit::curve_choices), "way to draw curves");
+      .list_of(names_of(emit::curve_choices), "way");
   command.flag("--no-draw", no_draw, "Count only; do not draw to see that all pictures are the same");
 }
 

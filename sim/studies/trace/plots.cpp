@@ -61,11 +61,12 @@ std::vector<double> shares_of(const TraceRow& row) {
 
 /// Of the first size of buckets and the first tolerance.
 plots::Plot cells_plot(const std::vector<const TraceRow*>& rows, const std::string& model) {
-  plots::Chart chart{model + ": cells that a ray looks into",
-                     {fmt::format("cells; {}: and more", most_cells), plots::Scale::linear, {}, false, true},
-                     {{"rays, %", plots::Scale::linear}},
-                     {},
-                     "trace.csv"};
+  plots::Chart chart{
+      model + ": cells that a ray looks into",
+      {fmt::format("cells; {0} stands for {0} and more", most_cells), plots::Scale::linear, {}, false, true},
+      {{"rays, %", plots::Scale::linear}},
+      {},
+      "trace.csv"};
   for (const TraceRow* row : rows) {
     if (row->point.bucket_size != rows.front()->point.bucket_size ||
         row->point.tolerance != rows.front()->point.tolerance || row->point.directory == "none")

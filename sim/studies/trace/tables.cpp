@@ -9,6 +9,7 @@
 #include "hw/base/text.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/text_columns.h"
+#include "sim/studies/processors.h"
 #include "sim/studies/trace/show.h"
 
 namespace csgsim::studies {
@@ -28,8 +29,6 @@ void print_lines(const Lines& lines, std::size_t names) {
 std::string a_ray(std::uint64_t count, const TraceRow& row) {
   return row.rays == 0 ? "-" : fmt::format("{:.2f}", static_cast<double>(count) / static_cast<double>(row.rays));
 }
-
-std::string seconds_text(double seconds) { return fmt::format("{:.4g}", seconds); }
 
 std::string tolerance_text(const TraceRow& row) {
   return row.point.tolerance ? fmt::format("{:g}", *row.point.tolerance) : "-";

@@ -40,7 +40,7 @@ std::vector<unsigned> bucket_sizes_in(const std::string& text) {
   constexpr unsigned most = 1000;
   return parse_numbers(text, 1, most);
 }
-std::vector<std::string> cast_in(const std::string& text) { return parse_names(text, "kind of ray", cast_names); }
+std::vector<std::string> cast_in(const std::string& text) { return parse_names(text, "ray", cast_names); }
 std::vector<std::string> switches_in(const std::string& text) { return parse_names(text, "choice", switch_names); }
 
 /// Pictures do not depend on how rays find what they meet, so all of one tolerance have to be the same.
@@ -92,6 +92,7 @@ class Trace : public StudyOf<TraceRow> {
     machine_ = machine_of(options_);
     ModelFile file = read_model_file(options_);
     tree_ = std::move(file.tree);
+    faceting_ = flat_faceting_of(options_, machine_, tree_);
     inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
     std::vector<std::optional<double>> tolerances{std::nullopt};
     if (!tolerances_.empty()) {
@@ -167,11 +168,8 @@ class Trace : public StudyOf<TraceRow> {
   }
 
   void make_subject(const std::optional<double>& tolerance) {
-    facet::Faceting faceting =
-        tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_of(options_, machine_, tree_);
-    faceting.exact_curves = false;
-    faceting.fast_spheres = false;
-    facet::Geometry geometry = facet::make_geometry(tree_, faceting);
+    facet::Geometry geometry =
+        facet::make_geometry(tree_, tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_);
     view::View view = view::make_view(geometry, tree_, camera_of(options_, machine_, tree_, geometry),
                                       sampling_of(options_, machine_));
     subject_ =
@@ -190,6 +188,7 @@ class Trace : public StudyOf<TraceRow> {
   unsigned reflections_ = 1;
   machines::Machine machine_;
   model::Tree tree_;
+  facet::Faceting faceting_;  ///< of points without a tolerance of their own
   Inputs inputs_;
   std::vector<TracePoint> points_;
   std::unique_ptr<TraceSubject> subject_;  ///< of the last point that was measured

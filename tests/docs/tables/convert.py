@@ -1,5 +1,7 @@
 """docs/convert.md: how long conversions take, beside OpenSCAD's."""
 
+from math import prod
+
 from figures import row
 from runs import ROOT
 
@@ -40,4 +42,6 @@ def times(figures):
         lines.append(line(f"`{name}`", *measured[name]))
     sums = [sum(each) for each in zip(*measured.values())]
     lines.append(line(f"all {len(measured)} of tests/corpus", *sums))
+    times_as_fast = [theirs / ours for _, ours, theirs in measured.values()]
+    lines.append(row("geometric mean of these", "", "", "", f"{prod(times_as_fast) ** (1 / len(times_as_fast)):.3g}"))
     return "\n".join(lines)

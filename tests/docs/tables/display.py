@@ -20,10 +20,11 @@ THESIS = {
     "sorting": (0.82, 1.35, 2.08, 3.33),
     "scan_conversion": (5.58, 7.10, 8.82, 11.20),
     "depth_test": (4.59, 5.67, 6.98, 8.64),
+    "initialisation": (3.61, 3.68, 3.74, 3.78),  # what its total has besides
     "total": (17.08, 22.20, 28.20, 36.93),
 }
 SECONDS = {"preprocessing": "preprocessing, s", "transformation": "transformation, s", "sorting": "retrieval and sort, s",
-           "scan_conversion": "scan conversion and CSG test, s", "depth_test": "depth test, s",
+           "scan_conversion": "scan conversion and CSG test, s", "depth_test": "depth test, s", "initialisation": "initialisation of buffers, s",
            "total": "total without preprocessing, s"}
 
 
@@ -43,7 +44,7 @@ def table_5_1(figures):
     head = [""]
     for n in FRAGMENTS:
         head += [f"$fn = {n}", italic("thesis")]
-    lines = [("tolerance, segments", *(cell for n, tolerance in zip(FRAGMENTS, THESIS["tolerance"]) for cell in (n, italic(tolerance))))]
+    lines = [("segments; *tolerance*", *(cell for n, tolerance in zip(FRAGMENTS, THESIS["tolerance"]) for cell in (n, italic(tolerance))))]
     for key, name in (("polygons", "polygons"), ("clipped_polygons", "after clipping")):
         lines.append((name, *(cell for each, thesis in zip(points, THESIS[key]) for cell in (whole(each[key]), italic(whole(thesis))))))
     for key, name in SECONDS.items():
@@ -88,15 +89,41 @@ def work(figures):
     head = ["", "method", *OBJECTS]
     rows = (("events at pixels", "depth-lists", "pixel_events"), ("passes", "depth-peeling", "passes"), ("spans", "scan-line", "spans"),
             ("spans split", "scan-line", "splits"), ("events at their ends", "scan-line", "pixel_events"), ("polygons", "list-priority", "polygons"),
-            ("after clipping", "list-priority", "clipped_polygons"), ("cells", "list-priority", "cells"),
+            ("after clipping", "list-priority", "clipped_polygons"), ("in several cells", "list-priority", "shared_polygons"),
+            ("cut by cells", "list-priority", "references"), ("tests of polygon and polygon", "list-priority", "crossing_tests"),
+            ("tests of polygon and cell", "list-priority", "overlap_tests"), ("cells", "list-priority", "cells"),
+            ("cells and halves looked at", "list-priority", "cell_visits"),
             ("cells overfull", "list-priority", "overfull_cells"), ("evaluations", "scan-line", "evaluations"),
             ("words", "depth-lists", "words"), ("words", "list-priority", "words"), ("words", "scan-line", "words"), ("words", "rays", "words"))
     return ruled(head, [(name, f"`{method}`", *(whole(shown(figures, each, method)[key]) for each in OBJECTS)) for name, method, key in rows], 2)
 
 
+CAUSES = (("wrong pixels", "wrong"), ("bits of depth", "wrong_depth_bits"), ("two surfaces coincide", "wrong_coincident"),
+          ("a third is near", "wrong_three_way"), ("order", "wrong_order"))
+
+
 def wrong(figures):
     head = ["", "method", *OBJECTS]
-    rows = (("wrong pixels", "wrong"), ("two surfaces coincide", "wrong_coincident"), ("three and more do", "wrong_three_way"),
-            ("order", "wrong_order"), ("conflicts of order", "conflicts"))
     return ruled(head, [(name, f"`{method}`", *(whole(shown(figures, each, method)[key]) for each in OBJECTS))
-                        for method in LIST_PRIORITY for name, key in rows], 2)
+                        for method in LIST_PRIORITY for name, key in (*CAUSES, ("conflicts of order", "conflicts"))], 2)
+
+
+def few_bits(figures):
+    """Wrong pixels of list priority by cause, with fewer and fewer bits."""
+    lines = []
+    for method in LIST_PRIORITY:
+        for bits in (16, 12, 8):
+            points = [of(figures.display(name, f"--size 256x256 --methods {method} --z-bits {bits} --fraction-bits 4"), method) for name in OBJECTS[1:]]
+            lines.append((f"`{method}`", bits, *(" + ".join(whole(point[key]) for _, key in CAUSES[1:]) for point in points)))
+    return ruled(["bits of depth + coincide + three + order", "bits", *OBJECTS[1:]], lines)
+
+
+def directories(figures):
+    lines = []
+    for name in OBJECTS[1:]:
+        for directory in ("excell", "octree", "kd-tree"):
+            point = of(figures.display(name, "--size 256x256 --methods list-priority --directories excell,octree,kd-tree"), "list-priority", directory=directory)
+            seconds = point.seconds.mc68000
+            lines.append((f"{name}, `{directory}`", *(whole(point[key]) for key in ("cells", "overfull_cells", "references", "conflicts", "wrong_order")),
+                          *(three_digits(seconds[key]) for key in ("preprocessing", "sorting", "total"))))
+    return ruled(["list priority", "cells", "overfull", "cut by cells", "conflicts", "order", "mc68000, s: preprocessing", "sorting", "total"], lines)

@@ -33,9 +33,10 @@ def table_7_2(figures):
         ("of these touched", lambda p: p.segments.touched, ",", None),
         ("subsegments", lambda p: p.subsegments["count"], ",", ("256", "1,024", "4,096")),
         ("of these touched", lambda p: p.subsegments.touched, ",", None),
+        ("primitives in the model", lambda p: p.primitives, ",", ("22",) * 3),
         ("primitives that touch a segment", lambda p: p.segments.primitives_mean, ".1f", None),
-        ("primitives drawn in a segment", lambda p: p.segments.kept_primitives_mean, ".1f", ("10.0", "6.3", "5.4")),
-        ("comparisons in a segment", lambda p: p.segments.comparisons_mean, ".1f", ("13.0", "8.1", "7.1")),
+        ("primitives drawn in a segment", lambda p: p.segments.kept_primitives_mean, ".1f", ("10.0", "6.3?", "5.4")),
+        ("comparisons in a segment", lambda p: p.segments.comparisons_mean, ".1f", ("13.0", "8.1?", "7.1")),
         ("half-spaces in the model", lambda p: p.halfspaces, ",", ("2,042",) * 3),
         ("in a segment, after the first pruning", lambda p: p.segments.kept_halfspaces_mean, ".1f", ("314.8", "110.8", "46.9")),
         ("in a subsegment, after the second", lambda p: p.subsegments.kept_halfspaces_mean, ".1f", ("81.6", "39.0", "25.4")),
@@ -45,8 +46,8 @@ def table_7_2(figures):
 
 def node_table_7_2(figures):
     return levels(figures, NODES, (
-        ("primitives drawn in a segment", lambda p: p.segments.kept_primitives_mean, ".1f", ("10.0", "6.3", "5.4")),
-        ("comparisons in a segment", lambda p: p.segments.comparisons_mean, ".1f", ("13.0", "8.1", "7.1")),
+        ("primitives drawn in a segment", lambda p: p.segments.kept_primitives_mean, ".1f", ("10.0", "6.3?", "5.4")),
+        ("comparisons in a segment", lambda p: p.segments.comparisons_mean, ".1f", ("13.0", "8.1?", "7.1")),
         ("half-spaces broadcast for a segment", lambda p: p.stages.broadcast_halfspaces_mean, ".1f", ("314.8", "110.8", "46.9")),
         ("in a subsegment, after the second pruning", lambda p: p.subsegments.kept_halfspaces_mean, ".1f", ("81.6", "39.0", "25.4"))))
 
@@ -86,6 +87,7 @@ def node_table_7_3(figures):
         ("first pruning", seconds("first_pruning"), ".2f", True, ("12.8", "20.3", "38.0", "1.59, 2.97")),
         ("second pruning", seconds("second_pruning"), ".2f", True, ("2.4", "3.4", "5.4", "1.42, 2.25")),
         ("communication", seconds("communication"), ".2f", True, ("0.2", "0.3", "0.5", "1.50, 2.50")),
+        ("tree pruning", lambda p: "", "", False, ("0.6", "0.6", "0.6", "1.00, 1.00")),
         ("rendering", seconds("rendering"), ".2f", True, ("67.3", "67.7", "76.2", "1.01, 1.13")),
         ("of it scan conversion", seconds("scan_conversion"), ".2f", True, ("32.6", "34.5", "42.3", "1.06, 1.30")),
         ("CSG classification", seconds("classification"), ".2f", True, ("29.1", "27.6", "28.3", "0.95, 0.97")),

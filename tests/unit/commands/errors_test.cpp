@@ -26,6 +26,7 @@ TEST_CASE("what is no command is told with its place and what to do") {
   CHECK(fault_of("jump A 1") ==
         "a.jan:1:1: there is no command jump; a line is `NAME = ...`, or move, rotate, scale, colour, facets or "
         "tolerance with what it takes");
+  CHECK(fault_of("A = blok 1 2 3") == "a.jan:1:5: no line before this one makes blok; did you mean block?");
   CHECK(fault_of("A = B") == "a.jan:1:5: no line before this one makes B; write `B = ...` above");
   CHECK(fault_of("block = block 1 1 1") == "a.jan:1:1: block is a word of the language; take another name");
   CHECK(fault_of("A = block 1 1 1\nmove A w 2") == "a.jan:2:8: expected x, y or z, found `w`");
@@ -53,7 +54,7 @@ TEST_CASE("expressions that are none are told with their place") {
 TEST_CASE("curves and sweeps that are none are told with their place") {
   CHECK(fault_of("c = curve degree 4 points (0)") == "a.jan:1:18: a degree is 0 (constant), 1, 2 or 3");
   CHECK(fault_of("c = curve points (0 0) (1)") ==
-        "a.jan:1:24: this point has 1 numbers, those before it 2; make them alike");
+        "a.jan:1:24: the numbers of this point are 1, of those before it 2; make them alike");
   CHECK(fault_of("c = curve degree 3 points (0) (1)") ==
         "a.jan:1:11: an open curve of degree 3 needs 4 points or more, not 2");
   const std::string curves = "c = curve closed points (0 0) (1 0) (0 1)\nt = curve points (0 0 0) (0 0 5)\n";

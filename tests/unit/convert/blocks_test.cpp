@@ -123,5 +123,10 @@ TEST_CASE("what is no bintree is told") {
   CHECK(told(head + "2") != "");
   CHECK(told("bintree 1\nresolution 3\ncube 0 0 0 1\n0").find("power of two") != std::string::npos);
   CHECK(told("solid").find("'bintree' is missing") != std::string::npos);
+  for (const char* const cube : {"nan 0 0 1", "0 inf 0 1", "0 0 0 inf", "0 0 0 0", "0 0 0 -1"}) {
+    CAPTURE(cube);
+    CHECK(told("bintree 1\nresolution 2\ncube " + std::string(cube) + "\n0").find("no place or no size") !=
+          std::string::npos);
+  }
   CHECK(told("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is no number") != std::string::npos);
 }

@@ -3,9 +3,12 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "host/convex/clip.h"
 #include "host/convex/merge.h"
@@ -23,6 +26,28 @@ const std::string turned = "multmatrix([[0.36,0.48,-0.8,7],[-0.8,0.6,0,-3],[0.48
 
 convex::Polytope only_solid(const TestModel& model) {
   return convex::make_polytope(model.scene.solids.front(), model.scene.planes);
+}
+
+/// The intersection, by clip() alone.
+convex::Polytope clipped_one_by_one(const facet::Convex& solid, const facet::PlaneTable& planes) {
+  facet::Box box{solid.box.low - planes.centre(), solid.box.high - planes.centre()};
+  const glm::dvec3 margin(0.1 * box.diagonal() + 10.0 * convex::tolerance(planes));
+  box = {box.low - margin, box.high + margin};
+  constexpr std::uint32_t none = 0xffffffffU;
+  convex::Polytope polytope;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    polytope.vertices.emplace_back((corner & 1U) != 0 ? box.high.x : box.low.x,
+                                   (corner & 2U) != 0 ? box.high.y : box.low.y,
+                                   (corner & 4U) != 0 ? box.high.z : box.low.z);
+  }
+  for (const std::vector<std::uint32_t>& corners : std::vector<std::vector<std::uint32_t>>{
+           {0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}})
+    polytope.faces.push_back({{none, true}, corners});
+  for (const facet::Halfspace& halfspace : solid.halfspaces)
+    polytope = convex::clip(std::move(polytope), halfspace, planes);
+  const bool is_open = std::any_of(polytope.faces.begin(), polytope.faces.end(),
+                                   [](const convex::Face& face) { return face.halfspace.plane == none; });
+  return is_open ? convex::Polytope{} : polytope;
 }
 
 /// The area of a regular polygon inside a circle.
@@ -87,6 +112,101 @@ TEST_CASE("a ball within a tolerance, whose vertices are only a hull's, is a pol
   CHECK(flaws(scene, polytope) == "");
   CHECK(convex::volume(polytope) < 4.0 / 3.0 * std::numbers::pi * 8.0);
   CHECK(convex::volume(polytope) > 4.0 / 3.0 * std::numbers::pi * std::pow(1.98, 3));
+}
+
+TEST_CASE("an intersection is the box that clip() leaves of one, half-space after half-space, to the bit") {
+  std::size_t most = 0;
+  const auto check = [&](const facet::Convex& solid, const facet::PlaneTable& planes) {
+    const convex::Polytope expected = clipped_one_by_one(solid, planes);
+    const convex::Polytope found = convex::make_polytope(solid, planes);
+    REQUIRE(found.vertices == expected.vertices);
+    REQUIRE(found.faces.size() == expected.faces.size());
+    for (std::size_t i = 0; i < found.faces.size(); ++i) {
+      REQUIRE(found.faces[i].halfspace == expected.faces[i].halfspace);
+      REQUIRE(found.faces[i].corners == expected.faces[i].corners);
+    }
+    most = std::max(most, found.faces.size());
+  };
+  testing::RandomPoints random(3);
+  const auto check_all = [&](const facet::Geometry& scene) {
+    for (facet::Convex solid : scene.solids) {
+      check(solid, scene.planes);
+      for (std::size_t i = solid.halfspaces.size(); i > 1; --i)
+        std::swap(solid.halfspaces[i - 1], solid.halfspaces[random.below(i)]);
+      check(solid, scene.planes);
+    }
+  };
+  for (const std::string text : {"sphere($fn=40,$fa=12,$fs=2,r=20);", "cylinder($fn=300,$fa=12,$fs=2,h=7,r1=3,r2=3);",
+                                 "cylinder($fn=200,$fa=12,$fs=2,h=7,r1=3,r2=0);"}) {
+    CAPTURE(text);
+    check_all(TestModel(turned + "{" + text + "}").scene);
+  }
+  const TestModel ball("sphere($fn=0,$fa=12,$fs=2,r=2);");
+  check_all(facet::make_geometry(ball.tree, {0.02, std::nullopt}));
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    CAPTURE(seed);
+    check_all(TestModel(testing::random_model(seed, 6)).scene);
+  }
+  CHECK(most > 700);
+}
+
+TEST_CASE("solids of thousands of half-spaces have the corners that clip() leaves of them, but for rounding") {
+  const auto check = [&](const facet::Convex& solid, const facet::Geometry& scene) {
+    const facet::PlaneTable& planes = scene.planes;
+    const convex::Polytope expected = clipped_one_by_one(solid, planes);
+    const convex::Polytope found = convex::make_polytope(solid, planes);
+    CHECK(flaws(scene, found) == "");
+    REQUIRE(found.vertices.size() == expected.vertices.size());
+    REQUIRE(found.faces.size() == expected.faces.size());
+    CHECK(found.faces.size() > 1000);
+    for (std::size_t i = 0; i < found.faces.size(); ++i) {
+      REQUIRE(found.faces[i].halfspace == expected.faces[i].halfspace);
+      REQUIRE(found.faces[i].corners.size() == expected.faces[i].corners.size());
+      for (const std::uint32_t corner : found.faces[i].corners) {
+        const auto is_near = [&](std::uint32_t other) {
+          return glm::length(found.vertices[corner] - expected.vertices[other]) < 1e-9 * planes.diagonal();
+        };
+        REQUIRE(std::ranges::any_of(expected.faces[i].corners, is_near));
+      }
+    }
+  };
+  for (const std::string text :
+       {"sphere($fn=52,$fa=12,$fs=2,r=20);", "cylinder($fn=1200,$fa=12,$fs=2,h=7,r1=3,r2=3);"}) {
+    CAPTURE(text);
+    const TestModel model(turned + "{" + text + "}");
+    check(model.scene.solids.front(), model.scene);
+  }
+  const TestModel ball("sphere($fn=0,$fa=12,$fs=2,r=2);");
+  const facet::Geometry scene = facet::make_geometry(ball.tree, {0.005, std::nullopt});
+  check(scene.solids.front(), scene);
+}
+
+TEST_CASE("planes through common corners, by about the tolerance, give what clip() leaves, to the bit") {
+  testing::RandomPoints random(1999);
+  std::size_t most = 0;
+  for (int round = 0; round < 200; ++round) {
+    CAPTURE(round);
+    facet::PlaneTable planes(glm::dvec3(0), 1.0);
+    const double near = convex::tolerance(planes);
+    facet::Convex solid;
+    solid.box = {glm::dvec3(-0.25), glm::dvec3(0.25)};
+    // Around points on a ball, of which many planes have one, or nearly; others only pass the ball.
+    std::vector<glm::dvec3> corners;
+    for (int i = 0; i < 8; ++i) corners.push_back(0.25 * random.direction());
+    for (int i = 0; i < 150; ++i) {
+      const glm::dvec3 at = corners[random.below(corners.size())];
+      const glm::dvec3 normal = glm::normalize(4.0 * at + random.between(0, 0.3) * random.direction());
+      const double off = near * random.between(-2, 2) * static_cast<double>(random.below(2));
+      solid.halfspaces.push_back(planes.add({normal, off - glm::dot(normal, at)}));
+    }
+    const convex::Polytope expected = clipped_one_by_one(solid, planes);
+    const convex::Polytope found = convex::make_polytope(solid, planes);
+    REQUIRE(found.vertices == expected.vertices);
+    REQUIRE(found.faces.size() == expected.faces.size());
+    for (std::size_t i = 0; i < found.faces.size(); ++i) REQUIRE(found.faces[i].corners == expected.faces[i].corners);
+    most = std::max(most, found.vertices.size());
+  }
+  CHECK(most > 64);
 }
 
 TEST_CASE("a plane cuts a polytope in two whole polytopes whose volumes add up") {

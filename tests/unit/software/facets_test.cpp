@@ -111,6 +111,37 @@ TEST_CASE("facets that are scan-converted give each pixel the events of its ray,
   }
   CHECK(tally.bounds < 10 * tally.facets);
 }
+TEST_CASE("solids of a thousand faces give each pixel the events of its ray, from a part of a pixel to the picture") {
+  Tally tally;
+  const std::string ball = "sphere($fn=48,$fa=12,$fs=2,r=10);";
+  const std::string rod = "cylinder($fn=400,$fa=12,$fs=2,h=20,r1=10,r2=9,center=true);";
+  const std::string cone = "cylinder($fn=400,$fa=12,$fs=2,h=20,r1=10,r2=0,center=true);";
+  const std::string sheet = "multmatrix([[1,0,0,0],[0,1,0,0],[0,0,0.001,0],[0,0,0,1]]){" + ball + "}";
+  for (const std::string& solid : {ball, rod, cone, sheet}) {
+    for (const double size : {0.01, 0.2, 1.0}) {
+      CAPTURE(solid);
+      CAPTURE(size);
+      testing::Setup how;
+      how.camera = {{31, -47, 26}, {0, 0, 0}, view::Projection::perspective};
+      how.sampling.width = 90;
+      how.sampling.height = 80;
+      for (const glm::dvec3 eye : {glm::dvec3{31, -47, 26}, glm::dvec3{0, 0, 60}, glm::dvec3{60, 0, 0}}) {
+        how.camera.eye = eye;
+        if (eye.x == 0.0) how.camera.up = {0, 1, 0};
+        Scene scene =
+            scene_of(fmt::format("union(){{multmatrix([[{0},0,0,0],[0,{0},0,0],[0,0,{0},0],[0,0,0,1]]){{{1}}}"
+                                 "multmatrix([[1,0,0,12],[0,1,0,12],[0,0,1,12],[0,0,0,1]]){{cube(size=3);}}}}",
+                                 size, solid));
+        scene.view = view::make_view(scene.geometry, scene.tree, how.camera, how.sampling);
+        CHECK(fault_of(scene, tally) == "");
+      }
+    }
+  }
+  MESSAGE(tally.events, " events, ", tally.facets, " facets, ", tally.bounds, " bounds");
+  CHECK(tally.events > 20'000);
+  CHECK(tally.facets > 3'000);
+  CHECK(tally.bounds < 12 * tally.facets);
+}
 TEST_CASE("the facets of a primitive are the faces of its solid, counter-clockwise from outside") {
   const Scene scene = scene_of("union() { cube([2, 3, 4]); cylinder(h = 5, r1 = 2, r2 = 2, $fn = 12); }");
   const software::Facets facets = software::facets_of(scene.tree, scene.geometry);

@@ -353,6 +353,50 @@ TEST_CASE("a walk that counts tells what it tells when it does not") {
     }
   }
 }
+TEST_CASE("directories that halve space tell parts that fill it, and cells that have each facet they are reached by") {
+  REQUIRE(software::halving_directories() == std::vector<std::string>{"excell", "octree", "kd-tree"});
+  std::uint64_t cells = 0;
+  for (std::uint64_t seed = 0; seed < 32; ++seed) {
+    Random random(seed);
+    const software::Facets facets = any_facets(random, seed % std::size(kinds));
+    if (facets.facets.empty()) continue;
+    const software::FacetShapes shapes(facets);
+    for (const std::string& name : software::halving_directories()) {
+      CAPTURE(seed);
+      CAPTURE(name);
+      const auto directory = software::directory_of(name).make(shapes, {static_cast<std::uint32_t>(1 + seed % 9)});
+      const std::vector<software::SpacePart> parts = directory->parts();
+      REQUIRE(!parts.empty());
+      CHECK(parts.front().box.low == shapes.box().low);
+      CHECK(parts.front().box.high == shapes.box().high);
+      std::uint64_t told = 0;
+      for (const software::SpacePart& part : parts) {
+        if (!part.is_cell()) {
+          facet::Box low = part.box;
+          facet::Box high = part.box;
+          low.high[part.axis] = high.low[part.axis] = part.wall;
+          CHECK((parts[part.low].box.low == low.low && parts[part.low].box.high == low.high));
+          CHECK((parts[part.high].box.low == high.low && parts[part.high].box.high == high.high));
+          continue;
+        }
+        ++told;
+        const std::set<std::uint32_t> has(part.facets.begin(), part.facets.end());
+        software::Counting count;
+        for (const std::uint32_t facet : shapes.placed())
+          CHECK(has.contains(facet) == shapes.touches(facet, part.box, count));
+      }
+      CHECK(told == directory->built().cells);
+      cells += told;
+    }
+  }
+  CHECK(cells > 5000);
+  const software::Facets none;
+  for (const software::DirectoryRow* const row : software::directories()) {
+    const software::FacetShapes shapes(none);
+    if (row->name == "grid" || row->name == "bvh" || row->name == "boxes" || row->name == "none")
+      CHECK(row->make(shapes, {})->parts().empty());
+  }
+}
 TEST_CASE("a directory that there is not is refused with those that there are") {
   try {
     (void)software::directory_of("excel");

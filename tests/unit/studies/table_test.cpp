@@ -11,6 +11,7 @@
 
 #include "hw/base/error.h"
 #include "places.h"
+#include "sim/studies/processors.h"
 #include "tests/support/error_of.h"
 
 using namespace csgsim;
@@ -185,4 +186,12 @@ TEST_CASE("a table without a file keeps rows as long as it lives") {
   CHECK(table.missing(points) == Numbers{0});
   table.add(Rows{row("x", 1)});
   CHECK(table.in_order(points) == Rows{row("x", 1), row("y", 2)});
+}
+
+TEST_CASE("seconds have four digits, and no powers of ten where there are many of them") {
+  CHECK(studies::seconds_text(0.0217777) == "0.02178");
+  CHECK(studies::seconds_text(56.0) == "56");
+  CHECK(studies::seconds_text(999.94) == "999.9");
+  CHECK(studies::seconds_text(1234.4) == "1,234");
+  CHECK(studies::seconds_text(12044.5) == "12,045");
 }

@@ -1,22 +1,27 @@
 #pragma once
 
 #include <array>
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "host/facet/planes.h"
-#include "sim/software/convert/unit_box.h"
-#include "sim/software/convert/whole_planes.h"
+#include "sim/software/planes/unit_box.h"
+#include "sim/software/planes/whole_planes.h"
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
+
+/// Few numbers, in place: regions are made by the thousand.
+using Numbers = boost::container::small_vector<std::uint32_t, 8>;
 
 /// A convex polygon of a sheet, counter-clockwise as seen from where the plane's normal points to. None if it has no
 /// corners.
 struct Region {
-  std::vector<std::uint32_t> corners;  ///< points of the sheet
-  std::vector<std::uint32_t> planes;   ///< along the side from each corner to the next
+  Numbers corners;  ///< points of the sheet
+  Numbers planes;   ///< along the side from each corner to the next
 
   [[nodiscard]] bool empty() const { return corners.empty(); }
 };
@@ -26,6 +31,15 @@ struct Parts {
   Region in;
   Region out;
 };
+
+/// Where a plane passes through a region: a part of the line that it has in common with the region's sheet.
+struct Chord {
+  std::array<Meeting, 2> ends{};
+  std::array<std::uint32_t, 2> sides{};  ///< planes along the region's sides that end it
+};
+
+/// Whether two chords of one line have more than a point in common; exact.
+bool overlap(const WholePlanes& planes, const Chord& one, const Chord& other);
 
 /// A ball and a box that hold a region, in units.
 struct Bounds {
@@ -55,6 +69,9 @@ class Sheet {
   };
   [[nodiscard]] Sides sides(const Region& region, facet::Halfspace halfspace) const;
 
+  /// Nothing where no corners are on both sides of the plane.
+  [[nodiscard]] std::optional<Chord> chord(const Region& region, std::uint32_t plane) const;
+
   /// Both sides of the half-space's plane.
   Parts cut(const Region& region, facet::Halfspace halfspace);
 
@@ -71,7 +88,7 @@ class Sheet {
   std::uint32_t plane_ = 0;
   std::vector<Meeting> points_;
   std::vector<glm::dvec3> places_;  ///< of the points, in units
-  std::vector<std::int8_t> sides_;  ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
+  std::vector<int> sides_;          ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
 };
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

@@ -2,7 +2,7 @@
 
 #include <glm/vec3.hpp>
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 /// More than the place of a point is off that was rounded, in units (WholePlanes).
 inline constexpr double place_error = 1e-13;
@@ -22,4 +22,4 @@ inline bool are_apart(const UnitBox& one, const UnitBox& other) {
   return false;
 }
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

@@ -1,11 +1,11 @@
-#include "sim/software/convert/sheet.h"
+#include "sim/software/planes/sheet.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 std::uint32_t Sheet::add(std::uint32_t one, std::uint32_t other) {
   points_.push_back(planes_.meet(plane_, one, other));
@@ -61,15 +61,44 @@ Sheet::Sides Sheet::sides(const Region& region, facet::Halfspace halfspace) cons
     const int side = planes_.side(points_[corner], halfspace.plane);
     if (side == 0) continue;
     ((side < 0) == halfspace.positive ? sides.any_in : sides.any_out) = true;
+    if (sides.any_in && sides.any_out) break;
   }
   return sides;
+}
+
+std::optional<Chord> Sheet::chord(const Region& region, std::uint32_t plane) const {
+  const Sides reached = sides(region, {plane, true});
+  if (!reached.any_in || !reached.any_out) return std::nullopt;
+  Chord chord;
+  std::size_t ends = 0;
+  const std::size_t count = region.corners.size();
+  for (std::size_t i = 0; i < count && ends < chord.ends.size(); ++i) {
+    const Meeting& corner = points_[region.corners[i]];
+    const int here = planes_.side(corner, plane);
+    const int next = planes_.side(points_[region.corners[(i + 1) % count]], plane);
+    if (here != 0 && here * next >= 0) continue;
+    // The side after a corner on the plane leaves the plane, since corners are on both sides of it.
+    chord.ends[ends] = here == 0 ? corner : planes_.meet(plane_, plane, region.planes[i]);
+    chord.sides[ends] = region.planes[i];
+    ++ends;
+  }
+  return ends == chord.ends.size() ? std::optional(chord) : std::nullopt;
+}
+
+bool overlap(const WholePlanes& planes, const Chord& one, const Chord& other) {
+  for (std::size_t i = 0; i < other.sides.size(); ++i) {
+    const int in = planes.side(other.ends[1 - i], other.sides[i]);
+    const auto is_beyond = [&](const Meeting& end) { return planes.side(end, other.sides[i]) * in <= 0; };
+    if (is_beyond(one.ends[0]) && is_beyond(one.ends[1])) return false;
+  }
+  return true;
 }
 
 void Sheet::find_sides(const Region& region, facet::Halfspace halfspace) {
   sides_.clear();
   for (const std::uint32_t corner : region.corners) {
     const int side = planes_.side(points_[corner], halfspace.plane);
-    sides_.push_back(static_cast<std::int8_t>(halfspace.positive ? side : -side));
+    sides_.push_back(halfspace.positive ? side : -side);
   }
 }
 
@@ -114,4 +143,4 @@ Parts Sheet::cut(const Region& region, facet::Halfspace halfspace) {
 
 Region Sheet::clip(const Region& region, facet::Halfspace halfspace) { return cut(region, halfspace).in; }
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

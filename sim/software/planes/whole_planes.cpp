@@ -1,14 +1,17 @@
-#include "sim/software/convert/whole_planes.h"
+#include "sim/software/planes/whole_planes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 namespace {
 
 constexpr double steps_per_unit = 0x1p53;
+
+/// In steps. Planes farther from the middle meet nothing of the model, whose points are within half a unit.
+constexpr double farthest_plane = 0x1p62;
 
 /// Nothing of a model is farther from its middle than half a unit.
 constexpr double outermost_wall = 0.75;
@@ -25,7 +28,7 @@ double power_above(double length) {
 
 }  // namespace
 
-WholePlanes::WholePlanes(const facet::PlaneTable& planes) : unit_(power_above(planes.diagonal())) {
+WholePlanes::WholePlanes(const facet::PlaneTable& planes, double diameter) : unit_(power_above(diameter)) {
   const std::size_t count = planes.planes().size() + 3 * walls;
   rows_.reserve(count);
   near_.reserve(count);
@@ -46,7 +49,7 @@ void WholePlanes::add(const std::array<double, 4>& coefficients) {
   Row row{};
   std::array<double, 4> near{};
   for (std::size_t i = 0; i < row.size(); ++i) {
-    row[i] = std::llround(coefficients[i] * steps_per_unit);
+    row[i] = std::llround(std::clamp(coefficients[i] * steps_per_unit, -farthest_plane, farthest_plane));
     near[i] = static_cast<double>(row[i]) / steps_per_unit;
   }
   rows_.push_back(row);
@@ -104,4 +107,4 @@ int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
   return exact.sign();
 }
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

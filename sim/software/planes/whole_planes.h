@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "host/facet/planes.h"
-#include "sim/software/convert/wide.h"
+#include "sim/software/planes/wide.h"
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 /// Numbers of three planes that meet in one point, ascending.
 using Triple = std::array<std::uint32_t, 3>;
@@ -30,7 +30,9 @@ class WholePlanes {
   /// Walls across an axis, evenly from one side of the model to the other; the first and last are outside of it.
   static constexpr std::uint32_t walls = 1025;
 
-  explicit WholePlanes(const facet::PlaneTable& planes);
+  explicit WholePlanes(const facet::PlaneTable& planes) : WholePlanes(planes, planes.diagonal()) {}
+  /// Units by another length than the model's diagonal: everything is no farther than half of it from the middle.
+  WholePlanes(const facet::PlaneTable& planes, double diameter);
 
   /// How far apart units are, in model units.
   [[nodiscard]] double unit() const { return unit_; }
@@ -44,6 +46,13 @@ class WholePlanes {
 
   /// The coefficients, rounded to no more than they are: normal and offset, in units.
   [[nodiscard]] const std::array<double, 4>& near(std::uint32_t plane) const { return near_[plane]; }
+
+  /// How far a place, in units, is out of a half-space, as rounded numbers tell it.
+  [[nodiscard]] double height(facet::Halfspace halfspace, const glm::dvec3& place) const {
+    const std::array<double, 4>& near = near_[halfspace.plane];
+    const double height = near[0] * place.x + near[1] * place.y + near[2] * place.z + near[3];
+    return halfspace.positive ? height : -height;
+  }
 
   /// The planes have to have one point in common.
   [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
@@ -67,4 +76,4 @@ inline glm::dvec3 place_of(const Meeting& point) {
   return glm::dvec3(point.near[0], point.near[1], point.near[2]) / point.near[3];
 }
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace csgsim::software::convert {
+namespace csgsim::software {
 
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
@@ -90,4 +90,4 @@ class Wide {
   Limbs limbs_{};  ///< the lowest first
 };
 
-}  // namespace csgsim::software::convert
+}  // namespace csgsim::software

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "sim/software/cost/operations.h"
+
+namespace csgsim::software {
+
+/// Heights of corners over a plane: three products of longs each, of four products of words.
+template <class Count>
+void count_heights(Count& count, std::size_t corners) {
+  count(Operation::load_long, 6 * corners);
+  count(Operation::multiply, 12 * corners);
+  count(Operation::add_long, 15 * corners);
+  count(Operation::compare_long, 2 * corners);
+  count(Operation::branch, 2 * corners);
+  count(Operation::branch_taken, corners);
+}
+
+/// Corners where edges cross a plane: a quotient of two digits, three products.
+template <class Count>
+void count_crossings(Count& count, std::size_t crossings) {
+  count(Operation::divide, 2 * crossings);
+  count(Operation::multiply, (2 + 12) * crossings);
+  count(Operation::add_long, (2 + 18) * crossings);
+  count(Operation::load_long, 8 * crossings);
+  count(Operation::store_long, 3 * crossings);
+}
+
+/// What a directory has counted so far.
+template <class Count>
+void count_built(Count& count, const Operations& built) {
+  for (std::size_t kind = 0; kind < operation_kinds; ++kind) count(static_cast<Operation>(kind), built.counts[kind]);
+}
+
+}  // namespace csgsim::software

@@ -1,0 +1,111 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "places.h"
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+/// Of a mesh, what has to be the same of another of the same solid.
+struct Extent {
+  double volume = 0;
+  glm::dvec3 low{std::numeric_limits<double>::infinity()};
+  glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+
+  /// A triangle: the volume between it and the origin counts.
+  void add(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    for (const glm::dvec3& corner : {a, b, c}) {
+      low = glm::min(low, corner);
+      high = glm::max(high, corner);
+    }
+  }
+};
+
+/// Of an OFF file as OpenSCAD writes it.
+Extent extent_of(const std::string& path) {
+  std::ifstream file(path);
+  std::string word;
+  std::size_t points = 0;
+  std::size_t faces = 0;
+  std::size_t unused = 0;
+  file >> word >> points >> faces >> unused;
+  REQUIRE(word == "OFF");
+  std::vector<glm::dvec3> places(points);
+  for (glm::dvec3& place : places) file >> place.x >> place.y >> place.z;
+  Extent extent;
+  for (std::size_t i = 0; i < faces; ++i) {
+    std::size_t corners = 0;
+    file >> corners;
+    std::vector<std::size_t> face(corners);
+    for (std::size_t& corner : face) file >> corner;
+    for (std::size_t at = 1; at + 1 < corners; ++at)
+      extent.add(places.at(face[0]), places.at(face[at]), places.at(face[at + 1]));
+  }
+  REQUIRE(file);
+  return extent;
+}
+
+bool is_installed() { return run_program("openscad", {"--version"}).code == 0; }
+
+/// What OpenSCAD makes of a text; its polyhedra have to be manifolds.
+Extent evaluated(const Folder& folder, const std::string& scad) {
+  write(folder / "judge.scad", scad);
+  const Outcome outcome = run_program("openscad", {"-o", "judge.off", "judge.scad"}, folder.path());
+  CHECK(outcome.code == 0);
+  CHECK_MESSAGE(outcome.err.find("WARNING") == std::string::npos, outcome.err);
+  CHECK_MESSAGE(outcome.err.find("ERROR") == std::string::npos, outcome.err);
+  const std::size_t simple = outcome.err.find("Simple:");
+  REQUIRE_MESSAGE(simple != std::string::npos, outcome.err);
+  CHECK(outcome.err.find("yes", simple) < outcome.err.find('\n', simple));
+  return extent_of(folder / "judge.off");
+}
+
+void compare(const Extent& one, const Extent& other) {
+  const double size = glm::length(other.high - other.low);
+  CHECK(one.volume == doctest::Approx(other.volume).epsilon(2e-5));  // coordinates of six digits
+  CHECK(glm::distance(one.low, other.low) < 1e-5 * size);
+  CHECK(glm::distance(one.high, other.high) < 1e-5 * size);
+}
+
+constexpr std::array names{"seams",       "lattice", "extrude_twist_far", "mesh_booleans", "polyhedron_hollow",
+                           "surface_cut", "mirrored"};
+
+}  // namespace
+
+// Of solids that touch themselves it cannot import its own meshes either: extrude_twist_full does at its apex.
+// A cube about all of it makes OpenSCAD evaluate the mesh, by CGAL's Nef polyhedra, which are closed or refused.
+TEST_CASE(
+    "OpenSCAD imports meshes of all formats, and finds manifolds of the volumes and extents that it makes itself") {
+  if (!is_installed()) {
+    MESSAGE("skipped: there is no openscad");
+    return;
+  }
+  for (const char* const name : names) {
+    CAPTURE(name);
+    const std::string path = std::string(CSGSIM_SOURCE_DIR "/tests/corpus/") + name + ".csg";
+    const Folder folder;
+    const Outcome made = run_program("openscad", {"-o", folder / "own.off", path}, folder.path());
+    REQUIRE(made.code == 0);
+    const Extent theirs = extent_of(folder / "own.off");
+    for (const char* const ending : {"stl", "off", "3mf"}) {
+      CAPTURE(ending);
+      const std::string file = std::string("mesh.") + ending;
+      REQUIRE(run("convert " + path + " --imports-from " CSGSIM_SOURCE_DIR "/tests -o " + (folder / file)).code == 0);
+      compare(evaluated(folder, "intersection() { import(\"" + file + "\"); cube(10000, center = true); }"), theirs);
+    }
+  }
+}

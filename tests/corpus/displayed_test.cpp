@@ -1,0 +1,151 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "places.h"
+#include "sim/software/display/rows.h"
+#include "sim/software/facets/facets.h"
+#include "sim/software/space/directory.h"
+#include "sim/software/tracing/trace.h"
+#include "sim/software/tree/tree.h"
+#include "tests/corpus/reference.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint32_t width = 40;
+constexpr std::uint32_t height = 32;
+
+/// Of more than 12,000 planes.
+const std::set<std::string> take_long{"bolt_and_nut", "vase"};
+
+/// A model as a machine draws it.
+struct Drawn {
+  testing::Compiled compiled;
+  observe::Frame frame;
+};
+
+Drawn drawn(const std::string& path, view::Projection projection) {
+  testing::Setup setup;
+  setup.sampling.width = width;
+  setup.sampling.height = height;
+  setup.memory_bits = 256;
+  Drawn drawn{testing::compile_default_view(path, setup, projection), {}};
+  drawn.frame = testing::draw(drawn.compiled.program);
+  return drawn;
+}
+
+/// Calls `use(name, drawn)` of all models that have facets.
+template <class Use>
+void for_each_model(const std::map<std::string, std::string>& models, const Use& use) {
+  const auto refused = testing::refused_models();
+  // One projection a model is enough: which, its place in the alphabet says.
+  std::size_t number = 0;
+  for (const auto& model : models) {
+    const std::string& name = model.first;
+    const auto projection = ++number % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
+    if (refused.contains(name) || take_long.contains(name)) continue;
+    CAPTURE(name);
+    const Drawn one = drawn(model.second, projection);
+    REQUIRE(one.compiled.scene.is_faceted());
+    use(name, one);
+  }
+}
+
+std::map<std::string, std::string> models_of_pages() {
+  std::map<std::string, std::string> models;
+  for (const auto& entry : fs::directory_iterator(fs::path(CSGSIM_SOURCE_DIR) / "tests/models")) {
+    if (entry.path().extension() == ".csg") models.emplace(entry.path().stem().string(), entry.path().string());
+  }
+  return models;
+}
+
+/// Pixels at which a picture is not the machine's.
+template <class SeenAt>
+std::uint64_t wrong_pixels(const observe::Frame& frame, const SeenAt& seen_at) {
+  std::uint64_t wrong = 0;
+  for (std::size_t i = 0; i < frame.depth.size(); ++i) {
+    const software::Seen seen = seen_at(i);
+    wrong += seen.depth == frame.depth[i] && seen.owner == frame.owner[i] ? 0U : 1U;
+  }
+  return wrong;
+}
+
+/// Checks exact methods, and that list priority tells of each pixel that it draws wrong. Returns a line for each of its
+/// pictures that is.
+std::string wrong_pictures(const std::string& name, const Drawn& drawn) {
+  const testing::Compiled& model = drawn.compiled;
+  const software::Facets facets = software::facets_of(model.tree, model.scene);
+  const software::Tree tree = software::make_tree(model.tree, software::Shape::balanced);
+  // One directory a model: which, its name says.
+  const std::vector<std::string> directories = software::halving_directories();
+  const std::string& directory = directories[name.size() % directories.size()];
+  const software::DisplaySubject subject{model.tree, model.scene, model.view, tree, facets, 24, directory};
+  std::string lines;
+  for (const software::DisplayRow* const row : software::display_methods()) {
+    CAPTURE(row->name);
+    const software::Displayed displayed = row->run(subject, !row->is_exact);
+    const std::uint64_t wrong =
+        wrong_pixels(drawn.frame, [&](std::size_t pixel) { return displayed.picture.seen[pixel]; });
+    const software::Faults& faults = displayed.faults;
+    CHECK(wrong == faults.all());
+    if (wrong == 0) continue;
+    lines += fmt::format("{} {} {}: {} for depth bits, {} coincident, {} three-way, {} for order\n", name, row->name,
+                         subject.directory, faults.depth_bits, faults.coincident, faults.three_way, faults.order);
+  }
+  return lines;
+}
+
+/// What tests/corpus/displayed.txt has, but for remarks.
+std::string listed() {
+  std::ifstream file(fs::path(CSGSIM_SOURCE_DIR) / "tests/corpus/displayed.txt");
+  std::string lines;
+  for (std::string line; std::getline(file, line);) lines += line.starts_with('#') ? "" : line + "\n";
+  return lines;
+}
+
+void check_traced(const Drawn& drawn) {
+  const testing::Compiled& model = drawn.compiled;
+  const software::Tree tree = software::make_tree(model.tree, software::Shape::balanced);
+  const software::TraceScene scene(model.tree, model.scene, model.view, tree);
+  bool has_item_buffer = false;
+  for (const software::DirectoryRow* const row : software::directories()) {
+    CAPTURE(row->name);
+    const std::unique_ptr<software::Directory> directory = row->make(scene.shapes(), {});
+    software::TraceOptions options;
+    options.has_item_buffer = has_item_buffer;
+    has_item_buffer = !has_item_buffer;
+    const software::Traced traced = software::trace(scene, *directory, options, false);
+    CHECK(wrong_pixels(drawn.frame, [&](std::size_t pixel) { return traced.pixels[pixel].seen; }) == 0);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("software displays models facet by facet as the machine draws them, but for the pixels that are listed") {
+  std::string lines;
+  for (const auto& models : {testing::corpus_models(), models_of_pages()})
+    for_each_model(models, [&](const std::string& name, const Drawn& drawn) { lines += wrong_pictures(name, drawn); });
+  CHECK(lines == listed());
+}
+TEST_CASE("software traces the corpus as the machine draws it, by each directory") {
+  for_each_model(testing::corpus_models(),
+                 [&](const std::string& /*name*/, const Drawn& drawn) { check_traced(drawn); });
+}
+TEST_CASE("software traces the models of the pages as the machine draws them, by each directory") {
+  for_each_model(models_of_pages(), [&](const std::string& /*name*/, const Drawn& drawn) { check_traced(drawn); });
+}

@@ -1,0 +1,111 @@
+"""docs/reproduction.md: results that the thesis has in its text alone, beside its own tables and ours."""
+
+from figures import PERSPECTIVE, THESIS_MODELS, per_cent, point, ruled
+from tables import display, memory_bits, software, sweeps, tracing
+
+MORE_POLYGONS = "--size 256x256 --tolerances 0.009 --methods list-priority/depth-buffer"
+
+
+def listed(values, spec):
+    return ", ".join(format(value, spec) for value in values)
+
+
+def span(values, spec):
+    return f"{min(values):{spec}} to {max(values):{spec}}"
+
+
+def thesis_seconds(model, method, coherence):
+    return float(software.TABLE_4_10[model][method][software.OF_THESIS.index(coherence)].rstrip("?"))
+
+
+def our_seconds(figures, model, method, coherence):
+    return software.of(figures.classify(model), method, coherence).seconds.mc68000.classification
+
+
+def quotients(seconds, over, under):
+    """By model: what one (method, coherence) takes by what another one does."""
+    return [seconds(model, *over) / seconds(model, *under) for model in THESIS_MODELS]
+
+
+def of_classification(figures):
+    """Sections 4.1 and 4.6."""
+    ours = lambda model, method, coherence: our_seconds(figures, model, method, coherence)  # noqa: E731
+    both = (thesis_seconds, ours)
+    standard, all_points, kept = "standard", "all-points", "list-structure"
+    saved = [[100 * (1 - value) for value in quotients(seconds, (standard, "one-list"), (standard, all_points))] for seconds in both]
+    parts = [[per_cent(each.seconds.mc68000.classification, each.seconds.mc68000.all)
+              for each in (software.of(figures.classify(model), method, coherence) for model in THESIS_MODELS)]
+             for method, coherence in (("status", kept), (standard, all_points))]
+    spread = [[max(taken) / min(taken) for taken in ([seconds(model, method, kept) for method in software.TABLE_4_10[model]] for model in THESIS_MODELS)]
+              for seconds in both]
+    times = lambda over, under: [listed(quotients(seconds, (over, all_points), (under, all_points)), ".2g") for seconds in both]  # noqa: E731
+    return [("4.1, p. 37", "classifying takes a small part of a picture's time", "",
+             f"{listed(parts[0], '.0f')} % by `status`, `list-structure`; {listed(parts[1], '.0f')} % by `standard`, `all-points`"),
+            ("4.6.1, p. 56", "bit-parallel is slightly faster than standard: times as fast", *times(standard, "bit-parallel")),
+            ("4.6.1, p. 56", "and, with status, than the status tree: times as fast", *times("status", "bit-parallel-status")),
+            ("4.6.1, p. 56", "with the list structure the method hardly matters: slowest by fastest", *(listed(each, ".2f") for each in spread)),
+            ("4.6.2, p. 56", "positional codes are efficient: times as fast as standard", *times(standard, "positional")),
+            ("4.6.2, p. 56", "so is the status tree: times as fast as standard", *times(standard, "status")),
+            ("4.6.2, p. 56", "first point and one list save 90 %: of standard, %", *(listed(each, ".0f") for each in saved))]
+
+
+def of_list_priority(figures):
+    """Section 5.2."""
+    points = [display.of(display.cylinders(figures), "list-priority/depth-buffer", fragments=n) for n in display.FRAGMENTS]
+    polygons, seconds = [each.clipped_polygons for each in points], [each.seconds.mc68000.total for each in points]
+    theirs = display.THESIS
+    many = figures.display("carburettor", MORE_POLYGONS)[0]
+    scan_line = [display.shown(figures, name, "scan-line").seconds.mc68000.total / display.shown(figures, name, "list-priority/depth-buffer").seconds.mc68000.total
+                 for name in display.OBJECTS]
+    grown = "{:.2f} times the clipped polygons, {:.2f} times the seconds"
+    return [("5.2.1, p. 63", "seconds grow as the polygons do: last column by first",
+             grown.format(theirs["clipped_polygons"][-1] / theirs["clipped_polygons"][0], theirs["total"][-1] / theirs["total"][0]),
+             grown.format(polygons[-1] / polygons[0], seconds[-1] / seconds[0])),
+            ("5.2.1, p. 63", "more than 10,000 polygons take 50 to 100 times table 5.1", "",
+             f"{many.polygons:,} of the carburettor: {many.seconds.mc68000.total:.0f} s, {many.seconds.mc68000.total / seconds[-1]:.0f} to "
+             f"{many.seconds.mc68000.total / seconds[0]:.0f} times"),
+            ("5.2.1, p. 63", "no improvement on scan lines: what these take, by list priority", "", span(scan_line, ".2f"))]
+
+
+def of_rays(figures):
+    """Section 5.3."""
+    by_steps, by_halves = ([point(tracing.primary(figures, model), directory=name) for model in THESIS_MODELS] for name in ("excell", "excell-recursive"))
+    grown = {each.polygons: each for each in tracing.growing(figures) if each.directory == "excell"}
+    few, many = sorted(grown)[2:4]
+    return [("5.3, p. 66", "more than two or three cells a ray", "", listed([each.cell_visits / each.rays for each in by_steps], ".2f")),
+            ("5.3, p. 66", "no clear difference between going by steps and by halves: by halves, %", "",
+             listed([per_cent(b.seconds.mc68000.traversal, a.seconds.mc68000.traversal) for a, b in zip(by_steps, by_halves)], ".0f")),
+            ("5.3, p. 67", "holding polygons against rays takes most of the time: %", "",
+             listed([per_cent(each.seconds.mc68000.intersection, each.seconds.mc68000.all) for each in by_steps], ".0f")),
+            ("5.3, p. 67", "time does not depend on the number of polygons", "",
+             f"from {few:,} to {many:,}: {grown[many].seconds.mc68000.all / grown[few].seconds.mc68000.all:.2f} times the seconds, "
+             f"{grown[many].facet_tests / grown[few].facet_tests:.2f} times the facets tested")]
+
+
+def of_trees(figures):
+    """Sections 6.3 and 6.4."""
+    swept = lambda options: figures.sweep("vehicle", f"{PERSPECTIVE} --strategy bits --stack-bits 3..9{options}")  # noqa: E731
+    compared = [[memory_bits.of_bits(points, bits).classified for bits in memory_bits.STACK_BITS] for points in (swept(""), swept(" --pruning none"))]
+    saved = [100 * (1 - each[-1] / each[0]) for each in ([236, 236, 140, 131, 123, 123, 123], *compared)]
+    enough = memory_bits.STACK_BITS[compared[0].index(compared[0][-1])]
+    pairs = figures.runs.run("cd $OUT; " + figures.shown("docs/reproduction.md", "awk")).json("pairs.json").scan_conversions.rendered
+    return [("6.3.1, p. 78", "2ⁿ primitives, pairs of which are joined and then intersected, have 2^2ⁿ⁻¹ products: n = 3", "16",
+             f"{pairs} scan-conversions, four a product: {pairs // 4}"),
+            ("6.4, p. 82", "enough bits save 50 % of the active trees, against m = 3", f"{saved[0]:.0f} %",
+             f"{saved[1]:.0f} %; without prunings {saved[2]:.0f} %"),
+            ("6.4, p. 82", "few bits are enough: no more is saved from m on", "7?", f"{enough}")]
+
+
+def of_machines(figures):
+    """Section 8.1."""
+    frames = [1 / figures.render(model, PERSPECTIVE).simulated_seconds for model in THESIS_MODELS]
+    return [("8.1, p. 97", "logic-enhanced frame buffers draw nearly in real time", "", f"pictures a second, `pixel-planes-4`: {listed(frames, '.0f')}")]
+
+
+def claims(figures):
+    held = [[sweeps.held_by_root(*each) for each in zip(most, elements)] for most, elements in (
+        (sweeps.TABLE_3_1["most_elements"], sweeps.TABLE_3_1["elements"]), sweeps.held_and_elements(figures))]
+    rows = [("3.3.3, p. 35", "what is held grows with the root of the elements: held by √elements", *(span(each, ".1f") for each in held)),
+            *of_classification(figures), *of_list_priority(figures), *of_rays(figures), *of_trees(figures), *of_machines(figures)]
+    return ruled(("section", "the thesis's text says", "*its tables*", "ours"),
+                 [(section, text, f"*{theirs}*" if theirs else "", ours) for section, text, theirs, ours in rows], 4)

@@ -1,0 +1,114 @@
+#include "sim/software/display/faults.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <vector>
+
+#include "host/view/projection.h"
+#include "hw/isa/depth_scale.h"
+#include "sim/software/display/real_depths.h"
+#include "sim/software/rays/caster.h"
+#include "tests/unit/software/random_scenes.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using testing::Scene;
+
+TEST_CASE("a wrong pixel is for what came out of order there") {
+  const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {40, 3}, {41, 5}, {60, 7}};
+  const std::vector<double> level{10, 20, 20, 40, 40, 40, 60};
+  const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, level, 1}, drawn); };
+  CHECK(fault({{0, 0}, {0, 2}}) == software::Fault::coincident);
+  CHECK(fault({{0, 0}, {0, 4}}) == software::Fault::coincident);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::three_way);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 5}}) == software::Fault::three_way);
+  CHECK(fault({{0, 2}}) == software::Fault::order);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 7}}) == software::Fault::order);
+  CHECK(fault({{0, 0}, {0, 9}}) == software::Fault::order);
+  CHECK(fault({{0, 0}}) == software::Fault::order);
+}
+TEST_CASE("a pixel whose surfaces came in the order of their real depths is wrong for its bits of depth") {
+  const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {40, 1}, {43, 3}};
+  const auto fault = [&](const std::vector<double>& depths, std::vector<software::Event> drawn) {
+    return software::fault_of({exact, depths, 1}, drawn);
+  };
+  // One depth in integers, and two in real numbers.
+  CHECK(fault({10, 20.2, 20.7, 40, 43}, {{0, 0}, {0, 2}}) == software::Fault::depth_bits);
+  CHECK(fault({10, 20.2, 20.7, 40, 43}, {{0, 0}, {0, 4}}) == software::Fault::depth_bits);
+  // Integers are three steps apart, real depths are the other way round.
+  CHECK(fault({10, 20.2, 20.7, 42.5, 42.4}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::depth_bits);
+  // Less than a step apart, more, and none.
+  CHECK(fault({10, 20.2, 20.7, 41.5, 42.4}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::depth_bits);
+  CHECK(fault({10, 20.2, 20.7, 41.3, 42.4}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::order);
+  CHECK(fault({10, 20.2, 20.7, 42, 42}, {{0, 0}, {0, 2}, {0, 4}, {0, 3}}) == software::Fault::coincident);
+  const std::vector<double> level{10, 20, 20, 40, 43};
+  CHECK(software::fault_of({exact, level, 1, true}, std::vector<software::Event>{{0, 0}}) ==
+        software::Fault::depth_bits);
+  CHECK(software::fault_of({exact, std::vector<double>{10, 20.2, 20.7, 41.3, 42.4}, 1.2},
+                           std::vector<software::Event>{{0, 0}, {0, 2}, {0, 4}, {0, 3}}) ==
+        software::Fault::depth_bits);
+  // What is farther than one that it came before, by real depths too, is out of order, whatever else there is.
+  CHECK(fault({10, 20.2, 20.7, 42.5, 42.4}, {{0, 2}, {0, 0}, {0, 4}, {0, 3}}) == software::Fault::order);
+}
+
+namespace {
+
+/// Where the ray of a pixel meets a primitive, in steps of depth, by meeting its planes in model space.
+double depth_by_rays(const Scene& scene, std::uint32_t crossing, std::uint32_t column, std::uint32_t row) {
+  const view::EyeSpace eye = view::eye_space(scene.view.camera, scene.view.sampling);
+  const glm::dvec3 centre = scene.geometry.planes.centre();
+  const glm::dvec3 near = eye.to_model(eye.from_picture({column, row, eye.perspective ? 1.0 : 0.0}));
+  const glm::dvec3 from = (eye.perspective ? eye.eye : near) - centre;
+  const glm::dvec3 along = eye.perspective ? near - eye.eye : eye.axes.forward;
+  double enters = 0;
+  double leaves = 1e300;
+  for (const facet::Halfspace halfspace : scene.geometry.solids[crossing / 2].halfspaces) {
+    if (scene.view.planes[halfspace.plane].kind == view::PlaneKind::edge) continue;
+    const facet::Plane& plane = scene.geometry.planes.planes()[halfspace.plane];
+    const double sign = halfspace.positive ? 1 : -1;
+    const double slope = sign * glm::dot(plane.normal, along);
+    const double t = -sign * plane.height(from) / slope;
+    if (eye.perspective && t <= 0) return -1;
+    const double depth = isa::depth_of(scene.view.depth, scene.view.sampling.z_bits, t);
+    if (slope < 0) enters = std::max(enters, depth);
+    if (slope > 0) leaves = std::min(leaves, depth);
+  }
+  return crossing % 2 == 0 ? enters : leaves;
+}
+
+}  // namespace
+
+TEST_CASE("real depths are where rays meet the planes of primitives") {
+  std::uint64_t held = 0;
+  std::uint64_t scenes = 0;
+  for (std::uint64_t seed = 1; scenes < 40; ++seed) {
+    const std::optional<Scene> scene = testing::random_scene(seed);
+    if (!scene || !testing::is_faceted(*scene)) continue;
+    ++scenes;
+    CAPTURE(seed);
+    const software::RealDepths real(scene->geometry, scene->view);
+    const software::RayCaster rays(scene->tree, scene->geometry, scene->view);
+    const double step = std::ldexp(1e-9, static_cast<int>(scene->view.sampling.z_bits));
+    software::RayBand band;
+    for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
+      rays.cast(row, band);
+      for (std::uint32_t ray = 0; ray < band.rays(); ray += 7) {
+        const std::uint32_t column = ray % rays.width();
+        const std::uint32_t at = row + ray / rays.width();
+        for (const software::Event& event : band.events_of(ray)) {
+          const double expected = depth_by_rays(*scene, event.crossing, column, at);
+          if (expected < 0) continue;
+          ++held;
+          CHECK(real.of(event.crossing, column, at) == doctest::Approx(expected).epsilon(1e-9).scale(1 + step));
+        }
+      }
+    }
+  }
+  CHECK(held > 1000);
+}

@@ -1,0 +1,158 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sim/software/rays/caster.h"
+#include "sim/software/space/directory.h"
+#include "tests/oracle/pixel_oracle.h"
+#include "tests/support/drawing.h"
+#include "tests/support/usual_cases.h"
+#include "tests/unit/software/random_scenes.h"
+#include "tests/unit/software/shown.h"
+
+using namespace csgsim;
+using testing::Scene;
+using testing::Shown;
+
+namespace {
+
+/// Wrong pixels of list priority.
+struct Wrong {
+  std::uint64_t scenes = 0;
+  std::uint64_t pixels = 0;
+  std::uint64_t events = 0;
+  std::uint64_t pieces = 0;
+  std::uint64_t polygons = 0;
+  std::uint64_t conflicts = 0;
+  std::uint64_t lost = 0;  ///< events of cells that are not drawn
+  software::Faults faults;
+  software::Faults with_depth_buffer;
+};
+
+/// Whether two surfaces of a ray are at one depth or a step apart, no farther than the one that is seen there by one of
+/// two pictures.
+bool has_near_events(std::span<const software::Event> events, std::uint32_t farthest) {
+  for (std::size_t i = 1; i < events.size() && events[i - 1].depth <= farthest; ++i) {
+    if (events[i].depth - events[i - 1].depth <= 1) return true;
+  }
+  return false;
+}
+
+void add(software::Faults& sum, const software::Faults& more) {
+  sum.depth_bits += more.depth_bits;
+  sum.coincident += more.coincident;
+  sum.three_way += more.three_way;
+  sum.order += more.order;
+}
+
+/// What is wrong with the wrong pixels of a picture: all are told of, and none without a reason.
+std::string fault_of_wrong(const Scene& scene, const software::Displayed& displayed, Wrong& wrong) {
+  const std::vector<testing::Seen> expected = testing::draw_by_rules(scene.tree, scene.geometry, scene.view);
+  const software::RayCaster rays(scene.tree, scene.geometry, scene.view);
+  std::uint64_t all = 0;
+  std::uint64_t unexplained = 0;
+  std::uint64_t events = 0;
+  software::RayBand band;
+  for (std::uint32_t row = 0; row < rays.height(); row += software::band_rows) {
+    rays.cast(row, band);
+    for (std::size_t ray = 0; ray < band.rays(); ++ray) {
+      const std::size_t pixel = std::size_t{row} * rays.width() + ray;
+      events += band.events_of(ray).size();
+      const software::Seen& seen = displayed.picture.seen[pixel];
+      if (seen.depth == expected[pixel].depth && seen.owner == expected[pixel].owner) continue;
+      ++all;
+      unexplained += has_near_events(band.events_of(ray), std::max(seen.depth, expected[pixel].depth)) ? 0U : 1U;
+    }
+  }
+  wrong.pixels += expected.size();
+  wrong.events += events;
+  // With few bits a face may have pixels far from its place, and its cell be out of sight.
+  const bool are_all_drawn = displayed.counts.drawn_cells == displayed.counts.cells;
+  wrong.lost += events - displayed.counts.pixel_events;
+  if (displayed.counts.pixel_events > events || (are_all_drawn && displayed.counts.pixel_events != events))
+    return fmt::format("{} events are drawn, not {}", displayed.counts.pixel_events, events);
+  if (displayed.faults.all() != all) return fmt::format("{} wrong pixels of {}", displayed.faults.all(), all);
+  if (unexplained > displayed.faults.order + displayed.faults.depth_bits)
+    return "wrong pixels without surfaces near each other";
+  return "";
+}
+
+std::string fault_of_priority(const Scene& scene, std::size_t bucket_size, Wrong& wrong) {
+  const Shown shown(scene);
+  const std::vector<std::string> directories = software::halving_directories();
+  const std::string& directory = directories[bucket_size % directories.size()];
+  const software::Displayed plain = shown.by("list-priority", true, bucket_size, directory);
+  const software::Displayed mended = shown.by("list-priority/depth-buffer", true, bucket_size, directory);
+  ++wrong.scenes;
+  wrong.pieces += plain.counts.pieces;
+  wrong.polygons += plain.counts.polygons;
+  wrong.conflicts += plain.counts.conflicts;
+  add(wrong.faults, plain.faults);
+  add(wrong.with_depth_buffer, mended.faults);
+  for (const software::Displayed* const one : {&plain, &mended}) {
+    const std::string fault = fault_of_wrong(scene, *one, wrong);
+    if (!fault.empty()) return (one == &plain ? "plain: " : "depth buffer: ") + fault;
+  }
+  return "";
+}
+
+void tell(const Wrong& wrong) {
+  MESSAGE(wrong.scenes, " scenes, ", wrong.polygons, " polygons, ", wrong.pieces, " pieces, ", wrong.conflicts,
+          " conflicts, ", wrong.lost, " events lost, ", wrong.pixels, " pixels, ", wrong.events,
+          " events; wrong: ", wrong.faults.depth_bits, " ", wrong.faults.coincident, " ", wrong.faults.three_way, " ",
+          wrong.faults.order, "; with a depth buffer: ", wrong.with_depth_buffer.depth_bits, " ",
+          wrong.with_depth_buffer.coincident, " ", wrong.with_depth_buffer.three_way, " ",
+          wrong.with_depth_buffer.order);
+}
+
+}  // namespace
+
+TEST_CASE("list priority draws each event once, and its wrong pixels have surfaces near each other, in random scenes") {
+  Wrong wrong;
+  const auto fault_of = [&](std::uint64_t seed) {
+    const std::optional<Scene> scene = testing::random_scene(seed);
+    if (!scene || !testing::is_faceted(*scene)) return std::string();
+    const std::string fault = fault_of_priority(*scene, 4 + seed % 30, wrong);
+    return fault.empty() ? fault : fmt::format("seed {}: {}", seed, fault);
+  };
+  // Some that have faults of each kind; others each time.
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) CHECK(fault_of(seed) == "");
+  CHECK(rc::check([&] {
+    const auto first = *rc::gen::arbitrary<std::uint64_t>();
+    for (std::uint64_t seed = first; seed != first + 4; ++seed) {
+      const std::string fault = fault_of(seed);
+      if (!fault.empty()) RC_FAIL(fault);
+    }
+  }));
+  tell(wrong);
+  if (!testing::draws_usual_cases()) return;
+  CHECK(wrong.faults.coincident > 0);
+  CHECK(wrong.faults.three_way > 0);
+  CHECK(wrong.with_depth_buffer.all() < wrong.faults.all() / 20);
+  CHECK(wrong.faults.all() < wrong.pixels / 20);
+  CHECK(wrong.lost < wrong.events / 20);
+  CHECK(wrong.pieces > 2 * wrong.polygons);
+  CHECK(wrong.faults.depth_bits > 0);
+}
+TEST_CASE("list priority draws the thesis's objects but for surfaces near each other") {
+  Wrong wrong;
+  for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
+    for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
+      CAPTURE(one.name);
+      CHECK(fault_of_priority(testing::thesis_scene(one, 130, 45), 24, wrong) == "");
+    }
+  }
+  tell(wrong);
+  CHECK(wrong.faults.all() > 0);
+  CHECK(wrong.faults.all() < 50);
+  CHECK(wrong.with_depth_buffer.all() == 0);
+  CHECK(wrong.lost == 0);
+}
