@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <stdexcept>
 
 namespace csgsim::testing {
 
@@ -45,28 +43,6 @@ void draw_triangle(const std::array<Corner, 3>& t, bool perspective, int size, s
 }
 
 }  // namespace
-
-Mesh read_off(const std::string& path) {
-  std::ifstream file(path);
-  std::string magic;
-  std::size_t point_count = 0;
-  std::size_t face_count = 0;
-  std::size_t edge_count = 0;
-  file >> magic >> point_count >> face_count >> edge_count;
-  Mesh mesh;
-  mesh.points.resize(point_count);
-  for (glm::dvec3& p : mesh.points) file >> p.x >> p.y >> p.z;
-  mesh.faces.resize(face_count);
-  for (std::vector<unsigned>& face : mesh.faces) {
-    std::size_t corners = 0;
-    file >> corners;
-    face.resize(corners);
-    for (unsigned& corner : face) file >> corner;
-    file.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
-  }
-  if (!file || magic != "OFF") throw std::runtime_error(path + " is no OFF file");
-  return mesh;
-}
 
 double diagonal(const Mesh& mesh) {
   glm::dvec3 low = mesh.points.front();

@@ -1,19 +1,11 @@
 #pragma once
 
 #include <glm/vec3.hpp>
-#include <string>
 #include <vector>
 
+#include "tests/support/off_file.h"
+
 namespace csgsim::testing {
-
-/// A polygon mesh, as OpenSCAD exports it.
-struct Mesh {
-  std::vector<glm::dvec3> points;
-  std::vector<std::vector<unsigned>> faces;  ///< convex polygons or triangles
-};
-
-/// Reads an OFF file.
-Mesh read_off(const std::string& path);
 
 /// Largest distance between two corners of the mesh's bounding box.
 double diagonal(const Mesh& mesh);

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -14,6 +13,7 @@
 
 #include "places.h"
 #include "tests/cli/cli.h"
+#include "tests/support/off_file.h"
 
 using namespace csgsim::testing::cli;
 
@@ -37,25 +37,12 @@ struct Extent {
 
 /// Of an OFF file as OpenSCAD writes it.
 Extent extent_of(const std::string& path) {
-  std::ifstream file(path);
-  std::string word;
-  std::size_t points = 0;
-  std::size_t faces = 0;
-  std::size_t unused = 0;
-  file >> word >> points >> faces >> unused;
-  REQUIRE(word == "OFF");
-  std::vector<glm::dvec3> places(points);
-  for (glm::dvec3& place : places) file >> place.x >> place.y >> place.z;
+  const csgsim::testing::Mesh mesh = csgsim::testing::read_off(path);
   Extent extent;
-  for (std::size_t i = 0; i < faces; ++i) {
-    std::size_t corners = 0;
-    file >> corners;
-    std::vector<std::size_t> face(corners);
-    for (std::size_t& corner : face) file >> corner;
-    for (std::size_t at = 1; at + 1 < corners; ++at)
-      extent.add(places.at(face[0]), places.at(face[at]), places.at(face[at + 1]));
+  for (const std::vector<unsigned>& face : mesh.faces) {
+    for (std::size_t at = 1; at + 1 < face.size(); ++at)
+      extent.add(mesh.points.at(face[0]), mesh.points.at(face[at]), mesh.points.at(face[at + 1]));
   }
-  REQUIRE(file);
   return extent;
 }
 

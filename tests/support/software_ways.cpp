@@ -134,8 +134,9 @@ std::string fault_of_software(const std::string& csg, const model::Tree& tree, c
   const SoftwareScene software(tree, geometry, view);
   // Where rays meet hundreds of surfaces most methods take long, and where there are thousands of planes, a ray does.
   const bool is_large = tree.primitives.size() > 100 || view.planes.size() > 5000;
-  // Facets of half a million planes take 20 seconds a picture.
-  if (geometry.is_faceted() && view.planes.size() <= 100'000) {
+  // Facets of half a million planes take 20 seconds a picture, rays through 300 solids a minute: each has a sequence of
+  // its own, and its surfaces are looked for among as many.
+  if (geometry.is_faceted() && view.planes.size() <= 100'000 && tree.primitives.size() <= 250) {
     const software::Facets facets = software::facets_of(tree, geometry);
     const software::DisplaySubject subject{tree, geometry, view, software.tree(Shape::written), facets};
     std::string fault = fault_of_display(subject, is_large, expected);

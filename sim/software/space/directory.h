@@ -127,7 +127,7 @@ struct DirectoryRow {
   std::string_view source;
   /// Keeps a reference.
   std::unique_ptr<Directory> (*make)(const FacetShapes& shapes, const SpaceOptions& options) = nullptr;
-  bool halves_space = false;  ///< has parts(), and no other row has the same cells before
+  bool halves_space = false;  ///< has parts(); of rows with the same cells the first
 };
 
 std::span<const DirectoryRow* const> directories();

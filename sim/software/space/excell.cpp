@@ -186,7 +186,6 @@ class RecursiveExcell final : public DirectoryOf<RecursiveExcell> {
   RecursiveExcell(const FacetShapes& shapes, const SpaceOptions& options) : cells_(shapes, options) {}
 
   [[nodiscard]] SpaceBuilt built() const override { return cells_.built(); }
-  [[nodiscard]] std::vector<SpacePart> parts() const override { return cells_.parts(); }
 
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {

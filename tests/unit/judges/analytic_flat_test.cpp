@@ -78,7 +78,8 @@ std::string any_model(const std::function<std::string()>& solid) {
   return unite({any_tree(solid, *rc::gen::inRange(1, 9)), any_placed(solid())});
 }
 
-/// The pictures agree: owners everywhere, distances to the part that grazing rays leave of the digits.
+/// The pictures agree: owners everywhere, distances to eight digits, but for the few rays that graze a face, which
+/// leave five.
 bool agree(const std::string& csg, const view::Camera& camera, Size size, double near = 1) {
   const Scenery scenery = make_scenery(csg, camera, size, near);
   const Truth truth = analytic(scenery);
@@ -86,13 +87,16 @@ bool agree(const std::string& csg, const view::Camera& camera, Size size, double
   if (truth.owner != flat.owner) return false;
   // An orthographic view may see what is at the eye.
   const double least = camera.projection == Projection::perspective ? 0 : glm::length(camera.centre - camera.eye);
+  int grazing = 0;
   for (std::size_t i = 0; i < flat.owner.size(); ++i) {
     const double expected = flat.distance[i];
-    const bool right = flat.owner[i] == judges::nothing ||
-                       std::abs(truth.distance[i] - expected) <= 1e-8 * std::max(std::abs(expected), least);
-    if (!right) return false;
+    if (flat.owner[i] == judges::nothing) continue;
+    const double off = std::abs(truth.distance[i] - expected) / std::max(std::abs(expected), least);
+    if (!(off <= 1e-5)) return false;
+    grazing += off > 1e-8 ? 1 : 0;
   }
-  return true;
+  constexpr int most_grazing = 2;
+  return grazing <= most_grazing;
 }
 
 std::size_t covered(const std::string& csg, const view::Camera& camera, Size size) {
