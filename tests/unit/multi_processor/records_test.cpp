@@ -18,6 +18,7 @@
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
 #include "tests/lockstep/divided_program.h"
+#include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
 using multi_processor::by_segment;
@@ -180,11 +181,10 @@ TEST_CASE("a coefficient that changes on the bus changes the list") {
   model.colour_bits = 3;
   model.fields = {.depth = {0, 6}, .candidate = {6, 6}, .colour = {12, 3}, .candidate_colour = {}, .mask = {15, 1}};
   model.planes = {{false, 1, 0, 20}};
-  model.primitives = {{{{0, 0, 7, 7}, 20, 40}, false, false, 1, {{0, true, 2}}}};
+  model.primitives = {{{{{0, 0, 7, 7}, 20, 40}, false, false, 1}, {{0, true, 2}}}};
   model.nodes = {{}};
-  const division::Divider divider(model);
-  division::Counts counts;
-  Words words = words_of(segment_records(model, divider.survivors({0, 0, 8, 8}, counts)), 256);
+  testing::ModelDivider divider(model);
+  Words words = words_of(segment_records(model, divider.survivors({0, 0, 8, 8})), 256);
   const auto list_of = [&] {
     RecordReader reader(256);
     reader.begin_frame();

@@ -188,7 +188,7 @@ TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();
-  for (isa::Segment& segment : program.segments) segment.division = {.group_boxes = 2};
+  for (isa::Segment& segment : program.segments) segment.division = {.steps = {}, .group_boxes = 2};
   const FrameAccount account = account_of(program, machine);
   CHECK(account.active_segments == 0);
   CHECK(account.broadcast_words == 17 + 4);
