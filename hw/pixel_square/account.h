@@ -14,16 +14,18 @@ namespace csgsim::pixel_square {
 
 /// Where a part of the pixel-square machine spends its clocks. Every clock of the frame is in one of these.
 enum class SquareActivity : std::uint8_t {
-  working,                   ///< sending or taking the model; testing, writing, sending; clearing, drawing, moving; storing
-  waiting_for_host,          ///< the first word has not left the host, or the model has not arrived
-  waiting_for_divider,       ///< the FIFO of the model is full, no square is in the store, or no whole command has come
-  waiting_for_renderer,      ///< the store or the FIFO of the renderer chosen is full, or no colours have arrived
+  working,               ///< sending or taking the model; testing, writing, sending; clearing, drawing, moving; storing
+  waiting_for_host,      ///< the first word has not left the host, or the model has not arrived
+  waiting_for_divider,   ///< the FIFO of the model is full, no square is in the store, or no whole command has come
+  waiting_for_renderer,  ///< the store or the FIFO of the renderer chosen is full, or no colours have arrived
   waiting_for_frame_buffer,  ///< the FIFO of clears is full, or a finished square has not moved out
+  refreshing,                ///< the frame buffer alone: the screen takes a turn, and nothing is stored
   done,                      ///< nothing is left to do; of a renderer, all after its last square has left the pixels
 };
 
-inline constexpr auto square_activity_names = std::to_array<std::string_view>(
-    {"working", "waiting_for_host", "waiting_for_divider", "waiting_for_renderer", "waiting_for_frame_buffer", "done"});
+inline constexpr auto square_activity_names =
+    std::to_array<std::string_view>({"working", "waiting_for_host", "waiting_for_divider", "waiting_for_renderer",
+                                     "waiting_for_frame_buffer", "refreshing", "done"});
 
 constexpr std::string_view name_of(SquareActivity activity) {
   return square_activity_names.at(static_cast<std::size_t>(activity));

@@ -27,13 +27,26 @@ inline constexpr auto divider_kind_names = std::to_array<std::string_view>({"hos
 /// As Figures::move_bits: every bit plane at once, in the clock in which the square is drawn.
 inline constexpr std::uint32_t all_planes = 0;
 
+/// As Figures::latch_bits: colours leave one buffer without being latched.
+inline constexpr std::uint32_t no_latch = 0;
+
+/// As Figures::refresh_rate: the screen takes nothing.
+inline constexpr std::uint32_t not_shown = 0;
+
 /// What only this kind of machine has.
 struct Figures {
   std::uint32_t renderers = 1;
   std::uint32_t buffers = 1;             ///< of a renderer: with 2, a finished square moves out while the next is drawn
   std::uint32_t move_bits = all_planes;  ///< bit planes that move from the pixels to the second buffer in a clock
-  std::uint32_t port_bits = 1;           ///< that the frame buffer takes, or clears, in a clock
-  std::uint32_t port_fifo_depth = 1;     ///< words of each FIFO before the frame buffer
+  /// With one buffer: bits of each pixel of a row that are latched in a clock, before the row's colours leave.
+  std::uint32_t latch_bits = no_latch;
+  std::uint32_t port_bits = 1;             ///< that a bank of the frame buffer takes, or clears, in a clock
+  std::uint32_t port_fifo_depth = 1;       ///< words of each FIFO before the frame buffer
+  std::uint32_t banks = 1;                 ///< of the frame buffer; its rows are in them in turn
+  std::uint32_t pictures = 1;              ///< that it holds: with 2, one is shown while the other is drawn
+  std::uint32_t refresh_rate = not_shown;  ///< pictures a second
+  std::uint32_t refresh_bits = 1;          ///< that the screen takes in a turn
+  std::uint32_t refresh_clocks = 1;        ///< of a bank, in a turn
   SquareOrder order = SquareOrder::rows;
 
   DividerKind divider = DividerKind::host;

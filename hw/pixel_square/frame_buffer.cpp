@@ -2,10 +2,17 @@
 
 #include <algorithm>
 
+#include "hw/pixel_square/figures.h"
+
 namespace csgsim::pixel_square {
 
-FrameBuffer::FrameBuffer(sc_core::sc_module_name name, std::uint32_t renderers, std::uint32_t port_bits)
-    : systemc::ClockedModule(name), colours("colours", renderers), port_bits_(port_bits), incoming_(renderers + 1) {}
+FrameBuffer::FrameBuffer(sc_core::sc_module_name name, const machines::Machine& machine)
+    : systemc::ClockedModule(name),
+      colours("colours", machines::own<Figures>(machine).renderers),
+      port_bits_(machines::own<Figures>(machine).port_bits),
+      incoming_(colours.size() + 1),
+      screen_(machines::own<Figures>(machine), machine.clock_hz),
+      free_(machines::own<Figures>(machine).banks) {}
 
 void FrameBuffer::begin(const FrameContents& contents) {
   if (contents.picture != contents_.picture) {
@@ -17,41 +24,78 @@ void FrameBuffer::begin(const FrameContents& contents) {
   turn_ = 0;
   served_.reset();
   clocks_ = {};
+  screen_.begin(contents.picture, contents.colour_bits);
+  begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void FrameBuffer::end_of_elaboration() {
   // No range-based loop: to clang the iterators compare ambiguously in C++20.
   std::for_each(colours.begin(), colours.end(), [&](const auto& port) { words_written_ |= port.data_written_event(); });
   words_written_ |= clears.data_written_event();
+  words_written_ |= begun_;
 }
 
-/// Sleeps while no port has a word.
+/// Sleeps while no port has a word, unless there is a screen to count for.
 void FrameBuffer::on_clock() {
   if (!clock.posedge()) return;
+  screen_.on_clock();
+  serve_ports();
+  if (served_) return clocks_.add(SquareActivity::working);
+  if (screen_.row()) return clocks_.add(SquareActivity::refreshing);
+  if (!screen_.takes()) next_trigger(words_written_);
+}
+
+void FrameBuffer::serve_ports() {
   served_.reset();
+  free_.assign(free_.size(), true);
+  free_left_ = free_.size();
+  if (const std::optional<std::uint32_t> row = screen_.row()) {
+    free_[bank_of(*row)] = false;
+    --free_left_;
+  }
   const std::size_t ports = incoming_.size();
-  for (std::size_t i = 0; i < ports; ++i) {
-    const std::size_t port = turn_ + i < ports ? turn_ + i : turn_ + i - ports;
+  const std::size_t first = turn_;
+  for (std::size_t i = 0; i < ports && free_left_ > 0; ++i) {
+    const std::size_t port = first + i < ports ? first + i : first + i - ports;
     if (!serve(port)) continue;
+    --free_left_;
     served_ = port;
     turn_ = port + 1 == ports ? 0 : port + 1;
-    return clocks_.add(SquareActivity::working);
   }
-  next_trigger(words_written_);
 }
 
 bool FrameBuffer::serve(std::size_t port) {
+  if (!has_turn(port) || !has_bank(port)) return false;
   const bool is_sender = port == colours.size();
   if (is_sender && incoming_[port].gathered == header_bits) {
     clear(incoming_[port]);
     return true;
   }
-  auto& fifo = is_sender ? clears : colours[port];
-  if (fifo.num_available() == 0) return false;
   PortWord word;
-  fifo.nb_read(word);
+  (is_sender ? clears : colours[port]).nb_read(word);
   take(port, word);
   return true;
+}
+
+bool FrameBuffer::has_turn(std::size_t port) const {
+  if (port < colours.size()) return colours[port].num_available() > 0;
+  return incoming_[port].gathered == header_bits || clears.num_available() > 0;
+}
+
+/// Takes the bank in which the port's next word begins; a word of a header needs none.
+bool FrameBuffer::has_bank(std::size_t port) {
+  const Incoming& square = incoming_[port];
+  if (square.gathered < header_bits) return true;
+  const std::uint32_t bank = bank_of(row_of(square));
+  if (!free_[bank]) return false;
+  free_[bank] = false;
+  return true;
+}
+
+/// Of the picture: that of the next bit.
+std::uint32_t FrameBuffer::row_of(const Incoming& square) const {
+  const std::uint64_t row = square.next_bit / contents_.colour_bits / square.region.width;
+  return square.region.y + static_cast<std::uint32_t>(row);
 }
 
 void FrameBuffer::take(std::size_t port, const PortWord& word) {

@@ -10,6 +10,7 @@
 #include "hw/machines/machine.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/port_word.h"
+#include "hw/pixel_square/screen.h"
 #include "hw/systemc/clocked_module.h"
 
 namespace csgsim::pixel_square {
@@ -22,25 +23,28 @@ struct FrameContents {
   std::uint32_t background = 0;   ///< colour of a cleared square
 };
 
-/// Holds the picture. In a clock it takes one word from a port, or writes one word of background. Its ports, one a
-/// renderer and after them the sender's, take turns: the first that has a word, or a square to clear, gets its turn,
-/// counted from the one after the port that had the last. After the header of a square to clear come turns in which
-/// background is written, as many as the square's colours would be words.
+/// Holds the picture, its rows in banks in turn. In a clock each bank that the screen does not read takes one word from
+/// a port, or one of background: that of the row in which the word begins. A word of a header needs a turn of any bank.
+/// The ports, one a renderer and after them the sender's, are looked at from the one after the port that was served
+/// last; served are those that have a word, or a square to clear, and a bank that is free. After the header of a square
+/// to clear come turns in which background is written, as many as the square's colours would be words.
 class FrameBuffer final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> colours;  ///< one a renderer
   sc_core::sc_fifo_in<PortWord> clears{"clears"};
   sc_core::sc_out<std::uint64_t> frames{"frames"};  ///< that are whole
 
-  FrameBuffer(sc_core::sc_module_name name, std::uint32_t renderers, std::uint32_t port_bits);
+  FrameBuffer(sc_core::sc_module_name name, const machines::Machine& machine);
 
   void begin(const FrameContents& contents);
 
   /// Of every pixel, in row order: what was stored last; 0 if nothing was since a picture of that size was begun.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
 
-  // For waves: the port that was served at the last edge, if one was; the square that came through it; squares whole.
+  // For waves: the port that was served last at the last edge, if one was; the square that came through it; squares
+  // whole; the row from which the screen reads, if it does.
   [[nodiscard]] std::optional<std::size_t> served() const { return served_; }
+  [[nodiscard]] std::optional<std::uint32_t> refreshed() const { return screen_.row(); }
   [[nodiscard]] const isa::Region& served_square() const { return served_square_; }
   [[nodiscard]] std::uint64_t squares() const { return squares_; }
 
@@ -60,7 +64,14 @@ class FrameBuffer final : public systemc::ClockedModule {
 
   void end_of_elaboration() override;
   void on_clock() override;
+  void serve_ports();
   bool serve(std::size_t port);
+  [[nodiscard]] bool has_turn(std::size_t port) const;
+  [[nodiscard]] bool has_bank(std::size_t port);
+  [[nodiscard]] std::uint32_t bank_of(std::uint32_t row) const {
+    return row % static_cast<std::uint32_t>(free_.size());
+  }
+  [[nodiscard]] std::uint32_t row_of(const Incoming& square) const;
   void take(std::size_t port, const PortWord& word);
   void take_header(Incoming& square, const PortWord& word) const;
   void store(Incoming& square, const std::vector<std::uint64_t>& bits);
@@ -78,8 +89,12 @@ class FrameBuffer final : public systemc::ClockedModule {
   std::optional<std::size_t> served_;
   isa::Region served_square_;
   std::uint64_t frames_done_ = 0;
+  Screen screen_;
+  std::vector<bool> free_;     ///< of each bank, in the clock at hand
+  std::size_t free_left_ = 0;  ///< banks that words may still take
   SquareClocks clocks_;
-  sc_core::sc_event_or_list words_written_;  ///< at any port
+  sc_core::sc_event_or_list words_written_;  ///< at any port, or a frame has begun
+  sc_core::sc_event begun_;
 };
 
 }  // namespace csgsim::pixel_square

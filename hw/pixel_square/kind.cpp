@@ -9,6 +9,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
+#include "hw/pixel_square/screen.h"
 #include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/timing_division.h"
 
@@ -45,10 +46,26 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         own_figure<Figures, &Figures::move_bits>("renderers.move_bits", "bit planes", 1, isa::max_field_width,
                                                  "of a finished square that move to the second buffer in a clock"),
         all_planes),
-    own_figure<Figures, &Figures::port_bits>("port.width", "bits", 1, 65536,
-                                             "of a word of colours that the frame buffer takes, or clears, in a clock"),
+    machines::or_ideal(own_figure<Figures, &Figures::latch_bits>(
+                           "renderers.latch_bits", "bit planes", 1, isa::max_field_width,
+                           "of a row of a finished square that are latched in a clock, with one buffer"),
+                       no_latch),
+    own_figure<Figures, &Figures::port_bits>(
+        "port.width", "bits", 1, 65536,
+        "of a word of colours that a bank of the frame buffer takes, or clears, in a clock"),
     own_figure<Figures, &Figures::port_fifo_depth>("port.fifo_depth", "words", 1, most_clocks,
                                                    "of each FIFO before the frame buffer"),
+    own_figure<Figures, &Figures::banks>("frame_buffer.banks", "banks", 1, 1024,
+                                         "that take a word each in a clock; the picture's rows are in them in turn"),
+    own_figure<Figures, &Figures::pictures>("frame_buffer.pictures", "pictures", 1, 2,
+                                            "2: one is shown while the other is drawn, and the screen takes no turns"),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::refresh_rate>("refresh.rate", "Hz", 1, 1000, "pictures a second on the screen"),
+        not_shown),
+    own_figure<Figures, &Figures::refresh_bits>("refresh.bits", "bits", 1, 1U << 24U,
+                                                "of the picture that go to the screen in a turn"),
+    own_figure<Figures, &Figures::refresh_clocks>("refresh.clocks", "clocks", 1, 1000,
+                                                  "in which such a turn takes a bank of the frame buffer"),
     own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "in which squares are drawn", square_order_names),
     own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 1,
                                            "host: it divides the model at no cost; corners: the machine does",
@@ -66,8 +83,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                "of a record of the model that are read in a clock"),
     own_figure<Figures, &Figures::halfspaces>("divider.halfspaces", "half-spaces", 1, 1'000'000'000,
                                               "at hand for a surface; what is beyond goes to the model's memory"),
-    own_figure<Figures, &Figures::nodes>("divider.nodes", "nodes", 1, 1'000'000'000,
-                                         "of the tree at hand for a surface; what is beyond goes to the model's memory"),
+    own_figure<Figures, &Figures::nodes>(
+        "divider.nodes", "nodes", 1, 1'000'000'000,
+        "of the tree at hand for a surface; what is beyond goes to the model's memory"),
     own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
                                                "of the link, for commands that have not left"),
     own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
@@ -117,6 +135,7 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
 
 void Kind::check(const isa::Program& program, const Machine& machine) const {
   machines::check_parts(program, machine);
+  check_screen(isa::frame_header(program), machine);
   check_display_model(program, machine);
 }
 
@@ -142,8 +161,8 @@ machines::Resources Kind::resources(const Machine& machine, const isa::FrameHead
   const std::uint64_t processors =
       std::uint64_t{machine.array.width} * machine.array.height * figures_of(machine).renderers;
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
-  return {processors,
-          processors * machine.array.memory_bits + pixels * header.colour.width + divider_memory_bits(machine)};
+  return {processors, processors * machine.array.memory_bits +
+                          figures_of(machine).pictures * pixels * header.colour.width + divider_memory_bits(machine)};
 }
 
 const Kind kind{"pixel-square", schema};

@@ -43,8 +43,7 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
       finished_("finished", machines::own<Figures>(machine).renderers),
       renderers_("renderers", machines::own<Figures>(machine).renderers,
                  [&](const char* renderer, std::size_t /*index*/) { return new Renderer(renderer, machine); }),
-      frame_buffer_("frame_buffer", machines::own<Figures>(machine).renderers,
-                    machines::own<Figures>(machine).port_bits) {
+      frame_buffer_("frame_buffer", machine) {
   SC_HAS_PROCESS(PixelSquareMachine);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 

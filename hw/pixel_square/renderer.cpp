@@ -20,7 +20,7 @@ Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machin
       control_delay_("control_delay", machines::evaluator_latency(machine.array)),
       evaluator_("evaluator", plane_shape(machine)),
       processors_("processors", machine.array, machine.alu_bits),
-      output_("output", machines::own<Figures>(machine).port_bits) {
+      output_("output", machines::own<Figures>(machine)) {
   controller_.clock(clock);
   controller_.link(link);
   controller_.left(left_);

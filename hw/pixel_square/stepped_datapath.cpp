@@ -46,7 +46,8 @@ void SteppedDatapath::on_corner_test(bool is_last) {
   ends_.spend(testing_ ? std::max(read_, test) : read_);
   testing_ = !is_last;
   if (is_last) ends_.spend(test);
-  if (level_ != Level::group && counts().halfspaces > figures_.halfspaces) ends_.spend(spilt_halfspace_clocks(figures_));
+  if (level_ != Level::group && counts().halfspaces > figures_.halfspaces)
+    ends_.spend(spilt_halfspace_clocks(figures_));
 }
 
 /// The first level has no memory for what it has tested, and reads and tests it again.

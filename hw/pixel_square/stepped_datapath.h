@@ -10,8 +10,8 @@
 
 namespace csgsim::pixel_square {
 
-/// How the divider of a machine spends its clocks (docs/machines/pixel-square.md): it reads records through a port of so
-/// many bits, tests what they hold, and writes instructions.
+/// How the divider of a machine spends its clocks (docs/machines/pixel-square.md): it reads records through a port of
+/// so many bits, tests what they hold, and writes instructions.
 class SteppedDatapath final : public division::Datapath {
  public:
   /// What it is at: the first of two levels, a square from the list that this has left, or a square from the whole
@@ -19,7 +19,7 @@ class SteppedDatapath final : public division::Datapath {
   enum class Level : std::uint8_t { group, listed, whole };
 
   struct Ends {
-    std::function<void(std::uint64_t)> spend;                   ///< so many clocks go by
+    std::function<void(std::uint64_t)> spend;                    ///< so many clocks go by
     std::function<void(const isa::Instruction&)> store_command;  ///< a command goes to the store, word by word
   };
 
@@ -46,8 +46,8 @@ class SteppedDatapath final : public division::Datapath {
   const bool far_planes_;
   const Ends ends_;
   Level level_ = Level::whole;
-  std::uint64_t read_ = 0;     ///< clocks of the records of the test at hand
-  bool testing_ = false;       ///< a test goes on beside what is read
+  std::uint64_t read_ = 0;  ///< clocks of the records of the test at hand
+  bool testing_ = false;    ///< a test goes on beside what is read
 };
 
 }  // namespace csgsim::pixel_square

@@ -36,8 +36,7 @@ std::vector<division::Group> groups_of(const isa::Program& program, const machin
 
 }  // namespace
 
-bool has_far_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits,
-                    const Figures& figures) {
+bool has_far_planes(std::uint64_t model_bytes, std::uint64_t planes, std::uint64_t plane_bits, const Figures& figures) {
   return byte_bits * model_bytes > figures.model_bits && planes > 0 && plane_bits > 0;
 }
 
@@ -58,11 +57,11 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
     for (const isa::DivisionStep& surface : square.division.steps) {
       const std::uint64_t spilt = spilt_bits(surface, figures);
       if (spilt <= figures.model_bits - kept) continue;
-      throw InputError(
-          fmt::format("the square at {},{} has {} half-spaces and {} nodes of the tree to look at for one surface: with "
-                      "the model's {} bits these are more than divider.halfspaces, divider.nodes and divider.memory "
-                      "hold; give them more, or the model fewer faces",
-                      square.region.x, square.region.y, surface.halfspaces, surface.nodes, kept));
+      throw InputError(fmt::format(
+          "the square at {},{} has {} half-spaces and {} nodes of the tree to look at for one surface: with "
+          "the model's {} bits these are more than divider.halfspaces, divider.nodes and divider.memory "
+          "hold; give them more, or the model fewer faces",
+          square.region.x, square.region.y, surface.halfspaces, surface.nodes, kept));
     }
   }
 }

@@ -59,7 +59,8 @@ std::vector<Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program
                        if (!buffer.served() || region.width == 0) return std::string();
                        return square_name(names.segment_of(region), program);
                      }),
-          wave::number("frame_buffer.squares", 32, [&buffer] { return Number(buffer.squares()); })};
+          wave::number("frame_buffer.squares", 32, [&buffer] { return Number(buffer.squares()); }),
+          wave::number("frame_buffer.refreshed_row", 32, [&buffer] { return Number(buffer.refreshed()); })};
 }
 
 std::vector<Tap> of_whoever_shows(std::vector<std::vector<Tap>> renderers) {

@@ -39,7 +39,7 @@ class FrameModel {
         renderers_(renderers(program, machine, agenda_)),
         dividers_(dividers(told)),
         sender_(program, machine, dividers_, renderers_, clears_, agenda_, told),
-        frame_buffer_(program.segments.size(), renderers_, clears_, agenda_) {}
+        frame_buffer_(program, machine, renderers_, clears_, agenda_) {}
 
   SquareTiming run() {
     if (!program_.segments.empty()) {

@@ -84,6 +84,8 @@ class Fifo {
   [[nodiscard]] bool word_follows() const { return !words_.empty(); }
   [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
 
+  [[nodiscard]] const Word& oldest() const { return words_.front().first; }
+
   void write(Time now, Word word) {
     words_.emplace_back(std::move(word), now);
     agenda_->wake(reader_, now + 1);

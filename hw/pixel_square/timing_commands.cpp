@@ -39,7 +39,7 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   commands.push_back({.kind = CommandKind::end,
                       .words = isa::wire_words(isa::SegmentEnd{}, width),
                       .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine.array)},
-                      .colour_words = header_words(machine) + colour_words(segment.region, program, machine)});
+                      .square = LeavingSquare(segment.region, program, machine)});
   return commands;
 }
 

@@ -1,38 +1,78 @@
 #include "hw/pixel_square/timing_frame_buffer.h"
 
+#include <algorithm>
+
+#include "hw/pixel_square/figures.h"
+
 namespace csgsim::pixel_square {
 
-FrameBufferTiming::FrameBufferTiming(std::size_t squares, std::vector<RendererTiming>& renderers,
-                                     Fifo<TimedPortWord>& clears, Agenda& agenda)
-    : squares_(squares), renderers_(renderers), clears_(clears), agenda_(agenda) {}
+FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines::Machine& machine,
+                                     std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears,
+                                     Agenda& agenda)
+    : squares_(program.segments.size()),
+      banks_(machines::own<Figures>(machine).banks),
+      renderers_(renderers),
+      clears_(clears),
+      agenda_(agenda),
+      screen_(program, machine) {}
 
 void FrameBufferTiming::store(Time now) {
   const std::size_t ports = renderers_.size() + 1;
+  const std::optional<std::uint32_t> shown = screen_.bank(now);
+  taken_.clear();
+  if (shown) taken_.push_back(*shown);
+  const std::size_t turns = banks_ - taken_.size();
+  std::size_t served = 0;
   bool word_follows = false;
-  for (std::size_t i = 0; i < ports; ++i) {
-    const std::size_t port = (turn_ + i) % ports;
-    if (is_sender(port) && clear_left_ > 0) return clear(now);
-    if (fifo(port).has_word(now)) return take(port, now);
-    word_follows = word_follows || fifo(port).word_follows();
+  for (std::size_t i = 0, first = turn_; i < ports; ++i) {
+    const std::size_t port = (first + i) % ports;
+    const std::optional<TimedPortWord> word = waiting(port, now);
+    if (word && served < turns && take_bank(*word)) {
+      take(port, *word, now);
+      ++served;
+      turn_ = (port + 1) % ports;
+    }
+    word_follows = word_follows || word || fifo(port).word_follows();
   }
-  if (word_follows) agenda_.put(PartNumbers{renderers_.size()}.frame_buffer(), now + 1);
+  if (served > 0) {
+    clocks_.wait(SquareActivity::waiting_for_renderer, now);
+    clocks_.work(1);
+    if (shown) ++shared_;
+  }
+  if (served > 0 || word_follows) agenda_.put(PartNumbers{renderers_.size()}.frame_buffer(), now + 1);
 }
 
-void FrameBufferTiming::take(std::size_t port, Time now) {
-  const TimedPortWord word = fifo(port).read(now);
-  if (is_sender(port)) clear_left_ = word.clear_clocks;
-  const bool colours_follow = is_sender(port) && clear_left_ > 0;
-  served(port, word.last && !colours_follow, now);
+/// The word that a port could get rid of.
+std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time now) {
+  if (is_sender(port) && clear_.words_left() > 0)
+    return TimedPortWord{.last = clear_.words_left() == 1, .row = clear_.picture_row()};
+  if (!fifo(port).has_word(now)) return std::nullopt;
+  return fifo(port).oldest();
 }
 
-void FrameBufferTiming::clear(Time now) { served(renderers_.size(), --clear_left_ == 0, now); }
+/// False if its bank is taken already.
+bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
+  if (!word.row) return true;
+  const std::uint32_t bank = *word.row % banks_;
+  if (std::ranges::find(taken_, bank) != taken_.end()) return false;
+  taken_.push_back(bank);
+  return true;
+}
 
-void FrameBufferTiming::served(std::size_t port, bool square_ends, Time now) {
-  turn_ = (port + 1) % (renderers_.size() + 1);
-  clocks_.wait(SquareActivity::waiting_for_renderer, now);
-  clocks_.work(1);
-  if (square_ends && ++stored_ == squares_) end_ = now;
-  agenda_.put(PartNumbers{renderers_.size()}.frame_buffer(), now + 1);
+void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time now) {
+  const bool clears = is_sender(port) && clear_.words_left() > 0;
+  clears ? clear_.advance() : static_cast<void>(fifo(port).read(now));
+  if (is_sender(port) && !clears) clear_ = word.cleared;
+  const bool colours_follow = is_sender(port) && clear_.words_left() > 0;
+  if (word.last && !colours_follow && ++stored_ == squares_) end_ = now;
+}
+
+SquareClocks FrameBufferTiming::clocks(Time end) {
+  SquareClocks clocks = clocks_.whole(end);
+  const std::uint64_t alone = screen_.clocks_until(end) - shared_;
+  clocks.add(SquareActivity::refreshing, alone);
+  clocks.clocks[static_cast<std::size_t>(SquareActivity::waiting_for_renderer)] -= alone;
+  return clocks;
 }
 
 }  // namespace csgsim::pixel_square

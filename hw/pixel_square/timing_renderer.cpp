@@ -16,6 +16,11 @@ constexpr Time first_edge = 2;
 
 PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
 
+Time latch_clocks(const Figures& figures, std::uint32_t colour_bits) {
+  const bool latches = figures.buffers < 2 && figures.latch_bits != no_latch;
+  return latches ? quotient_up(colour_bits, figures.latch_bits) : 0;
+}
+
 Time move_clocks(const Figures& figures, std::uint32_t colour_bits) {
   return figures.move_bits == all_planes ? 0 : quotient_up(colour_bits, figures.move_bits);
 }
@@ -31,6 +36,7 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
       buffered_(machines::own<Figures>(machine).buffers >= 2),
       latency_(machines::evaluator_latency(machine.array)),
       move_clocks_(move_clocks(machines::own<Figures>(machine), colour_bits)),
+      latch_clocks_(latch_clocks(machines::own<Figures>(machine), colour_bits)),
       link_(machine.link.fifo_depth, numbers(machine).sender(), decoder_, agenda),
       colours_(machines::own<Figures>(machine).port_fifo_depth, output_, numbers(machine).frame_buffer(), agenda) {}
 
@@ -57,7 +63,7 @@ void RendererTiming::obey(const TimedCommand& command, Time now) {
   clocks_.work(command.clocks);
   if (command.told != nullptr) *command.told = {now - first_edge, now - first_edge + command.clocks};
   if (command.kind == CommandKind::end) {
-    drawn_ = command.colour_words;
+    drawn_ = command.square;
     return agenda_->put(pixels_, now + latency_);
   }
   agenda_->put(pixels_, now + command.clocks);
@@ -65,9 +71,10 @@ void RendererTiming::obey(const TimedCommand& command, Time now) {
 
 /// A drawn square leaves the pixels when the one before it has left at an earlier edge.
 void RendererTiming::move_out(Time now) {
-  if (words_left_ > 0) return;
+  if (square_.words_left() > 0) return;
   if (left_ == now) return agenda_->put(pixels_, now + 1);
-  words_left_ = *std::exchange(drawn_, std::nullopt);
+  square_ = *std::exchange(drawn_, std::nullopt);
+  latch_ = latch_clocks_ > 0 ? std::optional(RowLatch(latch_clocks_, now)) : std::nullopt;
   clocks_.wait(SquareActivity::waiting_for_frame_buffer, now + 1);
   if (!buffered_) {
     leaving_ = true;
@@ -94,13 +101,19 @@ void RendererTiming::finish(Time now) {
 }
 
 void RendererTiming::leave(Time now) {
-  if (words_left_ == 0 || moving_) return;
+  if (square_.words_left() == 0 || moving_) return;
+  const std::optional<LeavingSquare::Rows> rows = square_.rows();
+  if (latch_ && rows) {
+    const Time there = latch_->there(rows->last, now);
+    if (there > now) return agenda_->put(output_, there);
+  }
   if (!colours_.has_room(now)) {
     if (colours_.room_follows()) agenda_->put(output_, now + 1);
     return;
   }
-  colours_.write(now, {.last = words_left_ == 1});
-  if (--words_left_ > 0) return agenda_->put(output_, now + 1);
+  colours_.write(now, {.last = square_.words_left() == 1, .row = square_.picture_row()});
+  square_.advance();
+  if (square_.words_left() > 0) return agenda_->put(output_, now + 1);
   left_ = now;
   if (leaving_) return finish(now);
   if (drawn_) agenda_->wake(pixels_, now + 1);

@@ -6,6 +6,7 @@
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
 #include "hw/pixel_square/timing_agenda.h"
+#include "hw/pixel_square/timing_leaving.h"
 
 namespace csgsim::pixel_square {
 
@@ -16,7 +17,7 @@ struct TimedCommand {
   CommandKind kind = CommandKind::start;
   std::uint64_t words = 0;              ///< on the link
   std::uint64_t clocks = 0;             ///< of the pixels' controller
-  std::uint64_t colour_words = 0;       ///< with the end: that the square leaves in
+  LeavingSquare square{};               ///< with the end
   machines::ClockSpan* told = nullptr;  ///< unless null, becomes the clocks of the frame that these are
 };
 
@@ -26,8 +27,9 @@ struct TimedLinkWord {
 };
 
 struct TimedPortWord {
-  bool last = false;               ///< of the square, or of the header of one to clear
-  std::uint64_t clear_clocks = 0;  ///< with such a header
+  bool last = false;                 ///< of the square, or of the header of one to clear
+  std::optional<std::uint32_t> row;  ///< of the picture, in which it begins; none for a word of a header
+  LeavingSquare cleared{};           ///< with the last of such a header: the words of background
 };
 
 /// A renderer, as edges see it: the decoder of its commands, its pixels, and what their squares leave through.
@@ -62,18 +64,20 @@ class RendererTiming {
   std::size_t decoder_;  ///< part
   std::size_t output_;   ///< part
   bool buffered_;
-  Time latency_;      ///< from the controller to the pixels
-  Time move_clocks_;  ///< to the second buffer
+  Time latency_;       ///< from the controller to the pixels
+  Time move_clocks_;   ///< to the second buffer
+  Time latch_clocks_;  ///< of a row, with one buffer; 0: nothing is latched
 
   Fifo<TimedLinkWord> link_;
   Fifo<TimedPortWord> colours_;
   PartClocks clocks_;  ///< of the pixels
 
   std::optional<TimedCommand> command_;  ///< that the decoder holds
-  std::optional<std::uint64_t> drawn_;   ///< words of a square that is drawn and has not moved
+  std::optional<LeavingSquare> drawn_;   ///< a square that is drawn and has not moved
   bool moving_ = false;                  ///< a square, to the second buffer
   bool leaving_ = false;                 ///< a square, from the pixels' memory
-  std::uint64_t words_left_ = 0;         ///< of the square that leaves
+  LeavingSquare square_;                 ///< that leaves
+  std::optional<RowLatch> latch_;        ///< of its rows
   Time left_ = 0;                        ///< edge of its last word
   std::uint64_t handed_ = 0;
   std::uint64_t finished_ = 0;

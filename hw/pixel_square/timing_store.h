@@ -47,7 +47,7 @@ class StoreTiming {
  private:
   std::size_t depth_;
   std::size_t filled_ = 0;
-  Time written_ = 0;        ///< edge of the last word
+  Time written_ = 0;       ///< edge of the last word
   std::deque<Time> ends_;  ///< edges at which the last words of squares were written that are there
   Fifo<TimedStored> words_;
 };

@@ -34,7 +34,6 @@ Settings read_settings(int count, char** arguments) {
   machine.name = "squares";
   machine.array = {8, 8, 40};
   machine.picture = {20, 20};
-  machine.clock_hz = 10'000'000;
   machine.evaluator_degree = 2;
   machine.link = {.width = 32, .word_clocks = 1, .fifo_depth = 64, .latency = 0};
   auto& figures = machines::own<pixel_square::Figures>(machine);
@@ -43,6 +42,7 @@ Settings read_settings(int count, char** arguments) {
   figures.halfspaces = 1'000'000;
   figures.nodes = 1'000'000;
   figures.store_words = 10'000'000;
+  std::uint32_t clock_hz = 10'000'000;
   std::uint32_t order = 0;
   std::uint32_t divider = 0;
   const std::map<std::string, std::uint32_t*> known{{"picture_width", &machine.picture.width},
@@ -62,6 +62,13 @@ Settings read_settings(int count, char** arguments) {
                                                     {"renderers", &figures.renderers},
                                                     {"buffers", &figures.buffers},
                                                     {"port", &figures.port_bits},
+                                                    {"latch", &figures.latch_bits},
+                                                    {"banks", &figures.banks},
+                                                    {"pictures", &figures.pictures},
+                                                    {"refresh", &figures.refresh_rate},
+                                                    {"refresh_bits", &figures.refresh_bits},
+                                                    {"refresh_clocks", &figures.refresh_clocks},
+                                                    {"hz", &clock_hz},
                                                     {"order", &order},
                                                     {"divider", &divider},
                                                     {"levels", &figures.levels},
@@ -81,6 +88,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);
+  machine.clock_hz = clock_hz;
   figures.divider = static_cast<pixel_square::DividerKind>(divider);
   figures.order = static_cast<pixel_square::SquareOrder>(order);
   return settings;

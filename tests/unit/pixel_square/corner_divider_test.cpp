@@ -144,8 +144,8 @@ std::uint64_t writing_clocks(const std::vector<isa::Command>& commands) {
   std::uint64_t clocks = words_of(commands);
   for (const isa::Command& command : commands) {
     const auto* instruction = std::get_if<isa::Instruction>(&command);
-    const bool is_linear = instruction != nullptr && isa::has_operand(isa::operands_of(instruction->opcode),
-                                                                      isa::OperandKind::linear);
+    const bool is_linear =
+        instruction != nullptr && isa::has_operand(isa::operands_of(instruction->opcode), isa::OperandKind::linear);
     clocks += is_linear ? 4 : 0;
   }
   return clocks;

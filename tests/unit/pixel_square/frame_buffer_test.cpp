@@ -23,14 +23,23 @@ constexpr std::uint64_t header_words = 8;
 /// A frame buffer of that many renderers, whose FIFOs hold whatever a test writes.
 struct Board {
   explicit Board(std::uint32_t renderers)
-      : bench(testing::square_machine({})),
-        colours("colours", renderers,
+      : Board(pixel_square::Figures{.renderers = renderers, .port_bits = port_bits}) {}
+
+  explicit Board(const pixel_square::Figures& figures, std::uint64_t clock_hz = 10'000'000)
+      : bench(testing::square_machine(figures)),
+        colours("colours", figures.renderers,
                 [](const char* name, std::size_t) { return new sc_core::sc_fifo<PortWord>(name, 100); }),
-        buffer("buffer", renderers, port_bits) {
+        buffer("buffer", machine_of(figures, clock_hz)) {
     buffer.clock(bench.clock);
     buffer.colours(colours);
     buffer.clears(clears);
     buffer.frames(frames);
+  }
+
+  static machines::Machine machine_of(const pixel_square::Figures& figures, std::uint64_t clock_hz) {
+    machines::Machine machine = testing::square_machine(figures);
+    machine.clock_hz = clock_hz;
+    return machine;
   }
 
   void begin(std::uint64_t squares, std::uint32_t background = 0) {
@@ -147,4 +156,68 @@ TEST_CASE("ports take turns from the first again in every frame, whichever was s
   board.bench.edges(1);
   CHECK(board.colours[0].num_available() == words - 1);
   CHECK(board.colours[1].num_available() == words);
+}
+
+TEST_CASE("two banks take the words of two squares in one clock, where they lie in rows of different banks") {
+  // Each square is eight words of header and two of colours, of one row.
+  Board board(pixel_square::Figures{.renderers = 2, .port_bits = port_bits, .banks = 2});
+  board.begin(2);
+  board.send(0, {0, 0, 4, 1}, {1, 2, 3, 4});
+  board.send(1, {0, 1, 4, 1}, {5, 6, 7, 0});
+  board.bench.edges(header_words + 1);
+  CHECK(board.frames.read() == 0);
+  board.bench.edges(1);
+  CHECK(board.frames.read() == 1);
+  CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 0});
+  CHECK(board.buffer.account(10).of(SquareActivity::working) == header_words + 2);
+}
+
+TEST_CASE("of words for one bank the first in turn is taken, and the other in the next clock") {
+  Board board(pixel_square::Figures{.renderers = 2, .port_bits = port_bits, .banks = 2});
+  board.begin(2);
+  board.send(0, {0, 0, 2, 1}, {1, 2});
+  board.send(1, {2, 0, 2, 1}, {3, 4});
+  board.bench.edges(header_words + 1);
+  CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 0, 0, 0, 0, 0, 0});
+  board.bench.edges(1);
+  CHECK(board.frames.read() == 1);
+  CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 4, 0, 0, 0, 0});
+}
+
+TEST_CASE("the screen's turns hold up words, and are clocks of their own") {
+  // A picture is 24 bits, two turns of 12, 20 turns a second, one in five of 100 clocks a second: at 5 and 6, 10
+  // and 11. The ten words are stored at 1 to 4, 7 to 9 and 12 to 14.
+  const pixel_square::Figures figures{
+      .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
+  Board board(figures, 100);
+  board.begin(1);
+  board.send(0, {2, 0, 2, 2}, {1, 2, 3, 4});
+  board.bench.edges(13);
+  CHECK(board.frames.read() == 0);
+  CHECK(board.buffer.account(13).of(SquareActivity::refreshing) == 4);
+  board.bench.edges(1);
+  CHECK(board.frames.read() == 1);
+  const pixel_square::SquareClocks account = board.buffer.account(14);
+  CHECK(account.of(SquareActivity::working) == 10);
+  CHECK(account.of(SquareActivity::refreshing) == 4);
+  board.bench.edges(6);
+  CHECK(board.buffer.account(20).of(SquareActivity::refreshing) == 7);
+  CHECK(board.buffer.account(20).of(SquareActivity::waiting_for_renderer) == 3);
+}
+
+TEST_CASE("while the screen reads one bank the other takes words") {
+  // The screen reads row 0 at 5 and 6, row 1 at 10 and 11. The header's eight words are taken at 1 to 8, by whichever
+  // bank is free. Of the three words of colours two begin in row 0, and are taken at 9 and 10; that of row 1 is at 12.
+  const pixel_square::Figures figures{
+      .port_bits = port_bits, .banks = 2, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
+  Board board(figures, 100);
+  board.begin(1);
+  board.send(0, {0, 0, 3, 2}, {1, 2, 3, 4, 5, 6});
+  board.bench.edges(10);
+  CHECK(board.colours[0].num_available() == 1);
+  board.bench.edges(1);
+  CHECK(board.frames.read() == 0);
+  board.bench.edges(1);
+  CHECK(board.frames.read() == 1);
+  CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 0, 4, 5, 6, 0});
 }

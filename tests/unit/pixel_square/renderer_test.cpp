@@ -56,10 +56,10 @@ class Listener final : public systemc::RunListener {
 /// A renderer with pixels of 4 x 2, whose link holds whatever a test sends.
 struct Board {
   Board(std::uint32_t buffers, std::uint32_t move_bits, int port_depth)
-      : machine(machine_of(buffers, move_bits)),
-        bench(machine),
-        colours("colours", port_depth),
-        renderer("renderer", machine) {
+      : Board({.buffers = buffers, .move_bits = move_bits, .port_bits = port_bits}, port_depth) {}
+
+  Board(const pixel_square::Figures& figures, int port_depth)
+      : machine(machine_of(figures)), bench(machine), colours("colours", port_depth), renderer("renderer", machine) {
     renderer.clock(bench.clock);
     renderer.link(link);
     renderer.colours(colours);
@@ -70,9 +70,8 @@ struct Board {
     renderer.begin(colour, names);
   }
 
-  static machines::Machine machine_of(std::uint32_t buffers, std::uint32_t move_bits) {
-    machines::Machine machine =
-        testing::square_machine({.buffers = buffers, .move_bits = move_bits, .port_bits = port_bits});
+  static machines::Machine machine_of(const pixel_square::Figures& figures) {
+    machines::Machine machine = testing::square_machine(figures);
     machine.array = {4, 2, 8};
     machine.clear_clocks = clear_clocks;
     machine.link.width = link_width;
@@ -158,6 +157,37 @@ TEST_CASE("without a second buffer a square is finished when its last word has l
   check_finished_at(board, drawn_at + square_words);
   CHECK(board.colours.num_available() == static_cast<int>(square_words));
   CHECK(board.renderer.account(28).of(SquareActivity::waiting_for_frame_buffer) == square_words);
+}
+
+TEST_CASE("without a second buffer rows are latched, and the latch is filled again while a row leaves") {
+  // A row of three colours is 12 bits. Its four bit planes are latched at the four edges after the square is drawn; at
+  // the next it goes over, and its first word leaves, the ninth after eight of the header which have left meanwhile
+  // from the first edge on. The second word needs the second row, latched by then at 22 to 25 and there at 26.
+  // It leaves at 26, the third at 27.
+  Board board({.buffers = 1, .latch_bits = 1, .port_bits = port_bits}, 100);
+  board.send({enable_all, ramp});
+  board.bench.edges(drawn_at + 8);
+  CHECK(board.colours.num_available() == 8);
+  board.bench.edges(1);
+  CHECK(board.colours.num_available() == 9);
+  CHECK(board.finished.read() == 0);
+  board.bench.edges(2);
+  CHECK(board.finished.read() == 1);
+  CHECK(testing::bits_of(testing::drained(board.colours), port_bits) ==
+        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+}
+
+TEST_CASE("a row that takes long to be latched holds up its words, but not the header") {
+  // With a port of 64 bits the header is a word, at 18, and all colours are one more: it needs both rows, the first
+  // latched at 18 to 21 and over at 22, the second at 22 to 25 and over at 26.
+  Board board({.buffers = 1, .latch_bits = 1, .port_bits = 64}, 100);
+  board.send({enable_all, ramp});
+  board.bench.edges(drawn_at + 8);
+  CHECK(board.colours.num_available() == 1);
+  board.bench.edges(1);
+  CHECK(board.colours.num_available() == 2);
+  CHECK(board.finished.read() == 1);
+  CHECK(board.renderer.account(30).of(SquareActivity::waiting_for_frame_buffer) == 9);
 }
 
 TEST_CASE(

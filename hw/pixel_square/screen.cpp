@@ -1,0 +1,57 @@
+#include "hw/pixel_square/screen.h"
+
+#include <fmt/format.h>
+
+#include "hw/base/error.h"
+#include "hw/base/quotient.h"
+
+namespace csgsim::pixel_square {
+
+Screen::Screen(const Figures& figures, std::uint64_t clock_hz)
+    : rate_(figures.pictures >= 2 ? 0 : figures.refresh_rate),
+      clock_hz_(clock_hz),
+      bits_(figures.refresh_bits),
+      clocks_(figures.refresh_clocks) {}
+
+void Screen::begin(const machines::Size& picture, std::uint32_t colour_bits) {
+  row_bits_ = std::uint64_t{picture.width} * colour_bits;
+  picture_bits_ = row_bits_ * picture.height;
+  step_ = rate_ * quotient_up(picture_bits_, bits_);
+  phase_ = 0;
+  next_ = 0;
+  left_ = 0;
+}
+
+void Screen::on_clock() {
+  if (left_ > 0) --left_;
+  phase_ += step_;
+  if (phase_ < clock_hz_) return;
+  phase_ -= clock_hz_;
+  left_ = clocks_;
+  at_ = next_;
+  next_ += bits_;
+  if (next_ >= picture_bits_) next_ = 0;
+}
+
+std::optional<std::uint32_t> Screen::row() const {
+  if (left_ == 0) return std::nullopt;
+  return static_cast<std::uint32_t>(at_ / row_bits_);
+}
+
+std::uint64_t turns_of(const machines::Size& picture, std::uint32_t colour_bits, const Figures& figures) {
+  if (figures.refresh_rate == not_shown || figures.pictures >= 2) return 0;
+  return quotient_up(std::uint64_t{picture.width} * picture.height * colour_bits, figures.refresh_bits);
+}
+
+void check_screen(const isa::FrameHeader& header, const machines::Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t turns =
+      figures.refresh_rate * turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
+  if (turns == 0 || turns <= (machine.clock_hz - 1) / figures.refresh_clocks) return;
+  throw InputError(
+      fmt::format("the screen takes {} turns a second of {} clocks each, and the frame buffer has {} clocks a second: "
+                  "nothing could be drawn; give refresh.bits more, or frame_buffer.pictures 2",
+                  turns, figures.refresh_clocks, machine.clock_hz));
+}
+
+}  // namespace csgsim::pixel_square

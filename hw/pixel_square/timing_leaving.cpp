@@ -1,0 +1,38 @@
+#include "hw/pixel_square/timing_leaving.h"
+
+#include <algorithm>
+
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/timing_commands.h"
+
+namespace csgsim::pixel_square {
+
+LeavingSquare::LeavingSquare(const isa::Region& region, const isa::Program& program, const machines::Machine& machine)
+    : top_(region.y),
+      port_bits_(machines::own<Figures>(machine).port_bits),
+      row_bits_(std::uint64_t{region.width} * isa::frame_header(program).colour.width),
+      bits_(row_bits_ * region.height),
+      header_words_(header_words(machine)),
+      words_(header_words_ + colour_words(region, program, machine)) {}
+
+std::optional<LeavingSquare::Rows> LeavingSquare::rows() const {
+  if (word_ < header_words_) return std::nullopt;
+  const std::uint64_t first = (word_ - header_words_) * port_bits_;
+  const std::uint64_t last = std::min(first + port_bits_, bits_) - 1;
+  return Rows{static_cast<std::uint32_t>(first / row_bits_), static_cast<std::uint32_t>(last / row_bits_)};
+}
+
+std::optional<std::uint32_t> LeavingSquare::picture_row() const {
+  const std::optional<Rows> of_word = rows();
+  return of_word ? std::optional(top_ + of_word->first) : std::nullopt;
+}
+
+Time RowLatch::there(std::uint32_t row, Time now) {
+  if (row < rows_) return now;
+  if (now < latched_) return latched_;
+  ++rows_;
+  latched_ = now + clocks_;
+  return row < rows_ ? now : latched_;
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,47 @@
+#include "hw/pixel_square/timing_screen.h"
+
+#include <algorithm>
+
+#include "hw/base/quotient.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/screen.h"
+
+namespace csgsim::pixel_square {
+
+ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const isa::FrameHeader header = isa::frame_header(program);
+  turns_a_picture_ = turns_of({header.shape.width, header.shape.height}, header.colour.width, figures);
+  turns_a_second_ = turns_a_picture_ * figures.refresh_rate;
+  clock_hz_ = machine.clock_hz;
+  turn_clocks_ = figures.refresh_clocks;
+  turn_bits_ = figures.refresh_bits;
+  row_bits_ = std::uint64_t{header.shape.width} * header.colour.width;
+  banks_ = figures.banks;
+}
+
+/// That have begun. Whole seconds apart, so that no product overflows.
+std::uint64_t ScreenTiming::turns_until(Time now) const {
+  return now / clock_hz_ * turns_a_second_ + now % clock_hz_ * turns_a_second_ / clock_hz_;
+}
+
+Time ScreenTiming::begin_of(std::uint64_t turn) const {
+  return turn / turns_a_second_ * clock_hz_ + quotient_up(turn % turns_a_second_ * clock_hz_, turns_a_second_);
+}
+
+std::optional<std::uint32_t> ScreenTiming::bank(Time now) const {
+  if (turns_a_second_ == 0) return std::nullopt;
+  const std::uint64_t turn = turns_until(now);
+  if (turn == 0 || now - begin_of(turn) >= turn_clocks_) return std::nullopt;
+  const std::uint64_t row = (turn - 1) % turns_a_picture_ * turn_bits_ / row_bits_;
+  return static_cast<std::uint32_t>(row % banks_);
+}
+
+std::uint64_t ScreenTiming::clocks_until(Time end) const {
+  if (turns_a_second_ == 0) return 0;
+  const std::uint64_t turns = turns_until(end);
+  if (turns == 0) return 0;
+  return (turns - 1) * turn_clocks_ + std::min(turn_clocks_, end - begin_of(turns) + 1);
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,98 @@
+#include "hw/pixel_square/screen.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <string>
+
+#include "hw/pixel_square/timing_screen.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/pixel_square/bench.h"
+
+using namespace csgsim;
+using pixel_square::check_screen;
+using pixel_square::Figures;
+using pixel_square::Screen;
+
+namespace {
+
+machines::Machine machine_of(const Figures& figures, std::uint64_t clock_hz) {
+  machines::Machine machine = testing::square_machine(figures);
+  machine.clock_hz = clock_hz;
+  return machine;
+}
+
+isa::Program program_of(std::uint32_t width, std::uint32_t height, std::uint16_t colour_bits) {
+  isa::Program program;
+  program.shape = {width, height, 64};
+  program.colour = {0, colour_bits};
+  return program;
+}
+
+}  // namespace
+
+TEST_CASE("a screen's turns come evenly, and read the picture row by row, again and again") {
+  // Two rows of 12 bits, in turns of 9 bits: three a picture, 30 a second, one in each 3 1/3 of 100 clocks. They begin
+  // with bits 0, 9 and 18.
+  const Figures figures{.refresh_rate = 10, .refresh_bits = 9, .refresh_clocks = 2};
+  Screen screen(figures, 100);
+  screen.begin({4, 2}, 3);
+  std::string rows;
+  for (int edge = 1; edge <= 20; ++edge) {
+    screen.on_clock();
+    rows += screen.row() ? std::to_string(*screen.row()) : "-";
+  }
+  CHECK(rows == "---00-00-11--00-00-1");
+}
+
+TEST_CASE("with two pictures, without a rate and without colours a screen takes no turn") {
+  const Figures shown{.refresh_rate = 60, .refresh_bits = 8};
+  Figures two = shown;
+  two.pictures = 2;
+  Figures none = shown;
+  none.refresh_rate = pixel_square::not_shown;
+  for (const auto& [figures, colour_bits] : {std::pair{two, 3U}, {none, 3U}, {shown, 0U}}) {
+    Screen screen(figures, 10'000);
+    screen.begin({4, 2}, colour_bits);
+    CHECK_FALSE(screen.takes());
+    screen.on_clock();
+    CHECK_FALSE(screen.row());
+  }
+}
+
+TEST_CASE("turns worked out are those that are stepped, at every edge") {
+  CHECK(rc::check([] {
+    Figures figures;
+    figures.refresh_rate = *rc::gen::inRange(1U, 100U);
+    figures.refresh_bits = *rc::gen::inRange(1U, 300U);
+    figures.refresh_clocks = *rc::gen::inRange(1U, 5U);
+    figures.banks = *rc::gen::inRange(1U, 5U);
+    figures.pictures = *rc::gen::weightedElement<std::uint32_t>({{9, 1}, {1, 2}});
+    const machines::Size picture{*rc::gen::inRange(1U, 20U), *rc::gen::inRange(1U, 20U)};
+    const auto colour_bits = *rc::gen::inRange<std::uint16_t>(0, 33);
+    const std::uint64_t turns = figures.refresh_rate * pixel_square::turns_of(picture, colour_bits, figures);
+    const std::uint64_t clock_hz = turns * figures.refresh_clocks + *rc::gen::inRange<std::uint64_t>(1, 5000);
+    Screen screen(figures, clock_hz);
+    screen.begin(picture, colour_bits);
+    const isa::Program program = program_of(picture.width, picture.height, colour_bits);
+    const pixel_square::ScreenTiming timing(program, machine_of(figures, clock_hz));
+    std::uint64_t clocks = 0;
+    for (std::uint64_t edge = 1; edge < 500; ++edge) {
+      screen.on_clock();
+      const std::optional<std::uint32_t> row = screen.row();
+      if (row) ++clocks;
+      RC_ASSERT(timing.bank(edge) == (row ? std::optional(*row % figures.banks) : std::nullopt));
+      RC_ASSERT(timing.clocks_until(edge) == clocks);
+    }
+  }));
+}
+
+TEST_CASE("a screen that would leave no clock to draw in is refused, and one that leaves one is not") {
+  // 24 bits in turns of 8: three turns of 10 clocks each, 60 times a second.
+  const Figures figures{.refresh_rate = 60, .refresh_bits = 8, .refresh_clocks = 10};
+  const isa::FrameHeader header = isa::frame_header(program_of(4, 2, 3));
+  CHECK_NOTHROW(check_screen(header, machine_of(figures, 1801)));
+  CHECK(testing::error_of([&] { check_screen(header, machine_of(figures, 1800)); }) ==
+        "the screen takes 180 turns a second of 10 clocks each, and the frame buffer has 1800 clocks a second: nothing "
+        "could be drawn; give refresh.bits more, or frame_buffer.pictures 2");
+}
