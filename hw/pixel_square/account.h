@@ -19,13 +19,13 @@ enum class SquareActivity : std::uint8_t {
   waiting_for_divider,   ///< the FIFO of the model is full, no square is in the store, or no whole command has come
   waiting_for_renderer,  ///< the store or the FIFO of the renderer chosen is full, or no colours have arrived
   waiting_for_frame_buffer,  ///< the FIFO of clears is full, or a finished square has not moved out
-  refreshing,                ///< the frame buffer alone: the screen takes a turn, and nothing is stored
   done,                      ///< nothing is left to do; of a renderer, all after its last square has left the pixels
+  refreshing,                ///< the frame buffer alone: the screen takes a turn, and nothing is stored
 };
 
 inline constexpr auto square_activity_names =
     std::to_array<std::string_view>({"working", "waiting_for_host", "waiting_for_divider", "waiting_for_renderer",
-                                     "waiting_for_frame_buffer", "refreshing", "done"});
+                                     "waiting_for_frame_buffer", "done", "refreshing"});
 
 constexpr std::string_view name_of(SquareActivity activity) {
   return square_activity_names.at(static_cast<std::size_t>(activity));

@@ -79,8 +79,9 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                 "that what a group leaves has to fit"),
     own_figure<Figures, &Figures::model_bits>("divider.memory", "bits", 1, 4'000'000'000,
                                               "for the model; its planes stay with the host if it does not fit"),
-    own_figure<Figures, &Figures::record_bits>("divider.port", "bits", 1, isa::LinkWord::most_bits,
-                                               "of a record of the model that are read in a clock"),
+    machines::or_ideal(own_figure<Figures, &Figures::record_bits>("divider.port", "bits", 1, isa::LinkWord::most_bits,
+                                                                  "of a record of the model that are read in a clock"),
+                       isa::LinkWord::most_bits),
     own_figure<Figures, &Figures::halfspaces>("divider.halfspaces", "half-spaces", 1, 1'000'000'000,
                                               "at hand for a surface; what is beyond goes to the model's memory"),
     own_figure<Figures, &Figures::nodes>(
@@ -88,17 +89,24 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         "of the tree at hand for a surface; what is beyond goes to the model's memory"),
     own_figure<Figures, &Figures::store_words>("divider.store", "words", 1, 1'000'000'000,
                                                "of the link, for commands that have not left"),
-    own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
-                                              "to hold the box of a primitive against a square's"),
-    own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
-                                                    "to test a half-space at four corners"),
-    own_figure<Figures, &Figures::cell_clocks>("divider.cell_clocks", "clocks", 0, most_clocks,
-                                               "to hold a half-space of a side against the leaders of a cell"),
-    own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
-                                               "to look at a node of the tree"),
-    own_figure<Figures, &Figures::linear_clocks>(
-        "divider.linear_clocks", "clocks", 0, most_clocks,
-        "to work out constant, width and shift of a linear instruction, besides its words"),
+    machines::or_ideal(own_figure<Figures, &Figures::box_clocks>("divider.box_clocks", "clocks", 0, most_clocks,
+                                                                 "to hold the box of a primitive against a square's"),
+                       0),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::halfspace_clocks>("divider.halfspace_clocks", "clocks", 0, most_clocks,
+                                                        "to test a half-space at four corners"),
+        0),
+    machines::or_ideal(
+        own_figure<Figures, &Figures::cell_clocks>("divider.cell_clocks", "clocks", 0, most_clocks,
+                                                   "to hold a half-space of a side against the leaders of a cell"),
+        0),
+    machines::or_ideal(own_figure<Figures, &Figures::node_clocks>("divider.node_clocks", "clocks", 0, most_clocks,
+                                                                  "to look at a node of the tree"),
+                       0),
+    machines::or_ideal(own_figure<Figures, &Figures::linear_clocks>(
+                           "divider.linear_clocks", "clocks", 0, most_clocks,
+                           "to work out constant, width and shift of a linear instruction, besides its words"),
+                       0),
 });
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "hw/pixel_square/output_buffer.h"
 
+#include <algorithm>
 #include <span>
 
 #include "hw/array/plane.h"
@@ -20,6 +21,11 @@ void read(const pixel_planes::RefreshPort& memory, isa::Field colour, std::uint3
 }
 
 }  // namespace
+
+bool OutputBuffer::wants_row() const {
+  const std::uint64_t header = std::uint64_t{quotient_up(header_bits, port_bits_)} * port_bits_;
+  return filled_ < size_ && std::max(first_, header) + port_bits_ > filled_;
+}
 
 void OutputBuffer::begin(const isa::Region& region, std::uint32_t colour_bits) {
   region_ = region;

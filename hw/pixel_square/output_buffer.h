@@ -29,6 +29,9 @@ class OutputBuffer {
 
   /// While busy: all of the word to leave next is in.
   [[nodiscard]] bool has_word() const { return first_ + port_bits_ <= filled_ || filled_ == size_; }
+
+  /// Of the next word of colours something is not in.
+  [[nodiscard]] bool wants_row() const;
   [[nodiscard]] PortWord word() const { return {slice_of(bits_, first_, port_bits_)}; }
 
   /// It has left.

@@ -31,9 +31,8 @@ void OutputPort::begin_square() {
   rows_to_latch_ = region.height;
 }
 
-/// A whole latch goes over when words have been made of all that came before it.
 void OutputPort::transfer() {
-  if (!buffer_.busy() || buffer_.has_word() || latched_ < colour_.width) return;
+  if (!buffer_.wants_row() || latched_ < colour_.width) return;
   buffer_.take_row(*memory[0], colour_);
   latched_ = 0;
   --rows_to_latch_;

@@ -15,8 +15,8 @@ namespace csgsim::pixel_square {
 ///
 /// With two buffers a square leaves from the second, where bit planes come in and colours go out. With one it leaves
 /// from the pixels' memory: each row is latched, `latch_bits` bits of all its pixels a clock, and goes over into a
-/// register when it is latched and the next word cannot be made without it; while words are made of that, the next row
-/// is latched. A square that moves or leaves rests in the pixels' memory.
+/// register when it is latched and the next word of colours cannot be made without it; while words are made of that,
+/// the next row is latched. A square that moves or leaves rests in the pixels' memory.
 class OutputPort final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};

@@ -27,12 +27,12 @@ std::optional<std::uint32_t> LeavingSquare::picture_row() const {
   return of_word ? std::optional(top_ + of_word->first) : std::nullopt;
 }
 
-Time RowLatch::there(std::uint32_t row, Time now) {
-  if (row < rows_) return now;
-  if (now < latched_) return latched_;
-  ++rows_;
-  latched_ = now + clocks_;
-  return row < rows_ ? now : latched_;
+Time RowLatch::there(std::uint32_t row) {
+  for (; rows_ <= row; ++rows_) {
+    over_ = std::max(latched_, wanted_);
+    latched_ = over_ + clocks_;
+  }
+  return over_;
 }
 
 }  // namespace csgsim::pixel_square

@@ -45,18 +45,23 @@ class LeavingSquare {
 
 /// When the rows of a square in one buffer are where words are made of them. The first is latched from the edge after
 /// the one at which the square begins to leave; each other from that at which the row before it goes over into the
-/// register from which words leave. It does so when it is latched and the next word cannot be made without it.
+/// register from which words leave. It does so when it is latched and the next word of colours cannot be made without.
 class RowLatch {
  public:
   /// `clocks`: in which a row is latched.
-  RowLatch(std::uint64_t clocks, Time begun) : clocks_(clocks), latched_(begun + 1 + clocks) {}
+  RowLatch(std::uint64_t clocks, Time begun) : clocks_(clocks), latched_(begun + 1 + clocks), wanted_(begun + 1) {}
 
-  /// The edge, `now` or later, at which the next row can go over unless this row is there already.
-  [[nodiscard]] Time there(std::uint32_t row, Time now);
+  /// The edge at which the row goes over, of which the next word of colours needs something.
+  [[nodiscard]] Time there(std::uint32_t row);
+
+  /// A word of colours leaves.
+  void pass(Time now) { wanted_ = now + 1; }
 
  private:
   std::uint64_t clocks_;
   Time latched_;            ///< from that edge on the next row can go over
+  Time wanted_;             ///< from that edge on the next word of colours is made
+  Time over_ = 0;           ///< edge at which the last did
   std::uint32_t rows_ = 0;  ///< that have
 };
 

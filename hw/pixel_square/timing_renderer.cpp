@@ -104,7 +104,7 @@ void RendererTiming::leave(Time now) {
   if (square_.words_left() == 0 || moving_) return;
   const std::optional<LeavingSquare::Rows> rows = square_.rows();
   if (latch_ && rows) {
-    const Time there = latch_->there(rows->last, now);
+    const Time there = latch_->there(rows->last);
     if (there > now) return agenda_->put(output_, there);
   }
   if (!colours_.has_room(now)) {
@@ -112,6 +112,7 @@ void RendererTiming::leave(Time now) {
     return;
   }
   colours_.write(now, {.last = square_.words_left() == 1, .row = square_.picture_row()});
+  if (latch_ && rows) latch_->pass(now);
   square_.advance();
   if (square_.words_left() > 0) return agenda_->put(output_, now + 1);
   left_ = now;

@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "host/emit/compile.h"
 #include "host/emit/options.h"
@@ -10,12 +12,12 @@
 #include "host/view/projection.h"
 #include "hw/base/error.h"
 #include "hw/division/division_check.h"
+#include "hw/division/model_sizes.h"
 #include "hw/isa/binary.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/runs_on.h"
 #include "hw/pixel_square/figures.h"
-#include "hw/pixel_square/storage_check.h"
 #include "tests/support/error_of.h"
 #include "tests/support/two_cubes.h"
 
@@ -77,14 +79,21 @@ TEST_CASE("a Program whose instructions are not those of its model is refused") 
         std::string::npos);
 }
 
-TEST_CASE("a machine that divides refuses a Program without a model, and a model that its memory does not hold") {
+TEST_CASE(
+    "a machine that divides refuses a Program without a model, and a model that does not fit without its planes") {
   machines::Machine machine = machine_with(2);
   isa::Program program = divided(machine);
-  machines::own<pixel_square::Figures>(machine).model_bits = 1000;
-  const std::string bits = std::to_string(8 * program.display_model.size());
-  CHECK(error_of([&] {
-          machines::check_runs_on(program, machine);
-        }).starts_with("the display model has " + bits + " bits, and the divider's memory holds 1000;"));
+  auto& figures = machines::own<pixel_square::Figures>(machine);
+  const division::ModelSizes sizes = division::sizes_of(program.display_model);
+  const std::uint64_t rest =
+      8 * program.display_model.size() - sizes.planes * (1 + 2 * std::uint64_t{sizes.slope} + sizes.constant);
+  figures.model_bits = static_cast<std::uint32_t>(rest);
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  figures.model_bits = static_cast<std::uint32_t>(rest - 1);
+  CHECK(error_of([&] { machines::check_runs_on(program, machine); })
+            .starts_with(fmt::format("the display model has {} bits besides its planes, and the divider's memory holds "
+                                     "{}; give divider.memory more,",
+                                     rest, rest - 1)));
   machine = machine_with(2);
   program.display_model.clear();
   CHECK(error_of([&] {
@@ -92,26 +101,23 @@ TEST_CASE("a machine that divides refuses a Program without a model, and a model
         }).starts_with("the Program has no display model, which pixel-square divides;"));
 }
 
-TEST_CASE(
-    "a machine that divides refuses what its memories for a surface, its tree or a square's commands do not hold") {
+TEST_CASE("what memories at hand do not hold goes to the model's, and is refused where that is full") {
   machines::Machine machine = machine_with(2);
   const isa::Program program = divided(machine);
   auto& figures = machines::own<pixel_square::Figures>(machine);
-  const auto names = [&](const std::string& figure) {
-    for (const std::string& error : {error_of([&] { machines::check_runs_on(program, machine); }),
-                                     error_of([&] { pixel_square::check_division(program, machine); })}) {
-      CHECK(error.find("; give " + figure + " more, or the model fewer faces") != std::string::npos);
-      CHECK(error.find("and the divider keeps 1;") != std::string::npos);
-    }
-  };
-  figures.halfspaces = 1;
-  names("divider.halfspaces");
-  figures.halfspaces = 4096;
-  figures.nodes = 1;
-  names("divider.nodes");
-  figures.nodes = 1024;
   figures.store_words = 1;
-  names("divider.store");
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  for (std::uint32_t* const at_hand : {&figures.halfspaces, &figures.nodes}) {
+    const std::uint32_t there = std::exchange(*at_hand, 1);
+    CHECK_NOTHROW(machines::check_runs_on(program, machine));
+    const auto memory = std::exchange(figures.model_bits, static_cast<std::uint32_t>(8 * program.display_model.size()));
+    CHECK(error_of([&] {
+            machines::check_runs_on(program, machine);
+          }).find("more than divider.halfspaces, divider.nodes and divider.memory hold; give them more,") !=
+          std::string::npos);
+    figures.model_bits = memory;
+    *at_hand = there;
+  }
 }
 
 TEST_CASE("a machine that divides has prunings of its own") {

@@ -160,10 +160,9 @@ TEST_CASE("without a second buffer a square is finished when its last word has l
 }
 
 TEST_CASE("without a second buffer rows are latched, and the latch is filled again while a row leaves") {
-  // A row of three colours is 12 bits. Its four bit planes are latched at the four edges after the square is drawn; at
-  // the next it goes over, and its first word leaves, the ninth after eight of the header which have left meanwhile
-  // from the first edge on. The second word needs the second row, latched by then at 22 to 25 and there at 26.
-  // It leaves at 26, the third at 27.
+  // A row of three colours is 12 bits. Its four bit planes are latched at 18 to 21, and it goes over at 22; the second
+  // row is latched at 22 to 25. Meanwhile the eight words of the header leave, at 18 to 25. At 26 the first word of
+  // colours leaves; the second needs the second row, which goes over at 27.
   Board board({.buffers = 1, .latch_bits = 1, .port_bits = port_bits}, 100);
   board.send({enable_all, ramp});
   board.bench.edges(drawn_at + 8);
