@@ -1,7 +1,6 @@
 # The multi-processor. Each row: the seed of a machine's figures, and a number of models.
-add_executable(lockstep_multi_processor multi_processor.cpp parts.cpp row.cpp divided_program.cpp)
-target_link_libraries(lockstep_multi_processor PRIVATE
-  csgsim_timed_machine csgsim_random_program csgsim_oracle csgsim::read csgsim::emit csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
+add_executable(lockstep_multi_processor multi_processor.cpp)
+target_link_libraries(lockstep_multi_processor PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 foreach(seed RANGE 1 24)
   csgsim_lockstep_row(lockstep_multi_processor "multi-processor ${seed}" "${seed} 25")
 endforeach()

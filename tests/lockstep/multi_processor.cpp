@@ -3,21 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <random>
 #include <stdexcept>
 #include <string>
 
-#include "hw/machines/timeline.h"
-#include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
-#include "hw/multi_processor/regions.h"
-#include "tests/lockstep/divided_program.h"
-#include "tests/lockstep/lockstep.h"
-#include "tests/lockstep/parts.h"
+#include "tests/lockstep/agree.h"
 #include "tests/lockstep/row.h"
 
 namespace csgsim::test {
@@ -67,30 +61,6 @@ machines::Machine random_machine(std::uint32_t seed) {
   return machine;
 }
 
-/// The nodes tell of a subsegment when all are through with it: as long after its first clock as the slowest takes.
-/// When they are at which pixel before, tests/unit/multi_processor/list_renderer_test.cpp looks at.
-void check_subsegments(const isa::Program& program, const machines::Machine& machine, const TimedMachine& hardware) {
-  const machines::Timeline timeline = machines::timeline(program, machine);
-  const isa::Field colour = program.colour;
-  for (const TimedMachine::Told& told : hardware.told()) {
-    const isa::Segment& part = program.segments[told.segment];
-    std::uint64_t slowest = 0;
-    for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
-      const auto own = multi_processor::pixels_of(part.region, machine.array, node / machine.array.width,
-                                                  node % machine.array.width);
-      slowest = std::max(slowest, multi_processor::rendering_clocks(part.instructions, own, colour, machine));
-    }
-    const machines::ClockSpan& all = timeline.issued[told.segment][told.index];
-    const std::uint64_t begun = timeline.cleared[told.segment].begin;
-    const std::uint64_t clock = told.edge - 1;
-    if (clock == begun + slowest && begun <= all.begin && all.begin <= all.end && all.end <= clock) continue;
-    throw Difference(
-        fmt::format("subsegment {}, instruction {}: told of in clock {}, by the timeline begun in {} and "
-                    "carried out from {} to {}, the slowest node takes {}",
-                    told.segment, told.index, clock, begun, all.begin, all.end, slowest));
-  }
-}
-
 }  // namespace
 
 }  // namespace csgsim::test
@@ -101,14 +71,7 @@ int main(int argc, char** argv) {
     const csgsim::machines::Machine machine =
         csgsim::test::random_machine(static_cast<std::uint32_t>(std::stoul(argv[1])));
     const auto programs = static_cast<unsigned>(std::stoul(argv[2]));
-    return csgsim::test::exit_code_of(programs, [&] {
-      return csgsim::test::agree_in_parts(
-          "the clocked multi-processor leaves the bits, picture, clocks, account and timeline worked out", machine,
-          [&] { return csgsim::test::any_divided_program(machine); },
-          [&](const csgsim::isa::Program& program, const csgsim::test::TimedMachine& hardware) {
-            csgsim::test::check_subsegments(program, machine, hardware);
-          });
-    });
+    return csgsim::test::exit_code_of(programs, [&] { return csgsim::test::agree_nodes(machine); });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

@@ -1,8 +1,7 @@
 # The frame-buffer machine with its link. Each row are figures of one machine; those that it does not name are as in
 # planes.cpp.
-add_executable(lockstep_planes planes.cpp row.cpp)
-target_link_libraries(lockstep_planes PRIVATE
-  csgsim_timed_machine csgsim_random_program csgsim::reference csgsim::cycle fmt::fmt csgsim_flags)
+add_executable(lockstep_planes planes.cpp)
+target_link_libraries(lockstep_planes PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
     "degree=1" "link=1 depth=1" "link=1 depth=300 latency=3" "link=2 depth=7 word=2" "link=7 depth=3 latency=1 word=3 clear=5"
     "link=13 depth=2 latency=9 fan_in=2" "link=16 depth=1 latency=2 fan_in=64 clear=40"

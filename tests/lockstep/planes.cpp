@@ -3,25 +3,16 @@
 // machine a process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
-#include <rapidcheck.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <map>
 #include <string>
-#include <vector>
 
-#include "hw/isa/opcodes.h"
-#include "hw/machines/regions.h"
 #include "hw/pixel_planes/figures.h"
-#include "hw/pixel_planes/timing.h"
-#include "sim/cycle/clocked_engine.h"
-#include "sim/cycle/sequence.h"
+#include "tests/lockstep/agree.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/lockstep/row.h"
-#include "tests/lockstep/timed_machine.h"
-#include "tests/support/random_program.h"
 
 namespace csgsim::test {
 
@@ -60,99 +51,6 @@ Settings read_settings(int count, char** arguments) {
   return settings;
 }
 
-/// The pixels, with the bits that Programs of such colours may draw in.
-isa::ArrayShape drawn_in(const machines::Machine& machine, std::uint32_t colour_bits) {
-  isa::ArrayShape shape = machine.array;
-  shape.memory_bits -= machines::second_buffer(colour_bits, machine).width;
-  return shape;
-}
-
-/// What a run skips, and the picture that it draws if its last segment fills the array.
-class Drawing final : public engine::Observer {
- public:
-  explicit Drawing(isa::Field colour) : colour_(colour) {}
-
-  void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
-    if (step.instruction.opcode == isa::Opcode::skip_if_none && step.enabled_pixels == 0)
-      skips.push_back({step.segment, step.index});
-  }
-  void after_segment(std::uint32_t /*segment*/, const engine::PixelState& state) override {
-    picture.resize(std::size_t{state.region().width} * state.region().height);
-    if (colour_.width > 0) state.read_field(colour_, picture);
-  }
-
-  std::vector<machines::Skip> skips;
-  std::vector<std::uint32_t> picture;
-
- private:
-  isa::Field colour_;
-};
-
-/// Frames with equally wide colours, if not without any.
-std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, unsigned instructions) {
-  const auto widest = std::min(isa::max_field_width, machine.array.memory_bits / 2);
-  const auto width = static_cast<std::uint16_t>(*rc::gen::inRange(1U, widest + 1));
-  const bool coloured = *rc::gen::inRange(0, 4) > 0;
-  const isa::ArrayShape shape = drawn_in(machine, coloured ? width : 0);
-  std::vector<isa::Program> frames;
-  for (int i = 0; i < 4; ++i) {
-    const unsigned most = *rc::gen::inRange(0U, instructions + 1);
-    isa::Program& frame = frames.emplace_back(*arbitrary_program(shape, most, machine.evaluator_degree));
-    frame.facts.fields.clear();
-    const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0U, shape.memory_bits - width + 1));
-    frame.colour = coloured ? isa::Field{base, width} : isa::Field{};
-  }
-  return frames;
-}
-
-bool agree_in_sequences(const Settings& settings) {
-  const machines::Machine& machine = settings.machine;
-  const auto reference = engine::make_reference_engine(machine);
-  return rc::check("frames that follow each other are drawn and shown when it is worked out", [&] {
-    const std::vector<isa::Program> programs = arbitrary_frames(machine, settings.instructions);
-    std::vector<Drawing> drawings;
-    std::vector<pixel_planes::DrawnFrame> frames;
-    std::vector<engine::Observer*> nobody;
-    drawings.reserve(programs.size());
-    engine::Observer unmoved;
-    for (const isa::Program& program : programs) {
-      engine::Observer* const drawing = &drawings.emplace_back(program.colour);
-      reference->run(program, {&drawing, 1});
-      frames.push_back({&program, drawings.back().skips});
-      nobody.push_back(&unmoved);
-    }
-    const auto counted = cycle::run_sequence(machine, programs, nobody);
-    const auto expected = pixel_planes::time_sequence(frames, machine);
-    for (std::size_t i = 0; i < programs.size(); ++i) {
-      if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
-        RC_FAIL(fmt::format("frame {}: worked out {} clocks, counted ", i, expected[i].clocks) + show(counted[i]));
-      RC_ASSERT(adds_up(counted[i]));
-      RC_ASSERT(counted[i].shown_clocks == std::max(expected[i].shown_clocks, expected[i].clocks));
-      if (i + 1 < programs.size()) RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
-      if (!counted[i].scanned_out.empty()) RC_ASSERT(counted[i].scanned_out == drawings[i].picture);
-    }
-  });
-}
-
-bool agree(const Settings& settings) {
-  const machines::Machine& machine = settings.machine;
-  const auto reference = engine::make_reference_engine(machine);
-  TimedMachine hardware(machine);
-  const auto cycle = cycle::make_clocked_engine(machine, hardware);
-  return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
-    const isa::Program program =
-        *arbitrary_program(drawn_in(machine, isa::max_field_width), settings.instructions, machine.evaluator_degree);
-    const engine::RunResult expected = reference->run(program, {});
-    const engine::RunResult counted = cycle->run(program, {});
-    if (counted.clocks != expected.clocks || counted.account != expected.account) {
-      RC_FAIL("counted " + show(counted) + "\nworked out " + show(expected));
-    }
-    RC_ASSERT(adds_up(counted));
-    check_lockstep(*reference, *cycle, program, machine);
-    hardware.check_timeline(program);
-  });
-}
-
 }  // namespace
 
 }  // namespace csgsim::test
@@ -160,8 +58,10 @@ bool agree(const Settings& settings) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    return csgsim::test::exit_code_of(
-        settings.programs, [&] { return csgsim::test::agree(settings) && csgsim::test::agree_in_sequences(settings); });
+    return csgsim::test::exit_code_of(settings.programs, [&] {
+      return csgsim::test::agree_planes(settings.machine, settings.instructions) &&
+             csgsim::test::agree_planes_in_sequences(settings.machine, settings.instructions);
+    });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

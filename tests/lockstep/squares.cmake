@@ -1,7 +1,6 @@
 # The pixel-square machine. Each row are figures of one machine; those that it does not name are as in squares.cpp.
-add_executable(lockstep_squares squares.cpp divided_program.cpp parts.cpp row.cpp)
-target_link_libraries(lockstep_squares PRIVATE
-  csgsim_timed_machine csgsim_random_program csgsim_oracle csgsim::read csgsim::emit csgsim::reference csgsim::functional csgsim::cycle fmt::fmt csgsim_flags)
+add_executable(lockstep_squares squares.cpp)
+target_link_libraries(lockstep_squares PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
 foreach(row IN ITEMS
     "degree=1" "depth=1" "depth=1 renderers=2 port=24 link_width=17" "depth=1 renderers=3 buffers=2 port=24 move=1"
     "depth=1 buffers=2 word=3 latency=11" "depth=2 renderers=2 buffers=2 port=24 port_depth=2 move=3 clear=5"

@@ -10,13 +10,10 @@
 #include <map>
 #include <string>
 
-#include "hw/machines/regions.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
-#include "tests/lockstep/divided_program.h"
-#include "tests/lockstep/parts.h"
+#include "tests/lockstep/agree.h"
 #include "tests/lockstep/row.h"
-#include "tests/support/random_program.h"
 
 namespace csgsim::test {
 
@@ -94,18 +91,6 @@ Settings read_settings(int count, char** arguments) {
   return settings;
 }
 
-bool agree(const Settings& settings) {
-  const machines::Machine& machine = settings.machine;
-  return agree_in_parts(
-      "the clocked pixel-square machine leaves the bits, picture, clocks, account and timeline worked out", machine,
-      [&] {
-        return machines::division(machine)
-                   ? any_divided_program(machine)
-                   : *arbitrary_program_in_parts(machine, settings.instructions, machine.evaluator_degree);
-      },
-      [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); });
-}
-
 }  // namespace
 
 }  // namespace csgsim::test
@@ -113,7 +98,8 @@ bool agree(const Settings& settings) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    return csgsim::test::exit_code_of(settings.programs, [&] { return csgsim::test::agree(settings); });
+    return csgsim::test::exit_code_of(
+        settings.programs, [&] { return csgsim::test::agree_squares(settings.machine, settings.instructions); });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

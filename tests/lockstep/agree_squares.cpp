@@ -1,0 +1,22 @@
+#include <rapidcheck.h>
+
+#include "hw/machines/regions.h"
+#include "tests/lockstep/agree.h"
+#include "tests/lockstep/divided_program.h"
+#include "tests/lockstep/parts.h"
+#include "tests/support/random_program.h"
+
+namespace csgsim::test {
+
+bool agree_squares(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+  const auto any_program = [&] {
+    return machines::division(machine) ? any_divided_program(machine)
+                                       : *arbitrary_program_in_parts(machine, instructions, machine.evaluator_degree);
+  };
+  return agree_in_parts(
+      "the clocked pixel-square machine leaves the bits, picture, clocks, account and timeline worked out", machine,
+      [&] { return first_allowed(any_program, allowed); },
+      [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); });
+}
+
+}  // namespace csgsim::test

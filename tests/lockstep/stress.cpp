@@ -1,0 +1,141 @@
+// lockstep_stress KIND FIRST LAST PROGRAMS: machines of a kind whose figures the seeds from FIRST to LAST make up, each
+// at its ends or between, draw so many random Programs or models: never a deadlock, a wrong bit, or a clock on which
+// counting and working out do not agree. Each machine has a process of its own, as SystemC elaborates once. A seed
+// whose figures do not fit each other, or whose machine refuses all that is drawn, tells so and is passed over.
+
+#include <fmt/format.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "hw/base/error.h"
+#include "hw/kinds/rows.h"
+#include "hw/machines/regions.h"
+#include "hw/machines/runs_on.h"
+#include "hw/machines/timing.h"
+#include "tests/lockstep/agree.h"
+#include "tests/lockstep/random_machine.h"
+#include "tests/lockstep/row.h"
+
+namespace csgsim::test {
+
+namespace {
+
+constexpr unsigned instructions = 8;              ///< of a segment at most
+constexpr std::size_t most_regions = 40;          ///< of a picture
+constexpr std::uint64_t most_clocks = 2'000'000;  ///< of a frame
+constexpr unsigned seconds = 100;                 ///< of a machine; then it stands still
+
+constexpr int refused = 77;
+
+using Property = bool (*)(const machines::Machine&, const Allowed&);
+
+const std::map<std::string, Property> properties{
+    {"frame-buffer",
+     [](const machines::Machine& machine, const Allowed& allowed) {
+       return agree_planes(machine, instructions, allowed) && agree_planes_in_sequences(machine, instructions);
+     }},
+    {"scan-line", [](const machines::Machine& machine,
+                     const Allowed& allowed) { return agree_scan_line(machine, instructions, allowed); }},
+    {"pixel-square", [](const machines::Machine& machine,
+                        const Allowed& allowed) { return agree_squares(machine, instructions, allowed); }},
+    {"multi-processor",
+     [](const machines::Machine& machine, const Allowed& allowed) { return agree_nodes(machine, allowed); }},
+};
+
+const machines::Kind& kind_of(const std::string& name) {
+  for (const machines::Kind* const kind : kinds::all())
+    if (kind->name == name) return *kind;
+  throw std::invalid_argument("no kind is called " + name);
+}
+
+/// Notes whether a Program was ever drawn.
+class Affordable {
+ public:
+  explicit Affordable(const machines::Machine& machine) : machine_(machine) {}
+
+  bool operator()(const isa::Program& program) {
+    try {
+      machines::check_runs_on(program, machine_);
+    } catch (const InputError&) {
+      return false;
+    }
+    const bool is = machines::time_frame(program, machine_).clocks <= most_clocks;
+    any_ = any_ || is;
+    return is;
+  }
+
+  [[nodiscard]] bool any() const { return any_; }
+
+ private:
+  const machines::Machine& machine_;
+  bool any_ = false;
+};
+
+/// The child's exit code.
+int draw(const machines::Machine& machine, const Property& property, unsigned programs) {
+  ::alarm(seconds);
+  Affordable affordable(machine);
+  const int code = exit_code_of(
+      programs, [&] { return property(machine, [&](const isa::Program& program) { return affordable(program); }); });
+  return code != 0 && !affordable.any() ? refused : code;
+}
+
+/// 0, the code, or the signal by which it ended; the alarm is one.
+int in_a_process(const std::optional<machines::Machine>& machine, const Property& property, unsigned programs) {
+  if (!machine || machines::regions(*machine).size() > most_regions) return refused;
+  std::fflush(nullptr);
+  const ::pid_t child = ::fork();
+  if (child == 0) {
+    std::freopen("/dev/null", "w", stdout);
+    const int code = draw(*machine, property, programs);
+    std::fflush(nullptr);
+    ::_exit(code);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+int run(const std::string& name, std::uint64_t first, std::uint64_t last, unsigned programs) {
+  const machines::Kind& kind = kind_of(name);
+  const Property& property = properties.at(name);
+  std::uint64_t drawn = 0;
+  std::uint64_t failed = 0;
+  for (std::uint64_t seed = first; seed <= last; ++seed) {
+    const std::optional<machines::Machine> machine = random_machine(kind, seed);
+    const int code = in_a_process(machine, property, programs);
+    if (code == refused) continue;
+    ++drawn;
+    if (code == 0) continue;
+    ++failed;
+    fmt::print("seed {}: {}{}: {}\n", seed, code > 128 ? "signal " : "exit code ", code > 128 ? code - 128 : code,
+               figures_of(*machine));
+  }
+  fmt::print("{} of {} machines drew, {} of them failed\n", drawn, last - first + 1, failed);
+  // More than every third machine draws, or the test is none.
+  return failed == 0 && 3 * drawn > last - first + 1 ? 0 : 1;
+}
+
+}  // namespace
+
+}  // namespace csgsim::test
+
+int main(int argc, char** argv) {
+  try {
+    if (argc != 5) throw std::invalid_argument("give a kind, the first and the last seed, and a number of Programs");
+    return csgsim::test::run(argv[1], std::stoull(argv[2]), std::stoull(argv[3]),
+                             static_cast<unsigned>(std::stoul(argv[4])));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  return 2;
+}
