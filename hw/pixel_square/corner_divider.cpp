@@ -47,7 +47,7 @@ SquareClocks CornerDivider::account(std::uint64_t clocks) const {
 }
 
 DividerStatus CornerDivider::status() const {
-  if (!divider_) return {"receiving", std::nullopt};
+  if (!divider_) return {state_.empty() ? "receiving" : state_, std::nullopt};
   if (!square_) return {name_of(SquareActivity::done), std::nullopt};
   return {state_, square_};
 }
@@ -59,6 +59,10 @@ void CornerDivider::work() {
       is_begun_ = false;
     }
     wait(receiver_.received());
+    if (own_.empty()) {
+      state_ = name_of(SquareActivity::done);
+      continue;
+    }
     take_model();
     SteppedDatapath path(header_, memory_, machine_, far_planes_, ends());
     for (const std::size_t square : own_) divide(square, path);

@@ -16,7 +16,8 @@ inline bool all_allowed(const isa::Program& /*program*/) { return true; }
 // machine leave the bits and the picture of the reference, and take the clocks, the account and the timeline that are
 // worked out. One machine a process, as SystemC elaborates once.
 bool agree_planes(const machines::Machine& machine, unsigned instructions, const Allowed& allowed = all_allowed);
-bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions);
+bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions,
+                               const Allowed& allowed = all_allowed);
 bool agree_scan_line(const machines::Machine& machine, unsigned instructions, const Allowed& allowed = all_allowed);
 bool agree_squares(const machines::Machine& machine, unsigned instructions, const Allowed& allowed = all_allowed);
 bool agree_nodes(const machines::Machine& machine, const Allowed& allowed = all_allowed);

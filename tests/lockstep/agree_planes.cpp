@@ -47,7 +47,8 @@ class Drawing final : public engine::Observer {
 };
 
 /// Frames with equally wide colours, if not without any.
-std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, unsigned instructions) {
+std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, unsigned instructions,
+                                           const Allowed& allowed) {
   const auto widest = std::min(isa::max_field_width, machine.array.memory_bits / 2);
   const auto width = static_cast<std::uint16_t>(*rc::gen::inRange(1U, widest + 1));
   const bool coloured = *rc::gen::inRange(0, 4) > 0;
@@ -55,7 +56,8 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
   std::vector<isa::Program> frames;
   for (int i = 0; i < 4; ++i) {
     const unsigned most = *rc::gen::inRange(0U, instructions + 1);
-    isa::Program& frame = frames.emplace_back(*arbitrary_program(shape, most, machine.evaluator_degree));
+    isa::Program& frame = frames.emplace_back(
+        first_allowed([&] { return *arbitrary_program(shape, most, machine.evaluator_degree); }, allowed));
     frame.facts.fields.clear();
     const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0U, shape.memory_bits - width + 1));
     frame.colour = coloured ? isa::Field{base, width} : isa::Field{};
@@ -65,10 +67,10 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
 
 }  // namespace
 
-bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions) {
+bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
   const auto reference = engine::make_reference_engine(machine);
   return rc::check("frames that follow each other are drawn and shown when it is worked out", [&] {
-    const std::vector<isa::Program> programs = arbitrary_frames(machine, instructions);
+    const std::vector<isa::Program> programs = arbitrary_frames(machine, instructions, allowed);
     std::vector<Drawing> drawings;
     std::vector<pixel_planes::DrawnFrame> frames;
     std::vector<engine::Observer*> nobody;

@@ -19,6 +19,8 @@ struct Ends {
   std::int64_t most;
 };
 
+constexpr std::int64_t most_clocks = 40;  ///< of a figure in clocks
+
 /// Beyond these a frame of a few squares takes too long to be stepped, or nothing can be drawn.
 const std::map<std::string_view, Ends> nearer{
     {"array.width", {1, 12}},
@@ -40,9 +42,8 @@ const std::map<std::string_view, Ends> nearer{
     {"display.memory_words", {200'000, std::int64_t{1} << 31}},
     {"node.memory_words", {200'000, std::int64_t{1} << 31}},
     {"node.word_bits", {8, 64}},
+    {"node.instruction_loop_clocks", {1, most_clocks}},  // without a clock it has no place in a timeline
 };
-
-constexpr std::int64_t most_clocks = 40;  ///< of a figure in clocks
 
 Ends ends_of(const machines::FigureSchema& figure) {
   const auto known = nearer.find(figure.key);

@@ -41,7 +41,7 @@ using Property = bool (*)(const machines::Machine&, const Allowed&);
 const std::map<std::string, Property> properties{
     {"frame-buffer",
      [](const machines::Machine& machine, const Allowed& allowed) {
-       return agree_planes(machine, instructions, allowed) && agree_planes_in_sequences(machine, instructions);
+       return agree_planes(machine, instructions, allowed) && agree_planes_in_sequences(machine, instructions, allowed);
      }},
     {"scan-line", [](const machines::Machine& machine,
                      const Allowed& allowed) { return agree_scan_line(machine, instructions, allowed); }},
