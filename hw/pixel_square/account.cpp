@@ -7,8 +7,12 @@ namespace csgsim::pixel_square {
 
 namespace {
 
+/// Of a part that no screen reads.
 machines::PartAccount part(std::string name, const SquareClocks& clocks) {
-  return machines::part_of(std::move(name), clocks, square_activity_names);
+  using enum SquareActivity;
+  return machines::part_of(
+      std::move(name), clocks, square_activity_names,
+      {working, waiting_for_host, waiting_for_divider, waiting_for_renderer, waiting_for_frame_buffer, done});
 }
 
 /// Of the renderers' clocks those in which they draw.
@@ -43,7 +47,7 @@ machines::Account account(const SquareAccount& counted) {
     account.counts.push_back({"squares of " + name, counted.renderer_squares[i]});
     account.parts.push_back(part(name, counted.renderers[i]));
   }
-  account.parts.push_back(part("frame buffer", counted.frame_buffer));
+  account.parts.push_back(machines::part_of("frame buffer", counted.frame_buffer, square_activity_names));
   return account;
 }
 

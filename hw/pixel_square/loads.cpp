@@ -1,3 +1,6 @@
+#include <string>
+#include <string_view>
+
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/kind.h"
 
@@ -5,12 +8,16 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// Of the renderers the one that draws most.
-machines::Load busiest(const machines::Account& account) {
-  machines::Load load{"renderer", "draws", 0};
+std::uint64_t working(const machines::Account& account, std::string_view part) {
+  return machines::clocks_of(account, part, name_of(SquareActivity::working));
+}
+
+/// Of the parts that are called so, with a number behind if there are several, the one that works most.
+machines::Load busiest(const machines::Account& account, std::string_view name, std::string_view does) {
+  machines::Load load{std::string(name), does, 0};
   for (const machines::PartAccount& part : account.parts) {
-    if (!part.part.starts_with("renderer ")) continue;
-    const std::uint64_t clocks = machines::clocks_of(account, part.part, name_of(SquareActivity::working));
+    if (part.part != name && !part.part.starts_with(std::string(name) + " ")) continue;
+    const std::uint64_t clocks = working(account, part.part);
     if (clocks > load.clocks) load = {part.part, load.does, clocks};
   }
   return load;
@@ -19,13 +26,13 @@ machines::Load busiest(const machines::Account& account) {
 }  // namespace
 
 std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) const {
-  const auto working = [&](const char* part) {
-    return machines::clocks_of(timing.account, part, name_of(SquareActivity::working));
-  };
-  return {{"link from the host", "sends", working("host")},
-          {"divider", "tests and sends", working("divider")},
-          busiest(timing.account),
-          {"frame buffer", "takes colours", working("frame buffer")}};
+  const machines::Account& account = timing.account;
+  const std::uint64_t refreshing = machines::clocks_of(account, "frame buffer", name_of(SquareActivity::refreshing));
+  return {{"link from the host", "sends", working(account, "host")},
+          busiest(account, "divider", "tests and writes"),
+          busiest(account, "sender", "sends"),
+          busiest(account, "renderer", "draws"),
+          {"frame buffer", "takes colours or shows them", working(account, "frame buffer") + refreshing}};
 }
 
 }  // namespace csgsim::pixel_square

@@ -157,6 +157,7 @@ TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of"
   CHECK(bound("scan-line+link.width=2") == "link from the host");
   CHECK(bound("scan-line+host.active_clocks=20000") == "host");
   CHECK(bound("pixel-square+divider.halfspace_clocks=9000") == "divider");
+  CHECK(bound("pixel-square+divider.count=2+divider.halfspace_clocks=9000").starts_with("divider "));
   CHECK(bound("pixel-square+divider.kind=host+alu.bits=1") == "renderer 0");
   CHECK(bound("pixel-square+port.width=1", "thesis_fig_2_3") == "frame buffer");
   CHECK(bound("multi-processor+host.link_word_clocks=1000000") == "link from the host");
