@@ -2,22 +2,10 @@
 
 #include <algorithm>
 
-#include "hw/base/quotient.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
-#include "hw/pixel_square/figures.h"
 
 namespace csgsim::pixel_square {
-
-std::uint64_t header_words(const machines::Machine& machine) {
-  constexpr std::uint64_t bits = 64;
-  return quotient_up(bits, machines::own<Figures>(machine).port_bits);
-}
-
-std::uint64_t colour_words(const isa::Region& region, const isa::Program& program, const machines::Machine& machine) {
-  const std::uint64_t bits = isa::frame_header(program).colour.width;
-  return quotient_up(std::uint64_t{region.width} * region.height * bits, machines::own<Figures>(machine).port_bits);
-}
 
 std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,
                                          const machines::Machine& machine, machines::Timeline* told) {
@@ -39,7 +27,7 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   commands.push_back({.kind = CommandKind::end,
                       .words = isa::wire_words(isa::SegmentEnd{}, width),
                       .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine.array)},
-                      .square = LeavingSquare(segment.region, program, machine)});
+                      .region = &segment.region});
   return commands;
 }
 

@@ -10,10 +10,6 @@
 
 namespace csgsim::pixel_square {
 
-/// Words in which a square's place leaves for the frame buffer, and its colours.
-std::uint64_t header_words(const machines::Machine& machine);
-std::uint64_t colour_words(const isa::Region& region, const isa::Program& program, const machines::Machine& machine);
-
 /// What a renderer is told of a square: SegmentStart, its instructions, SegmentEnd; nothing without instructions.
 /// `told`, unless null, is a blank timeline, which the renderers fill.
 std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,

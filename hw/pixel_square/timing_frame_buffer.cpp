@@ -9,7 +9,8 @@ namespace csgsim::pixel_square {
 FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines::Machine& machine,
                                      std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears,
                                      Agenda& agenda)
-    : squares_(program.segments.size()),
+    : program_(program),
+      machine_(machine),
       banks_(machines::own<Figures>(machine).banks),
       renderers_(renderers),
       clears_(clears),
@@ -62,9 +63,17 @@ bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
 void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time now) {
   const bool clears = is_sender(port) && clear_.words_left() > 0;
   clears ? clear_.advance() : static_cast<void>(fifo(port).read(now));
-  if (is_sender(port) && !clears) clear_ = word.cleared;
+  if (is_sender(port) && !clears && word.last) clear_ = background_of(word.cleared);
   const bool colours_follow = is_sender(port) && clear_.words_left() > 0;
-  if (word.last && !colours_follow && ++stored_ == squares_) end_ = now;
+  if (word.last && !colours_follow && ++stored_ == program_.segments.size()) end_ = now;
+}
+
+/// The words that clear it.
+LeavingSquare FrameBufferTiming::background_of(std::size_t square) const {
+  LeavingSquare words(program_.segments[square].region, isa::frame_header(program_).colour.width,
+                      machines::own<Figures>(machine_).port_bits);
+  words.skip_header();
+  return words;
 }
 
 SquareClocks FrameBufferTiming::clocks(Time end) {

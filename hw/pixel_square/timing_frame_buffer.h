@@ -29,10 +29,12 @@ class FrameBufferTiming {
     return is_sender(port) ? clears_ : renderers_[port].colours();
   }
   [[nodiscard]] std::optional<TimedPortWord> waiting(std::size_t port, Time now);
+  [[nodiscard]] LeavingSquare background_of(std::size_t square) const;
   bool take_bank(const TimedPortWord& word);
   void take(std::size_t port, const TimedPortWord& word, Time now);
 
-  const std::size_t squares_;
+  const isa::Program& program_;
+  const machines::Machine& machine_;
   const std::uint32_t banks_;
   std::vector<RendererTiming>& renderers_;
   Fifo<TimedPortWord>& clears_;

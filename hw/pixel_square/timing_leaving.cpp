@@ -2,18 +2,22 @@
 
 #include <algorithm>
 
-#include "hw/pixel_square/figures.h"
-#include "hw/pixel_square/timing_commands.h"
+#include "hw/base/quotient.h"
 
 namespace csgsim::pixel_square {
 
-LeavingSquare::LeavingSquare(const isa::Region& region, const isa::Program& program, const machines::Machine& machine)
+std::uint64_t header_words(std::uint64_t port_bits) {
+  constexpr std::uint64_t bits = 64;
+  return quotient_up(bits, port_bits);
+}
+
+LeavingSquare::LeavingSquare(const isa::Region& region, std::uint32_t colour_bits, std::uint64_t port_bits)
     : top_(region.y),
-      port_bits_(machines::own<Figures>(machine).port_bits),
-      row_bits_(std::uint64_t{region.width} * isa::frame_header(program).colour.width),
+      port_bits_(port_bits),
+      row_bits_(std::uint64_t{region.width} * colour_bits),
       bits_(row_bits_ * region.height),
-      header_words_(header_words(machine)),
-      words_(header_words_ + colour_words(region, program, machine)) {}
+      header_words_(header_words(port_bits)),
+      words_(header_words_ + quotient_up(bits_, port_bits)) {}
 
 std::optional<LeavingSquare::Rows> LeavingSquare::rows() const {
   if (word_ < header_words_) return std::nullopt;

@@ -4,16 +4,18 @@
 #include <optional>
 
 #include "hw/isa/program.h"
-#include "hw/machines/machine.h"
 #include "hw/pixel_square/timing_agenda.h"
 
 namespace csgsim::pixel_square {
+
+/// Words in which a square's place leaves for the frame buffer.
+std::uint64_t header_words(std::uint64_t port_bits);
 
 /// The words in which a square leaves for the frame buffer: those of its header, and those of its colours.
 class LeavingSquare {
  public:
   LeavingSquare() = default;
-  LeavingSquare(const isa::Region& region, const isa::Program& program, const machines::Machine& machine);
+  LeavingSquare(const isa::Region& region, std::uint32_t colour_bits, std::uint64_t port_bits);
 
   [[nodiscard]] std::uint64_t words_left() const { return words_ - word_; }
 

@@ -35,6 +35,8 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
       output_(numbers(machine).output(renderer)),
       buffered_(machines::own<Figures>(machine).buffers >= 2),
       latency_(machines::evaluator_latency(machine.array)),
+      colour_bits_(colour_bits),
+      port_bits_(machines::own<Figures>(machine).port_bits),
       move_clocks_(move_clocks(machines::own<Figures>(machine), colour_bits)),
       latch_clocks_(latch_clocks(machines::own<Figures>(machine), colour_bits)),
       link_(machine.link.fifo_depth, numbers(machine).sender(), decoder_, agenda),
@@ -63,7 +65,7 @@ void RendererTiming::obey(const TimedCommand& command, Time now) {
   clocks_.work(command.clocks);
   if (command.told != nullptr) *command.told = {now - first_edge, now - first_edge + command.clocks};
   if (command.kind == CommandKind::end) {
-    drawn_ = command.square;
+    drawn_ = LeavingSquare(*command.region, colour_bits_, port_bits_);
     return agenda_->put(pixels_, now + latency_);
   }
   agenda_->put(pixels_, now + command.clocks);

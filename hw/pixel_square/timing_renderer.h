@@ -17,7 +17,7 @@ struct TimedCommand {
   CommandKind kind = CommandKind::start;
   std::uint64_t words = 0;              ///< on the link
   std::uint64_t clocks = 0;             ///< of the pixels' controller
-  LeavingSquare square{};               ///< with the end
+  const isa::Region* region = nullptr;  ///< with the end: of the square
   machines::ClockSpan* told = nullptr;  ///< unless null, becomes the clocks of the frame that these are
 };
 
@@ -29,7 +29,7 @@ struct TimedLinkWord {
 struct TimedPortWord {
   bool last = false;                 ///< of the square, or of the header of one to clear
   std::optional<std::uint32_t> row;  ///< of the picture, in which it begins; none for a word of a header
-  LeavingSquare cleared{};           ///< with the last of such a header: the words of background
+  std::size_t cleared = 0;           ///< with the last of such a header: the number of the square
 };
 
 /// A renderer, as edges see it: the decoder of its commands, its pixels, and what their squares leave through.
@@ -64,7 +64,9 @@ class RendererTiming {
   std::size_t decoder_;  ///< part
   std::size_t output_;   ///< part
   bool buffered_;
-  Time latency_;       ///< from the controller to the pixels
+  Time latency_;  ///< from the controller to the pixels
+  std::uint32_t colour_bits_;
+  std::uint64_t port_bits_;
   Time move_clocks_;   ///< to the second buffer
   Time latch_clocks_;  ///< of a row, with one buffer; 0: nothing is latched
 

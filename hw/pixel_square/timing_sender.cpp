@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/timing_commands.h"
 #include "hw/pixel_square/timing_division.h"
 
@@ -62,22 +63,13 @@ void SenderTiming::send(Time now) {
 
 void SenderTiming::send_header(Time now) {
   if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.room_follows(), now);
-  const bool last = sent_ + 1 == header_words(machine_);
-  TimedPortWord word{.last = last, .row = std::nullopt};
-  if (last) word.cleared = background_of(program_.segments[square_].region);
-  clears_.write(now, word);
+  const bool last = sent_ + 1 == header_words(machines::own<Figures>(machine_).port_bits);
+  clears_.write(now, {.last = last, .row = std::nullopt, .cleared = square_});
   clocks_.work(1);
   ++sent_;
   if (!last) return go_on(now);
   ++skipped_;
   end_square(now);
-}
-
-/// The words that clear it.
-LeavingSquare SenderTiming::background_of(const isa::Region& region) const {
-  LeavingSquare square(region, program_, machine_);
-  square.skip_header();
-  return square;
 }
 
 void SenderTiming::send_word(Time now) {

@@ -37,7 +37,6 @@ class SenderTiming {
   bool begin_square(Time now);
   void sleep(SquareActivity why, bool look_again, Time now);
   void send_header(Time now);
-  [[nodiscard]] LeavingSquare background_of(const isa::Region& region) const;
   void send_word(Time now);
   TimedStored take_word(Time now);
   void go_on(Time now);
