@@ -83,6 +83,23 @@ def renderers(figures):
     return ruled(beside("renderers", "`pixel-square`", "host divides", "`pixel-planes-5`"), rows)
 
 
+def dividers(figures):
+    rows = [(count, *thousands(clocks(figures, "pixel-square", f"divider.count={count}")
+                               + clocks(figures, "pixel-planes-5", f"divider.count={count}"))) for count in (1, 2, 4, 8)]
+    return ruled(beside("dividers", "`pixel-square`", "`pixel-planes-5`"), rows)
+
+
+def screens(figures):
+    """Without a divider, which would bound the frame."""
+    varied = [("nothing is shown", "refresh.rate=ideal"), ("as it is",), ("`refresh.bits` 256", "refresh.bits=256", "refresh.clocks=1"),
+              ("that, and two banks", "refresh.bits=256", "refresh.clocks=1", "frame_buffer.banks=2"),
+              ("`refresh.bits` 64", "refresh.bits=64", "refresh.clocks=1"),
+              ("that, and two banks", "refresh.bits=64", "refresh.clocks=1", "frame_buffer.banks=2")]
+    return ruled(beside("screen", "`pixel-square`", "`pixel-planes-5`"),
+                 [(title, *thousands(clocks(figures, "pixel-square", "divider.kind=host", *changes)
+                                     + clocks(figures, "pixel-planes-5", "divider.kind=host", *changes))) for title, *changes in varied])
+
+
 def buffers(figures):
     rows = [(count, *thousands(clocks(figures, "pixel-square", f"renderers.buffers={count}")
                                + clocks(figures, "pixel-planes-5", f"renderers.buffers={count}"))) for count in (1, 2)]
