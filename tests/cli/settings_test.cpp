@@ -67,6 +67,8 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"machines", "\"scan-line\""},
                                                  {"curves", "\"facets\""},
                                                  {"knobs", "\"curves,size\""},
+                                                 {"vary", "[\"alu.bits=1,2\"]"},
+                                                 {"axes", "\"time,memory\""},
                                                  {"strategy", "\"list\""},
                                                  {"colour-scheme", "\"Metallic\""},
                                                  {"colouring", "\"field\""},

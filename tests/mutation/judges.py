@@ -78,6 +78,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/studies/advise": ["studies", "cli"],
     "sim/studies/classify": ["cli"],
     "sim/studies/display": ["cli"],
+    "sim/studies/explore": ["studies", "cli"],
     "sim/studies/trace": ["cli"],
     "sim/studies/compare": ["studies", "cli"],
     "sim/studies/corpus": ["studies", "cli"],
