@@ -71,6 +71,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "points", "N"},
     {varied, "seed", "N"},
     {varied, "axes", "LIST"},
+    {varied, "process", "NAME|FILE", FileRole::processes},
     {varied, "advice"},
     {varied, "pixel", "X,Y"},
     {varied, "probe", "X,Y|TREE"},

@@ -72,10 +72,14 @@ RunTimer::Run& RunTimer::run_of(const isa::Program& program) {
 }
 
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::may_skip(program)) return machines::time_frame(program, machine);
+  return machines::time_frame(program, machine, skips(program, machine));
+}
+
+std::span<const machines::Skip> RunTimer::skips(const isa::Program& program, const machines::Machine& machine) {
+  if (!functional::may_skip(program)) return {};
   Run& run = run_of(program);
   std::call_once(run.once, [&] { run.skips = engine::make_functional_engine(machine)->run(program, {}).skips; });
-  return machines::time_frame(program, machine, run.skips);
+  return run.skips;
 }
 
 }  // namespace csgsim::studies

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <span>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -40,6 +41,9 @@ class RunTimer {
  public:
   /// As a run of the Program on the machine tells it.
   machines::FrameTiming time(const isa::Program& program, const machines::Machine& machine);
+
+  /// What that run skips; it is there as long as the timer.
+  std::span<const machines::Skip> skips(const isa::Program& program, const machines::Machine& machine);
 
  private:
   struct Run {

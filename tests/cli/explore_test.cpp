@@ -196,3 +196,50 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
   misused(command + " --vary alu.bits=1,2 --points 100000", "--points");
   CHECK(folder.files() == 0);
 }
+
+TEST_CASE("in a process a machine has the clock that it leaves, and the knee's command says it") {
+  const Folder folder;
+  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
+              " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e"))
+              .code == 0);
+  const nlohmann::json file = json(folder / "e/explore.json");
+  CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "silicon", "energy", "memory", "wrong"});
+  for (const nlohmann::json& point : file["points"]) {
+    CHECK(point["process"] == "cmos-45nm");
+    CHECK(point["clock_path"] == "pixel");
+    CHECK(point["machine_mm2"] > 0);
+    CHECK(point["frame_joules"] > 0);
+    if (point["knee"] != true) continue;
+    const std::string command = file["fronts"][0]["knee"]["commands"][0];
+    CHECK(command.find("+clock.frequency=" + std::to_string(point["clock_hz"].get<std::uint64_t>())) !=
+          std::string::npos);
+    const std::string words = words_of(command.substr(0, command.find(" --output")));
+    REQUIRE(run(words + " --stats " + (folder / "s.json")).code == 0);
+    CHECK(json(folder / "s.json")["frames_per_second"].get<double>() ==
+          doctest::Approx(point["frames_per_second"].get<double>()));
+  }
+  CHECK(file["points"][0]["clock_hz"] > file["points"][2]["clock_hz"]);
+}
+
+TEST_CASE("a process does not price what has not been synthesised, and measures anew when its figures change") {
+  const Folder folder;
+  const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
+  REQUIRE(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4").code == 0);
+  nlohmann::json points = json(folder / "e/explore.json")["points"];
+  CHECK(points[0]["machine_mm2"].is_null());
+  CHECK(points[0]["frame_joules"].is_null());
+  CHECK(points[0]["clock_path"] == "");
+  CHECK(points[0]["clock_hz"] == 10'000'000);
+  REQUIRE(run("manual processes nmos-3um").code == 0);
+  REQUIRE(run(command + " --process nmos-3um --vary alu.bits=1").code == 0);
+  const nlohmann::json slow = json(folder / "e/explore.json")["points"][0];
+  REQUIRE(run(command + " --process nmos-3um+gate.delay=1000 --vary alu.bits=1").code == 0);
+  points = json(folder / "e/explore.json")["points"];
+  CHECK(points[0]["process"] == "nmos-3um+gate.delay=1000");
+  CHECK(points[0]["clock_hz"] > slow["clock_hz"]);
+  misused("explore " + model("sphere") + small + " -o " + (folder / "n") + " --vary alu.bits=1 --process nmos-3",
+          "did you mean nmos-3um");
+  misused("explore " + model("sphere") + small + " -o " + (folder / "n") +
+              " --vary clock.frequency=1000,2000 --process nmos-3um",
+          "the clock follows from the process");
+}

@@ -69,6 +69,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"knobs", "\"curves,size\""},
                                                  {"vary", "[\"alu.bits=1,2\"]"},
                                                  {"axes", "\"time,memory\""},
+                                                 {"process", "\"cmos-45nm\""},
                                                  {"strategy", "\"list\""},
                                                  {"colour-scheme", "\"Metallic\""},
                                                  {"colouring", "\"field\""},

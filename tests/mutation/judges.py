@@ -16,6 +16,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "hw/base": ["base", "isa", "read"],
     "hw/isa": ["isa", "view", "reference", "machines", "functional_lockstep", "golden", "lockstep_functional", "hard_cases"],
     "hw/division": ["division", "pixel_square_modules", "multi_processor_kind"],
+    "hw/process": ["process", "studies"],
     "hw/machines": ["machines", "observe", "golden"],
     "hw/array": ["array", "pixel_planes", "pixel_square", "lockstep_cycle", "lockstep_squares", "lockstep_models"],
     "hw/wave": ["waves", "cycle"],

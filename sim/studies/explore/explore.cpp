@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/hash.h"
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
+#include "hw/machines/names.h"
 #include "sim/report/points.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/numbers.h"
@@ -37,12 +39,10 @@ std::vector<std::string> different(const std::vector<std::string>& names) {
   return once;
 }
 
-ExplorePoint point_of(const ModelOptions& design, const machines::Size& size, bool has_memory,
-                      std::uint32_t memory_bits) {
+ExplorePoint point_of(const ModelOptions& design, const machines::Size& size) {
   ExplorePoint point;
   point.model = escaped(design.model);
   point.machine = escaped(design.machine);
-  if (has_memory) point.memory_bits = memory_bits;
   point.width = size.width;
   point.height = size.height;
   point.z_bits = design.z_bits;
@@ -54,6 +54,14 @@ ExplorePoint point_of(const ModelOptions& design, const machines::Size& size, bo
   point.stack_bits = has_stack_bits(design.strategy) ? design.stack_bits : 0;
   point.curves = design.curves;
   return point;
+}
+
+/// A hash of the machine and of every figure of the process.
+std::string with_process(const std::string& machine_hash, const process::Process& process) {
+  Hash hash;
+  hash.add(machine_hash);
+  for (const machines::Figure& figure : process.figures) hash.add("\n" + figure.key + "=" + figure.value);
+  return hash.text();
 }
 
 /// A table of a group's front.
@@ -93,16 +101,18 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     std::vector<std::string> files = options_.models;
     if (!options_.model.scene_file.empty()) files.push_back(options_.model.scene_file);
+    if (const std::string_view file = machines::file_of(options_.process); !file.empty()) files.emplace_back(file);
     return input_files(files, {options_.model.machine});
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    std::set<std::string> names{"vary", "points", "seed", "axes", "machine"};
+    std::set<std::string> names{"vary", "points", "seed", "axes", "machine", "process"};
     for (const std::string& name : varied_options()) names.insert(name);
     return names;
   }
 
   std::vector<Asked> ask() override {
     const std::vector<ModelOptions> designs = options_.designs();
+    process_ = options_.loaded_process();
     JobMaker maker;
     std::vector<Asked> asked;
     for (const std::string& model : different(options_.models)) {
@@ -165,12 +175,11 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] ExploreRow measured(std::size_t point) override {
     const Job& job = jobs_[point];
     return with_memory_for_picture({job.machine.picture.width, job.machine.picture.height, ample_memory_bits},
-                                   [&] { return meter_.measure(points_[point], job); });
+                                   [&] { return meter_.measure(points_[point], job, process_); });
   }
 
   void conclude() override {
-    const std::vector<ExploreAxis> axes =
-        options_.axes.empty() ? std::vector(explore_axes().begin(), explore_axes().end()) : axes_in(options_.axes);
+    const std::vector<ExploreAxis> axes = axes_in(options_.asked_axes());
     groups_.clear();
     for (ExploreGroup& group : groups_of(rows(), axes)) {
       std::vector<std::string> commands = commands_of(group);
@@ -181,12 +190,12 @@ class Explore : public StudyOf<ExploreRow> {
  private:
   /// A design whose figures do not fit each other is one that says so.
   void add(const ModelOptions& design, JobMaker& maker) {
-    const bool has_memory = options_.has_memory(design);
     try {
       Job job = maker.job_of(design);
       refuse_unseen(design, job);
-      points_.push_back(point_of(design, job.machine.picture, has_memory, job.machine.array.memory_bits));
-      jobs_.push_back(std::move(job));
+      ExplorePoint point = point_of(design, job.machine.picture);
+      if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
+      add(std::move(point), std::move(job));
     } catch (const InputError& error) {
       add_refused(design, maker, error.what());
     } catch (const UsageError& error) {
@@ -198,9 +207,18 @@ class Explore : public StudyOf<ExploreRow> {
     ModelOptions plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
-    jobs_.push_back(maker.job_of(plain));
-    jobs_.back().reason = escaped(why);
-    points_.push_back(point_of(design, {}, false, 0));
+    Job job = maker.job_of(plain);
+    job.reason = escaped(why);
+    add(point_of(design, {}), std::move(job));
+  }
+
+  void add(ExplorePoint point, Job job) {
+    if (process_) {
+      point.process = escaped(process_->name);
+      job.inputs.machine_hash = with_process(job.inputs.machine_hash, *process_);
+    }
+    points_.push_back(std::move(point));
+    jobs_.push_back(std::move(job));
   }
 
   /// What is seen through is not held against an exact picture.
@@ -234,13 +252,14 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<std::string> commands;
     for (const ExploreRow* const row : drawn) {
       const std::string picture = plot_stem(row->point.model) + "-knee.png";
-      commands.push_back(render_command(options_, *command_, row->point, memory_bits, picture));
+      commands.push_back(render_command(options_, *command_, *row, memory_bits, picture));
     }
     return commands;
   }
 
   ExploreOptions options_;
   std::optional<Command> command_;
+  std::optional<process::Process> process_;
   std::vector<ExplorePoint> points_;
   std::vector<Job> jobs_;
   std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can

@@ -22,6 +22,8 @@ constexpr ExploreAxis all_axes[] = {
        return row.machine_transistors ? std::optional(static_cast<double>(*row.machine_transistors)) : std::nullopt;
      },
      false, false},
+    {"silicon", "mm2 of the machine", [](const ExploreRow& row) { return row.machine_mm2; }, false, false},
+    {"energy", "joules a frame", [](const ExploreRow& row) { return row.frame_joules; }, true, false},
     {"memory", "memory bits of the machine",
      [](const ExploreRow& row) { return std::optional(static_cast<double>(row.machine_memory_bits)); }, false, false},
     {"wrong", "wrong pixels", [](const ExploreRow& row) { return std::optional(static_cast<double>(row.wrong)); }, true,

@@ -6,6 +6,7 @@
 #include "hw/base/error.h"
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
+#include "hw/process/price.h"
 #include "sim/engine/engine.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
@@ -27,24 +28,46 @@ Fitted fitted(const ExplorePoint& point, const Job& job) {
   return compile_fitting(subject.tree, subject.scene, view, job.machine, job.options, {0, most_fitted_bits});
 }
 
+machines::Resources resources_of(const Fitted& fitted) {
+  return fitted.machine.kind->resources(fitted.machine, isa::frame_header(fitted.program));
+}
+
 void count(const Fitted& fitted, ExploreRow& row) {
   const isa::Program& program = fitted.program;
   const machines::Machine& machine = fitted.machine;
   row.halfspaces = program.facts.model.halfspaces;
   for (const isa::Segment& segment : program.segments) row.instructions += segment.instructions.size();
   row.used_bits = observe::used_memory_bits(program);
-  const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
+  const machines::Resources resources = resources_of(fitted);
   row.processors = resources.processors;
   row.machine_memory_bits = resources.memory_bits;
   row.pixel_transistors = machines::pixel_transistors(machine, machine.array.memory_bits);
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
+/// The machine with the clock that the process leaves it.
+void give_clock(const process::Process& process, Fitted& fitted, ExploreRow& row) {
+  const std::optional<process::Clock> clock = process::clock_of(fitted.machine, process);
+  if (!clock) return;
+  fitted.machine.clock_hz = clock->hz;
+  row.clock_path = clock->path.name;
+}
+
 void time(const Fitted& fitted, RunTimer& timer, ExploreRow& row) {
   const machines::FrameTiming timing = timer.time(fitted.program, fitted.machine);
+  row.clock_hz = fitted.machine.clock_hz;
   row.clocks = timing.clocks;
   row.interval_clocks = timing.interval_clocks;
-  row.frames_per_second = static_cast<double>(fitted.machine.clock_hz) / static_cast<double>(timing.interval_clocks);
+  row.frames_per_second = static_cast<double>(row.clock_hz) / static_cast<double>(timing.interval_clocks);
+}
+
+void price(const process::Process& process, const Fitted& fitted, RunTimer& timer, ExploreRow& row) {
+  const machines::Machine& machine = fitted.machine;
+  const machines::Resources resources = resources_of(fitted);
+  const std::uint64_t pixel_clocks =
+      process::pixel_clocks(fitted.program, machine, timer.skips(fitted.program, machine));
+  row.machine_mm2 = process::machine_mm2(machine, resources, process);
+  row.frame_joules = process::frame_joules(machine, resources, {pixel_clocks, 1 / row.frames_per_second}, process);
 }
 
 observe::Frame frame_of(const Fitted& fitted) {
@@ -92,7 +115,8 @@ void ExploreMeter::judge(const Job& job, const Fitted& fitted, ExploreRow& row) 
   row.unexplained = verdict->unexplained;
 }
 
-ExploreRow ExploreMeter::measure(const ExplorePoint& point, const Job& job) {
+ExploreRow ExploreMeter::measure(const ExplorePoint& point, const Job& job,
+                                 const std::optional<process::Process>& process) {
   if (!job.reason.empty()) {
     ExploreRow refused;
     refused.point = point;
@@ -101,9 +125,11 @@ ExploreRow ExploreMeter::measure(const ExplorePoint& point, const Job& job) {
     return refused;
   }
   return measured_row<ExploreRow>(point, job.inputs, [&](ExploreRow& row) {
-    const Fitted fitted = studies::fitted(point, job);
+    Fitted fitted = studies::fitted(point, job);
     count(fitted, row);
+    if (process) give_clock(*process, fitted, row);
     time(fitted, timer_, row);
+    if (process) price(*process, fitted, timer_, row);
     judge(job, fitted, row);
   });
 }

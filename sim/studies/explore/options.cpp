@@ -24,6 +24,8 @@ using namespace shell;
 
 namespace {
 
+constexpr std::string_view clock_figure = "clock.frequency";
+
 /// As it was named, of what a row tells of it.
 std::string named(const std::vector<std::string>& names, const std::string& told) {
   const auto found = std::ranges::find(names, told, [](const std::string& name) { return escaped(name); });
@@ -48,6 +50,8 @@ ModelOptions base_of(const ExploreOptions& options, const std::vector<Dimension>
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
       throw UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
   }
+  if (!options.process.empty() && std::ranges::find(dimensions, clock_figure, &Dimension::key) != dimensions.end())
+    throw UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
   static_cast<void>(base.scene());  // read once for all designs
   return base;
 }
@@ -75,8 +79,8 @@ std::string given_words(const ExploreOptions& options, const Command& command) {
 
 std::vector<std::string> own_explore_options() {
   std::vector<std::string> names = varied_options();
-  for (const char* name : {"vary", "points", "seed", "axes", "machine", "set", "output", "threads", "shard", "no-plots",
-                           "progress", "report", "quiet"})
+  for (const char* name : {"vary", "points", "seed", "axes", "process", "machine", "set", "output", "threads", "shard",
+                           "no-plots", "progress", "report", "quiet"})
     names.emplace_back(name);
   return names;
 }
@@ -115,8 +119,25 @@ void ExploreOptions::add_to(Command& command) {
   command
       .option("--axes", axes,
               "What designs are held against each other by: a list of time (from frame to frame), area (transistors), "
-              "memory (bits), wrong (pixels); all if not given")
+              "silicon (mm2, in a process), energy (of a frame, in a process), memory (bits), wrong (pixels); "
+              "time,area,memory,wrong if not given, in a process time,silicon,energy,memory,wrong")
       .list_of(explore_axis_names(), "axis");
+  command.option("--process", process,
+                 fmt::format("The process that machines are made in, of which clock, silicon and energy follow: {}, or "
+                             "a .toml file; with figures changed: NAME+KEY=VALUE. Without one a machine has the clock "
+                             "of its description",
+                             fmt::join(process::process_names(), ", ")));
+}
+
+std::string ExploreOptions::asked_axes() const {
+  if (!axes.empty()) return axes;
+  return process.empty() ? "time,area,memory,wrong" : "time,silicon,energy,memory,wrong";
+}
+
+std::optional<process::Process> ExploreOptions::loaded_process() const {
+  if (process.empty()) return std::nullopt;
+  if (!machines::file_of(process).empty()) return process::load_process(process);
+  return for_option("--process", [&] { return process::load_process(process); });
 }
 
 std::vector<ModelOptions> ExploreOptions::designs() const {
@@ -130,10 +151,12 @@ bool ExploreOptions::has_memory(const ModelOptions& design) const {
                              [](const std::string& change) { return is_memory_figure(key_of(change)); });
 }
 
-std::string render_command(const ExploreOptions& options, const Command& command, const ExplorePoint& point,
+std::string render_command(const ExploreOptions& options, const Command& command, const ExploreRow& row,
                            std::uint32_t memory_bits, const std::string& picture) {
+  const ExplorePoint& point = row.point;
   std::string text = "csgsim render " + shell_word(named(options.models, point.model)) + given_words(options, command);
-  text += shell_words("machine", point.machine);
+  const std::string clock = point.process.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
+  text += shell_words("machine", point.machine + clock);
   text += fmt::format(" --size {}x{} --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {}",
                       point.width, point.height, memory_bits, point.z_bits, point.fraction_bits, point.colour_bits,
                       point.colouring);

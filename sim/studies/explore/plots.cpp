@@ -60,7 +60,7 @@ std::vector<plots::Plot> plots_of_explore(std::span<const ExploreRow> /*rows*/, 
     if (!group.knee || group.axes.size() < 2) continue;
     std::string name = group.model.empty() ? "all_models" : plot_stem(group.model);
     if (const unsigned use = ++uses[name]; use > 1) name += fmt::format("-{}", use);
-    plots::Chart chart{fmt::format("{}: what {} buys", name, group.axes[0].name),
+    plots::Chart chart{fmt::format("{}: what {} buys", group.model.empty() ? "all models" : name, group.axes[0].name),
                        {group.axes[0].title, plots::Scale::logarithmic},
                        {},
                        {},

@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -17,6 +18,9 @@ namespace {
 
 /// Of a front that are printed; files have all.
 constexpr std::size_t most_printed = 40;
+
+/// From here on no fraction is shown.
+constexpr double least_rounded = 10'000;
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
@@ -41,7 +45,8 @@ Texts texts_of(const ExplorePoint& point) {
 
 std::string value_text(double value) {
   const bool is_count = value == static_cast<double>(static_cast<std::uint64_t>(value));
-  return is_count ? grouped(static_cast<std::uint64_t>(value)) : fmt::format("{:.4g}", value);
+  if (is_count || value >= least_rounded) return grouped(static_cast<std::uint64_t>(std::llround(value)));
+  return fmt::format("{:.4g}", value);
 }
 
 /// Cells of a table, with a line a row; columns are as wide as they have to be.
