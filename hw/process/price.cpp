@@ -128,7 +128,7 @@ std::optional<Clock> clock_of(const Machine& machine, const Process& process) {
   const std::vector<ClockPath> paths = clock_paths(machine, process);
   if (paths.empty()) return std::nullopt;
   const ClockPath slowest = *std::ranges::max_element(paths, {}, &ClockPath::ps);
-  return Clock{static_cast<std::uint64_t>(std::llround(std::min(most_hz, 1 / (slowest.ps * ps)))), slowest};
+  return Clock{static_cast<std::uint64_t>(std::llround(std::clamp(1 / (slowest.ps * ps), 1.0, most_hz))), slowest};
 }
 
 std::optional<double> machine_mm2(const Machine& machine, const machines::Resources& resources,

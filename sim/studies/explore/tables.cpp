@@ -21,6 +21,7 @@ constexpr std::size_t most_printed = 40;
 
 /// From here on no fraction is shown.
 constexpr double least_rounded = 10'000;
+constexpr double most_grouped = 1e15;
 
 using Texts = std::vector<std::pair<std::string, std::string>>;
 
@@ -44,8 +45,9 @@ Texts texts_of(const ExplorePoint& point) {
 }
 
 std::string value_text(double value) {
-  const bool is_count = value == static_cast<double>(static_cast<std::uint64_t>(value));
-  if (is_count || value >= least_rounded) return grouped(static_cast<std::uint64_t>(std::llround(value)));
+  const bool is_shown_whole = value >= least_rounded || value == std::floor(value);
+  if (value >= 0 && value < most_grouped && is_shown_whole)
+    return grouped(static_cast<std::uint64_t>(std::llround(value)));
   return fmt::format("{:.4g}", value);
 }
 
