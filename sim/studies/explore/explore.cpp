@@ -60,7 +60,7 @@ ExplorePoint point_of(const ModelOptions& design, const machines::Size& size) {
 std::string with_process(const std::string& machine_hash, const process::Process& process) {
   Hash hash;
   hash.add(machine_hash);
-  for (const machines::Figure& figure : process.figures) hash.add("\n" + figure.key + "=" + figure.value);
+  for (const machines::Figure& figure : process.figures) hash.add(fmt::format("\n{}={}", figure.key, figure.value));
   return hash.text();
 }
 

@@ -175,9 +175,11 @@ std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<
     design.push_back(i);
   }
   std::vector<ExploreGroup> groups;
+  groups.reserve(models.size() + 1);
   for (const std::string& model : models) groups.push_back(group_of(rows, model, by_model[model], axes));
   if (models.size() == 1) return groups;
   std::vector<Design> of_all;
+  of_all.reserve(designs.size());
   for (const std::string& design : designs) of_all.push_back(by_design[design]);
   groups.push_back(group_of(rows, "", of_all, axes));
   return groups;

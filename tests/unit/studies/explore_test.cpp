@@ -210,6 +210,7 @@ TEST_CASE("a wrong key or value is told, and so are too many designs") {
   CHECK(key_wrong({{"chains.count", {"4"}}}).find("neither a figure of pixel-planes-4") != std::string::npos);
   CHECK(key_wrong({{"z-bits", {"12"}}, {"z-bits", {"13"}}}).find("said twice") != std::string::npos);
   std::vector<std::string> many;
+  many.reserve(200);
   for (int i = 0; i < 200; ++i) many.push_back(std::to_string(1'000'000 + i));
   const std::vector<studies::Dimension> large{
       {"clock.frequency", many},
