@@ -24,6 +24,7 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE)
 # The machines and processors are in the program; these files are to be read, and to begin one's own with.
 install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
+install(DIRECTORY hw/process/ DESTINATION ${data_dir}/processes FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY sim/software/processors/ DESTINATION ${data_dir}/processors FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FILES_MATCHING
   PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)

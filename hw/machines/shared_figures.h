@@ -18,7 +18,7 @@ inline constexpr FigureSchema picture_width =
 inline constexpr FigureSchema picture_height = figure<&Machine::picture, &Size::height>(
     "picture.height", "pixels", 1, isa::max_array_side, "height of the picture");
 inline constexpr FigureSchema clock_frequency =
-    figure<&Machine::clock_hz>("clock.frequency", "Hz", 1, 1'000'000'000, "steps a second");
+    figure<&Machine::clock_hz>("clock.frequency", "Hz", 1, 10'000'000'000, "steps a second");
 inline constexpr FigureSchema memory_reads =
     figure<&Machine::memory_reads>("memory.reads", "a clock", 1, 2, "reads of a pixel's memory");
 inline constexpr FigureSchema memory_writes =

@@ -13,6 +13,7 @@ enum class FileRole : std::uint8_t {
   output,      ///< a file or folder that is written, or a checkpoint, of which a run does not depend
   machines,    ///< machines by name or file, with commas where the option takes several
   processors,  ///< the same of processors
+  processes,   ///< one of processes
 };
 
 /// What is known of an option or operand beside what its command says.

@@ -42,6 +42,11 @@ class Figures:
         return self.runs.run(f"csgsim accuracy {self.model(model)} {options} --no-plots --progress none -o $OUT/accuracy"
                              ).json("accuracy/accuracy.json").points
 
+    def explore(self, options):
+        """What csgsim explore finds of the stand-ins for the thesis's models, each just fitting into its picture."""
+        models = " ".join(self.model(name).split(" ")[0] for name in THESIS_MODELS)
+        return self.runs.run(f"csgsim explore {models} {options} --no-plots --progress none -o $OUT/explore").json("explore/explore.json")
+
     def subdivide(self, model, options=""):
         return self.runs.run(f"csgsim subdivide {self.model(model)} {options} --no-plots --progress none -o $OUT/subdivide"
                              ).json("subdivide/subdivide.json").points
@@ -102,7 +107,7 @@ class Figures:
 
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "mesh", "effects", "shown", "advise", "curved", "examples")
+        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "explore", "mesh", "effects", "shown", "advise", "curved", "examples")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

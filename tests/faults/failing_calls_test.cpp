@@ -210,6 +210,10 @@ TEST_CASE("subdivide leaves the old file or the whole new one, one line and noth
   try_command("subdivide");
 }
 
+TEST_CASE("explore leaves the old file or the whole new one, one line and nothing else, whichever call fails") {
+  try_command("explore");
+}
+
 TEST_CASE("accuracy leaves whole lines, and goes on from them, whichever call fails") {
   try_command("accuracy");
   try_command("accuracy going on");

@@ -244,6 +244,7 @@ def of_runs(csgsim: str) -> list[Sample]:
             "accuracy": ["accuracy", "m.csg", "--size", "8x8", "--views", "1", "--knobs", "z-bits,fn,tolerance,together"],
             "corpus": ["corpus", "m.csg", "n.csg", *SMALL, "--machines", "pixel-planes-4,scan-line"],
             "subdivide": ["subdivide", "m.csg", *SMALL, "--subdivisions", "0,2", "--tolerances", "1,0.5"],
+            "explore": ["explore", "m.csg", "n.csg", *SMALL, "--vary", "alu.bits=1,4", "--vary", "z-bits=12,16"],
             "advise": ["advise", "m.csg", *SMALL, "--strategy", "stack,list", "--z-bits", "16", "--fraction-bits", "6"],
         }
         (folder / "n.csg").write_text(CUBE.replace("8", "7"))

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "sim/studies/accuracy/plots.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
+#include "sim/studies/explore/show.h"
 #include "sim/studies/gather.h"
 #include "sim/studies/rows_json.h"
 #include "sim/studies/shard_file.h"
@@ -33,6 +35,14 @@ namespace {
 void lay_out(const std::vector<plots::Plot>& all) {
   for (const plots::Plot& plot : all)
     std::visit([](const auto& content) { static_cast<void>(plots::laid_out(content)); }, plot.content);
+}
+
+void show(const std::vector<studies::ExploreRow>& rows) {
+  std::vector<studies::ShownGroup> groups;
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::explore_axes()))
+    groups.push_back({std::move(group), {}});
+  lay_out(studies::plots_of_explore(rows, groups));
+  static_cast<void>(studies::explore_json("", rows, groups));
 }
 
 void show(const std::vector<studies::SweepRow>& rows) {
@@ -98,7 +108,8 @@ void check_writing(const studies::ShardFile& file, const fs::path& folder) {
 /// Its command's name, which is part of the names of files: gather knows those that there are.
 bool has_known_name(const studies::ShardFile& file) {
   const std::string& name = file.header.words.front();
-  return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus" || name == "subdivide";
+  return name == "sweep" || name == "compare" || name == "accuracy" || name == "corpus" || name == "subdivide" ||
+         name == "explore";
 }
 
 }  // namespace
@@ -119,6 +130,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     put<studies::CorpusRow>(gathered, folder.path());
     put<studies::Measurement>(gathered, folder.path());
     put<studies::SubdivideRow>(gathered, folder.path());
+    put<studies::ExploreRow>(gathered, folder.path());
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error);
   }

@@ -12,6 +12,7 @@
 #include "hw/isa/manual.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
+#include "hw/process/process.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
@@ -33,7 +34,7 @@ struct Options {
   std::vector<std::string> sets;
 };
 
-/// Of a machine or a processor.
+/// Of a machine, a processor or a process.
 template <class Described>
 void print_figures_of(const Described& described) {
   fmt::print("{}\n  {}\n\n", described.name, described.description);
@@ -65,19 +66,25 @@ void print_machines(const Options& options) {
   if (are_listed) fmt::print("\ncsgsim manual machines NAME prints every figure of one, with where it comes from.\n");
 }
 
-/// What each processor is; of those that are named every figure.
-void print_processors(const Options& options) {
+/// What each is, of processors or processes; of those that are named every figure.
+template <class Load>
+void print_described(const Options& options, const std::vector<std::string_view>& all, Load load) {
   if (options.machines.empty()) {
-    for (const std::string_view name : software::processor_names())
-      fmt::print("{:<17}{}\n", name, software::load_processor(std::string(name)).description);
-    fmt::print("\ncsgsim manual processors NAME prints every figure of one, with where it comes from.\n");
+    for (const std::string_view name : all) fmt::print("{:<17}{}\n", name, load(std::string(name)).description);
+    fmt::print("\ncsgsim manual {} NAME prints every figure of one, with where it comes from.\n", options.topic);
     return;
   }
-  const std::vector<std::string_view> all = software::processor_names();
   const std::vector<std::string> names =
       options.machines == "all" ? std::vector<std::string>(all.begin(), all.end()) : parse_words(options.machines);
-  for (const std::string& name : names)
-    print_figures_of(for_option("MACHINE", [&] { return software::load_processor(name); }));
+  for (const std::string& name : names) print_figures_of(for_option("MACHINE", [&] { return load(name); }));
+}
+
+void print_processors(const Options& options) {
+  print_described(options, software::processor_names(), software::load_processor);
+}
+
+void print_processes(const Options& options) {
+  print_described(options, process::process_names(), process::load_process);
 }
 
 template <class Rows>
@@ -120,6 +127,8 @@ constexpr std::array topics{
     Topic{"methods", "what csgsim classify, display and trace count, with sources", print_methods},
     Topic{"processors", "the processors that these are priced for; of one that is named every figure",
           print_processors},
+    Topic{"processes", "the processes that csgsim explore prices machines in; of one that is named every figure",
+          print_processes},
     Topic{"instructions", "the page of the broadcast instruction set, in Markdown",
           [](const Options& /*options*/) { fmt::print("{}", isa::instruction_set_page()); }},
     Topic{"scenes", "the page of scene files and their effects, in Markdown",
@@ -133,7 +142,7 @@ void run(const Options& options) {
     return;
   }
   const bool is_of_machines = topic->print == print_machines;
-  const bool names_some = is_of_machines || topic->print == print_processors;
+  const bool names_some = is_of_machines || topic->print == print_processors || topic->print == print_processes;
   if ((!options.machines.empty() && !names_some) || (!options.sets.empty() && !is_of_machines))
     throw UsageError("MACHINE", "csgsim manual " + options.topic + " is of no machine; leave it out");
   if (is_of_machines && !options.machines.empty() && options.machines != "all")
@@ -154,7 +163,7 @@ void add_manual(CommandLine& line) {
   for (const Topic& topic : topics) names.emplace_back(topic.name);
   command.option("TOPIC", options->topic, "What to tell of").one_of(names, "topic");
   command.option("MACHINE", options->machines,
-                 "Machines, or processors, by name or .toml file, with commas; all of csgsim's: all");
+                 "Machines, processors or processes, by name or .toml file, with commas; all of csgsim's: all");
   add_figure_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });
 }

@@ -82,6 +82,7 @@ ValueKind kind_of(const OptionHelp& option) {
     case FileRole::output: return ValueKind::file;
     case FileRole::machines: return ValueKind::machines;
     case FileRole::processors: return ValueKind::processors;
+    case FileRole::processes: return ValueKind::file;
     case FileRole::none: break;
   }
   return ValueKind::text;

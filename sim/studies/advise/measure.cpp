@@ -16,7 +16,7 @@
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
-#include "sim/studies/advise/fitted_program.h"
+#include "sim/studies/fitted_program.h"
 #include "sim/studies/measured_row.h"
 #include "sim/studies/parallel.h"
 

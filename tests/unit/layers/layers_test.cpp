@@ -51,6 +51,7 @@ TEST_CASE("the array in plain C++ and the instruction set know nothing of System
   CHECK(strangers("hw/array", {"hw/array/", "hw/base/", "hw/isa/", "hw/machines/"}) == "");
   CHECK(strangers("hw/isa", {"hw/base/", "hw/isa/"}) == "");
   CHECK(strangers("hw/machines", {"hw/base/", "hw/isa/", "hw/machines/"}) == "");
+  CHECK(strangers("hw/process", {"hw/base/", "hw/isa/", "hw/machines/", "hw/process/"}) == "");
 }
 
 TEST_CASE("the divider in plain C++ knows the base and the instruction set alone") {

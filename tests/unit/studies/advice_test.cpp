@@ -16,9 +16,9 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/studies/accuracy/measure.h"
-#include "sim/studies/advise/fitted_program.h"
 #include "sim/studies/advise/measure.h"
 #include "sim/studies/advise/show.h"
+#include "sim/studies/fitted_program.h"
 #include "sim/studies/sweep/measure.h"
 #include "sim/studies/table.h"
 

@@ -1,4 +1,4 @@
-#include "sim/studies/advise/fitted_program.h"
+#include "sim/studies/fitted_program.h"
 
 #include <array>
 #include <optional>
@@ -61,14 +61,25 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
   return {std::move(*program), std::move(machine)};
 }
 
-machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::may_skip(program)) return machines::time_frame(program, machine);
+RunTimer::Run& RunTimer::run_of(const isa::Program& program) {
   std::vector<std::uint64_t> key;
   key.reserve(program.segments.size());
   for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
-  const auto [known, is_new] = skips_.try_emplace(std::move(key));
-  if (is_new) known->second = engine::make_functional_engine(machine)->run(program, {}).skips;
-  return machines::time_frame(program, machine, known->second);
+  const std::lock_guard guard(lock_);
+  std::unique_ptr<Run>& run = runs_[std::move(key)];
+  if (!run) run = std::make_unique<Run>();
+  return *run;
+}
+
+machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
+  return machines::time_frame(program, machine, skips(program, machine));
+}
+
+std::span<const machines::Skip> RunTimer::skips(const isa::Program& program, const machines::Machine& machine) {
+  if (!functional::may_skip(program)) return {};
+  Run& run = run_of(program);
+  std::call_once(run.once, [&] { run.skips = engine::make_functional_engine(machine)->run(program, {}).skips; });
+  return run.skips;
 }
 
 }  // namespace csgsim::studies

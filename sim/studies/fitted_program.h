@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
+#include <mutex>
+#include <span>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -33,14 +36,24 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
                        machines::Machine machine, const emit::Options& options, const MemoryGuess& guess);
 
 /// Tells what runs take. What of a Program is skipped depends on its instructions alone, not on the machine's clocks:
-/// Programs with the same instructions are run once, on whatever machines.
+/// Programs with the same instructions are run once, on whatever machines. Several threads may ask at the same time.
 class RunTimer {
  public:
   /// As a run of the Program on the machine tells it.
   machines::FrameTiming time(const isa::Program& program, const machines::Machine& machine);
 
+  /// What that run skips; it is there as long as the timer.
+  std::span<const machines::Skip> skips(const isa::Program& program, const machines::Machine& machine);
+
  private:
-  std::map<std::vector<std::uint64_t>, std::vector<machines::Skip>> skips_;  ///< by hashes of the segments
+  struct Run {
+    std::once_flag once;
+    std::vector<machines::Skip> skips;
+  };
+  Run& run_of(const isa::Program& program);
+
+  std::mutex lock_;
+  std::map<std::vector<std::uint64_t>, std::unique_ptr<Run>> runs_;  ///< by hashes of the segments
 };
 
 }  // namespace csgsim::studies

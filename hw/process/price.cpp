@@ -1,0 +1,171 @@
+#include "hw/process/price.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "hw/machines/area.h"
+#include "hw/machines/regions.h"
+
+namespace csgsim::process {
+
+using machines::Machine;
+
+namespace {
+
+constexpr double most_hz = 1e10;  ///< that a description takes
+constexpr double ps = 1e-12;      ///< s
+constexpr double aj = 1e-18;      ///< J
+constexpr double pw = 1e-12;      ///< W
+constexpr double nm2 = 1e-12;     ///< mm²
+
+/// As Yosys makes them (docs/area.md, "Shared by all pixels").
+constexpr double controller_transistors = 35'966;
+constexpr double fifo_transistors_per_bit = 18'666.0 / (16 * 32);
+constexpr double gate_transistors = 4;  ///< a NAND of two inputs
+
+// Gates one after the other.
+constexpr double full_adder_gates = 3;
+constexpr double select_gates = 4;  ///< of the ALU's operands and operation
+constexpr double carry_gates = 2;   ///< a bit of the ALU
+constexpr double turn_gates = 2;    ///< a level of the rotator before a port, a multiplexer
+
+/// A figure of the description as a number; nothing if its kind has none, or it stands for no limit.
+std::optional<std::uint64_t> figure_of(const Machine& machine, std::string_view key) {
+  const auto found = std::ranges::find(machine.figures, key, &machines::Figure::key);
+  if (found == machine.figures.end()) return std::nullopt;
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(found->value.data(), found->value.data() + found->value.size(), value);
+  if (error != std::errc{} || end != found->value.data() + found->value.size()) return std::nullopt;
+  return value;
+}
+
+/// Levels of a tree of gates with so many inputs each that brings so many lines together.
+double levels_of(std::uint64_t lines, std::uint64_t inputs) {
+  double levels = 0;
+  for (std::uint64_t reached = 1; reached < lines; reached *= inputs) ++levels;
+  return levels;
+}
+
+/// Transistors of a pixel but for its memory: processor and node.
+std::optional<double> logic_transistors(const Machine& machine) {
+  const std::optional<std::uint64_t> logic = machines::pixel_transistors(machine, 0);
+  return logic ? std::optional(static_cast<double>(*logic)) : std::nullopt;
+}
+
+double bit_area(const Machine& machine, const Process& process) {
+  return machines::cell_transistors(machine.memory_reads) * static_cast<double>(process.memory_transistor_area) * nm2;
+}
+
+double pixel_area(const Machine& machine, double logic, const Process& process) {
+  return logic * static_cast<double>(process.transistor_area) * nm2 +
+         machine.array.memory_bits * bit_area(machine, process);
+}
+
+/// Levels of a decoder for as many bits of memory, and the gate that drives a line of it.
+double decoder_gates(const Machine& machine, const Process& process) {
+  const double address_bits = levels_of(machine.array.memory_bits, 2);
+  return levels_of(static_cast<std::uint64_t>(address_bits), process.gate_fan_in) + 1;
+}
+
+double pixel_path(const Machine& machine, const Process& process) {
+  const double turns = levels_of(machine.alu_bits, 2);
+  const double gates =
+      decoder_gates(machine, process) + turn_gates * turns + select_gates + carry_gates * machine.alu_bits;
+  return static_cast<double>(process.memory_access) + gates * static_cast<double>(process.gate_delay);
+}
+
+/// Flip-flops of a pixel and its node (docs/area.md, "Logic").
+double register_bits(const Machine& machine) {
+  const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
+  const double node = machine.evaluator_degree == 1 ? 3 : 8;
+  return 3 + operand_latch + node;
+}
+
+/// Joules of a pixel in a clock.
+double pixel_energy(const Machine& machine, double logic, const Process& process) {
+  const double ports = machine.memory_reads + 1.0;
+  // Bit lines are as long as the side of a square memory.
+  const double read = static_cast<double>(process.memory_energy) *
+                      std::sqrt(machine.array.memory_bits / static_cast<double>(process.memory_bits));
+  const double adders = machine.alu_bits + (machine.evaluator_degree == 1 ? 1.0 : 3.0);
+  const double streams = machine.evaluator_degree == 1 ? 2 : 4;
+  const double pitch = std::sqrt(pixel_area(machine, logic, process));  // mm
+  return aj * (ports * machine.alu_bits * read + adders * static_cast<double>(process.adder_energy) +
+               register_bits(machine) * static_cast<double>(process.register_energy) +
+               streams * pitch * static_cast<double>(process.wire_energy));
+}
+
+/// Transistors of what all pixels of an array share, for each array.
+double shared_transistors(const Machine& machine) {
+  const double arrays = static_cast<double>(figure_of(machine, "renderers.count").value_or(1));
+  const double fifo_bits = static_cast<double>(machine.link.fifo_depth) * machine.link.width;
+  return arrays * (controller_transistors + fifo_bits * fifo_transistors_per_bit);
+}
+
+}  // namespace
+
+std::vector<ClockPath> clock_paths(const Machine& machine, const Process& process) {
+  const std::optional<double> logic = logic_transistors(machine);
+  if (!logic) return {};
+  const auto registered = static_cast<double>(process.register_delay);
+  const auto gate = static_cast<double>(process.gate_delay);
+  const double pitch = std::sqrt(pixel_area(machine, *logic, process));  // mm
+  const double half_side = pitch * std::max(machine.array.width, machine.array.height) / 2;
+  std::vector<ClockPath> paths{{"pixel", registered + pixel_path(machine, process)},
+                               {"trees", registered + full_adder_gates * gate},
+                               {"wire", registered + half_side * static_cast<double>(process.wire_delay)}};
+  if (machines::has_global_or(machine)) {
+    const std::uint64_t pixels = std::uint64_t{machine.array.width} * machine.array.height;
+    const std::uint64_t lines = std::min(pixels, figure_of(machine, "global_or.fan_in").value_or(pixels));
+    paths.push_back({"global OR", registered + levels_of(lines, process.gate_fan_in) * gate});
+  }
+  return paths;
+}
+
+std::optional<Clock> clock_of(const Machine& machine, const Process& process) {
+  const std::vector<ClockPath> paths = clock_paths(machine, process);
+  if (paths.empty()) return std::nullopt;
+  const ClockPath slowest = *std::ranges::max_element(paths, {}, &ClockPath::ps);
+  return Clock{static_cast<std::uint64_t>(std::llround(std::clamp(1 / (slowest.ps * ps), 1.0, most_hz))), slowest};
+}
+
+std::optional<double> machine_mm2(const Machine& machine, const machines::Resources& resources,
+                                  const Process& process) {
+  const std::optional<double> logic = logic_transistors(machine);
+  if (!logic) return std::nullopt;
+  const std::uint64_t of_pixels = resources.processors * machine.array.memory_bits;
+  const double beside = static_cast<double>(resources.memory_bits - std::min(of_pixels, resources.memory_bits));
+  const double buffer_bit = machines::cell_transistors(1) * static_cast<double>(process.memory_transistor_area) * nm2;
+  return static_cast<double>(resources.processors) * pixel_area(machine, *logic, process) + beside * buffer_bit +
+         shared_transistors(machine) * static_cast<double>(process.transistor_area) * nm2;
+}
+
+std::uint64_t pixel_clocks(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips) {
+  std::uint64_t sum = 0;
+  auto skip = skips.begin();
+  for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
+    const isa::Segment& one = program.segments[segment];
+    std::uint64_t clocks = 0;
+    for (std::uint32_t i = 0; i < one.instructions.size(); ++i) {
+      clocks += machine.kind->clocks(one.instructions[i], machine);
+      if (skip == skips.end() || *skip != machines::Skip{segment, i}) continue;
+      ++skip;
+      i += static_cast<std::uint32_t>(one.instructions[i].constant);
+    }
+    sum += clocks * one.region.width * one.region.height;
+  }
+  return sum;
+}
+
+std::optional<double> frame_joules(const Machine& machine, const machines::Resources& resources, const FrameWork& work,
+                                   const Process& process) {
+  const std::optional<double> logic = logic_transistors(machine);
+  if (!logic) return std::nullopt;
+  const double transistors = static_cast<double>(resources.processors) * *logic + shared_transistors(machine);
+  const double idle = transistors / gate_transistors * static_cast<double>(process.static_power) * pw * work.seconds;
+  return static_cast<double>(work.pixel_clocks) * pixel_energy(machine, *logic, process) + idle;
+}
+
+}  // namespace csgsim::process

@@ -1,0 +1,217 @@
+#include "sim/studies/explore/designs.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "host/emit/curves.h"
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
+#include "hw/base/text.h"
+#include "hw/isa/instruction.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/prunings.h"
+#include "sim/shell/settings/sets.h"
+#include "sim/shell/usage.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/explore/sample.h"
+
+namespace csgsim::studies {
+
+using namespace shell;
+
+namespace {
+
+constexpr std::size_t most_values = 1000;  ///< of a dimension
+constexpr unsigned most_number = 2'000'000'000;
+
+unsigned number_of(const std::string& text, unsigned least, unsigned most) {
+  const std::vector<unsigned> numbers = parse_numbers(text, least, most);
+  if (numbers.size() != 1) throw InputError("'" + printable(text) + "' is no number");
+  return numbers.front();
+}
+
+template <class Choices>
+std::string word_of(const std::string& text, const char* kind, const Choices& choices) {
+  return parse_names(text, kind, fixed_names_of(choices)).at(0);
+}
+
+/// An option of render that may be varied.
+struct VariedOption {
+  std::string_view name;
+  void (*put)(ModelOptions& options, const std::string& value);
+};
+
+constexpr VariedOption options_by_name[] = {
+    {"size", [](ModelOptions& options, const std::string& value) { options.size = value; }},
+    {"memory-bits", [](ModelOptions& options,
+                       const std::string& value) { options.memory_bits = number_of(value, 1, isa::max_memory_bits); }},
+    {"z-bits",
+     [](ModelOptions& options, const std::string& value) {
+       options.z_bits = number_of(value, view::fewest_z_bits, view::most_z_bits);
+     }},
+    {"fraction-bits",
+     [](ModelOptions& options, const std::string& value) {
+       options.fraction_bits = number_of(value, 0, view::most_fraction_bits);
+     }},
+    {"colour-bits",
+     [](ModelOptions& options, const std::string& value) {
+       options.colour_bits = number_of(value, isa::fewest_colour_bits, isa::most_colour_bits);
+     }},
+    {"strategy", [](ModelOptions& options,
+                    const std::string& value) { options.strategy = word_of(value, "strategy", emit::strategies); }},
+    {"stack-bits",
+     [](ModelOptions& options, const std::string& value) {
+       options.stack_bits = number_of(value, emit::fewest_stack_bits, most_stack_bits);
+     }},
+    {"colouring", [](ModelOptions& options,
+                     const std::string& value) { options.colouring = word_of(value, "colouring", emit::colourings); }},
+    {"curves",
+     [](ModelOptions& options, const std::string& value) {
+       options.curves = parse_names(value, "way", names_of(emit::curve_choices)).at(0);
+     }},
+    {"pruning",
+     [](ModelOptions& options, const std::string& value) {
+       static_cast<void>(pruning_of(value));
+       options.pruning = value;
+     }},
+};
+
+const VariedOption* varied_option(std::string_view key) {
+  const auto* const found = std::ranges::find(options_by_name, key, &VariedOption::name);
+  return found == std::end(options_by_name) ? nullptr : found;
+}
+
+/// A range of numbers as its numbers; all else as it is.
+std::vector<std::string> values_in(const std::string& word) {
+  const std::size_t dots = word.find("..");
+  const bool is_range = dots != word.npos && dots > 0 && word.find_first_not_of("0123456789.") == word.npos;
+  if (!is_range) return {word};
+  const unsigned first = number_of(word.substr(0, dots), 0, most_number);
+  const unsigned last = number_of(word.substr(dots + 2), 0, most_number);
+  if (last < first) throw InputError(fmt::format("'{}' runs backwards; take {}..{}", word, last, first));
+  if (last - first >= most_values) throw InputError(fmt::format("'{}' is more than {} values", word, most_values));
+  std::vector<std::string> values;
+  for (unsigned number = first; number <= last; ++number) values.push_back(std::to_string(number));
+  return values;
+}
+
+[[noreturn]] void fail_key(const Dimension& dimension, const machines::Machine& machine) {
+  std::vector<std::string_view> known;
+  for (const machines::FigureSchema& figure : machine.kind->schema) known.push_back(figure.key);
+  for (const VariedOption& option : options_by_name) known.push_back(option.name);
+  throw UsageError("--vary", fmt::format("'{}' is neither a figure of {} nor one of {}; the nearest known is '{}'",
+                                         printable(dimension.key), printable(machine.name),
+                                         fmt::join(varied_options(), ", "), nearest(dimension.key, known)));
+}
+
+/// Each key has to be known, once, and each value possible by itself.
+void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
+  const machines::Machine machine = machine_of(base);
+  std::set<std::string> keys;
+  for (const Dimension& dimension : dimensions) {
+    const std::string& key = dimension.key;
+    const bool is_figure = std::ranges::any_of(machine.kind->schema,
+                                               [&](const machines::FigureSchema& figure) { return figure.key == key; });
+    if (!is_figure && varied_option(key) == nullptr) fail_key(dimension, machine);
+    if (!keys.insert(key).second) throw UsageError("--vary", "'" + key + "' is said twice; give all values at once");
+    for (const std::string& value : dimension.values) {
+      ModelOptions one = base;
+      try {
+        vary(one, key, value);
+        static_cast<void>(machine_of(one));
+      } catch (const InputError& error) {
+        throw UsageError("--vary " + printable(key), error.what());
+      } catch (const UsageError& error) {
+        throw UsageError("--vary " + printable(key), error.what());
+      }
+    }
+  }
+}
+
+/// All that tells designs apart.
+std::string identity_of(const ModelOptions& one) {
+  const unsigned stack_bits = has_stack_bits(one.strategy) ? one.stack_bits : 0;
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", one.machine, one.size, one.memory_bits.value_or(0), one.z_bits,
+                     one.fraction_bits, one.colour_bits, one.strategy, stack_bits, one.colouring, one.curves,
+                     one.pruning);
+}
+
+}  // namespace
+
+Dimension dimension_in(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  if (equals == text.npos || equals == 0)
+    throw InputError("'" + printable(text) + "' varies nothing; say KEY=a,b,c, as in alu.bits=1,2,4");
+  Dimension dimension{text.substr(0, equals), {}};
+  for (const std::string& word : parse_words(text.substr(equals + 1))) {
+    for (std::string& value : values_in(word)) {
+      if (std::ranges::find(dimension.values, value) == dimension.values.end())
+        dimension.values.push_back(std::move(value));
+    }
+  }
+  if (dimension.values.size() > most_values)
+    throw InputError(fmt::format("{} has more than {} values", printable(dimension.key), most_values));
+  return dimension;
+}
+
+std::vector<std::string> varied_options() {
+  std::vector<std::string> names;
+  for (const VariedOption& option : options_by_name) names.emplace_back(option.name);
+  return names;
+}
+
+bool is_memory_figure(std::string_view key) {
+  constexpr std::string_view figures[] = {"array.memory_bits", "pixel.memory_bits", "cells.words", "cells.word_bits"};
+  return std::ranges::find(figures, key) != std::end(figures);
+}
+
+void vary(ModelOptions& options, const std::string& key, const std::string& value) {
+  if (const VariedOption* const option = varied_option(key)) return option->put(options, value);
+  options.machine += fmt::format("+{}={}", key, value);
+}
+
+std::vector<ModelOptions> designs_of(const ModelOptions& base, std::span<const Dimension> dimensions,
+                                     const GridChoice& choice) {
+  check(base, dimensions);
+  std::vector<std::size_t> sizes;
+  double cells = 1;
+  for (const Dimension& dimension : dimensions) {
+    sizes.push_back(dimension.values.size());
+    cells *= static_cast<double>(sizes.back());
+  }
+  const auto most = static_cast<double>(most_designs);
+  if (choice.points == 0 && cells > most)
+    throw UsageError("--vary", fmt::format("that are {:.0f} designs, {} at most; take --points N for a sample of them",
+                                           cells, grouped(most_designs)));
+  if (cells > 1e18) throw UsageError("--vary", "that are more than 10^18 designs; vary fewer figures");
+  std::vector<ModelOptions> designs;
+  std::set<std::string> known;
+  const auto add = [&](const std::vector<std::size_t>& values) {
+    ModelOptions one = base;
+    for (std::size_t axis = 0; axis < values.size(); ++axis)
+      vary(one, dimensions[axis].key, dimensions[axis].values[values[axis]]);
+    if (known.insert(identity_of(one)).second) designs.push_back(std::move(one));
+  };
+  if (choice.points == 0) {
+    for (std::uint64_t cell = 0; cell < static_cast<std::uint64_t>(cells); ++cell) add(grid_cell(sizes, cell));
+    return designs;
+  }
+  GridSequence sequence(sizes, choice.seed);
+  while (designs.size() < choice.points) {
+    const std::optional<std::vector<std::size_t>> values = sequence.next();
+    if (!values) break;
+    add(*values);
+  }
+  return designs;
+}
+
+}  // namespace csgsim::studies

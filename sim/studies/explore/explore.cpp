@@ -1,0 +1,291 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/hash.h"
+#include "hw/base/text.h"
+#include "hw/machines/hash.h"
+#include "hw/machines/names.h"
+#include "sim/report/points.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/numbers.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/usage.h"
+#include "sim/shell/version.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/explore/designs.h"
+#include "sim/studies/explore/options.h"
+#include "sim/studies/explore/show.h"
+#include "sim/studies/folder.h"
+#include "sim/studies/groups.h"
+#include "sim/studies/plot_names.h"
+#include "sim/studies/study.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+/// Each once, in their order.
+std::vector<std::string> different(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    if (std::ranges::find(once, name) == once.end()) once.push_back(name);
+  }
+  return once;
+}
+
+ExplorePoint point_of(const ModelOptions& design, const machines::Size& size) {
+  ExplorePoint point;
+  point.model = escaped(design.model);
+  point.machine = escaped(design.machine);
+  point.width = size.width;
+  point.height = size.height;
+  point.z_bits = design.z_bits;
+  point.fraction_bits = design.fraction_bits;
+  point.colour_bits = design.colour_bits;
+  point.pruning = design.pruning;
+  point.colouring = design.colouring;
+  point.strategy = design.strategy;
+  point.stack_bits = has_stack_bits(design.strategy) ? design.stack_bits : 0;
+  point.curves = design.curves;
+  return point;
+}
+
+/// A hash of the machine and of every figure of the process.
+std::string with_process(const std::string& machine_hash, const process::Process& process) {
+  Hash hash;
+  hash.add(machine_hash);
+  for (const machines::Figure& figure : process.figures) hash.add(fmt::format("\n{}={}", figure.key, figure.value));
+  return hash.text();
+}
+
+/// A table of a group's front.
+report::Table front_table(const report::Json& data, std::size_t number) {
+  const report::Json& group = data["fronts"][number];
+  const std::string at = "/fronts/" + std::to_string(number);
+  const std::string model = group["model"].is_null() ? "All models" : group["model"].get<std::string>();
+  report::Table table{model + ": designs that no other beats", {"knee"}, {}};
+  std::vector<std::string> keys;
+  for (const report::Json& one : group["front"]) {
+    for (const auto& [key, value] : one["design"].items()) {
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+    }
+  }
+  for (const std::string& key : keys) table.columns.push_back(key);
+  for (const report::Json& axis : group["axes"]) table.columns.push_back(axis.get<std::string>());
+  for (std::size_t i = 0; i < group["front"].size(); ++i) {
+    const report::Json& one = group["front"][i];
+    const std::string place = at + "/front/" + std::to_string(i);
+    const bool is_knee = one["design"] == group["knee"]["design"];
+    report::Row row{report::Cell{is_knee ? "knee" : ""}};
+    for (const std::string& key : keys) row.push_back(report::cell(data, place + "/design/" + key));
+    for (const report::Json& axis : group["axes"])
+      row.push_back(report::cell(data, place + "/values/" + axis.get<std::string>()));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+class Explore : public StudyOf<ExploreRow> {
+ public:
+  void add_options(Command& command) override {
+    options_.add_to(command);
+    command_ = command;
+  }
+
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
+    std::vector<std::string> files = options_.models;
+    if (!options_.model.scene_file.empty()) files.push_back(options_.model.scene_file);
+    if (const std::string_view file = machines::file_of(options_.process); !file.empty()) files.emplace_back(file);
+    return input_files(files, {options_.model.machine});
+  }
+  [[nodiscard]] std::set<std::string> varied() const override {
+    std::set<std::string> names{"vary", "points", "seed", "axes", "machine", "process"};
+    for (const std::string& name : varied_options()) names.insert(name);
+    return names;
+  }
+
+  std::vector<Asked> ask() override {
+    const std::vector<ModelOptions> designs = options_.designs();
+    process_ = options_.loaded_process();
+    JobMaker maker;
+    std::vector<Asked> asked;
+    for (const std::string& model : different(options_.models)) {
+      for (ModelOptions design : designs) {
+        design.model = model;
+        add(design, maker);
+        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+      }
+    }
+    return asked;
+  }
+
+  void print() const override { print_explored(rows(), groups_); }
+
+  [[nodiscard]] std::string json(const std::string& title) const override {
+    return explore_json(title, rows(), groups_);
+  }
+
+  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(rows(), groups_); }
+
+  [[nodiscard]] std::string page_title() const override { return "The design space"; }
+
+  /// With a picture of the first model.
+  [[nodiscard]] PageSubject page_subject() const override {
+    PageSubject subject = subject_on(options_.model, options_.model.machine);
+    subject.model.model = options_.models.front();
+    const std::vector<std::string> models = different(options_.models);
+    if (models.size() > 1) subject.name = counted(models.size(), "model");
+    return subject;
+  }
+
+  [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
+    report::Section fronts{"Fronts", {}};
+    report::Table commands{"Commands that draw the knees", {"model", "command"}, {}, true};
+    for (std::size_t i = 0; i < data["fronts"].size(); ++i) {
+      const report::Json& group = data["fronts"][i];
+      if (!group.contains("knee")) continue;
+      fronts.parts.emplace_back(front_table(data, i));
+      for (std::size_t j = 0; j < group["knee"]["commands"].size(); ++j) {
+        const std::string at = "/fronts/" + std::to_string(i);
+        commands.rows.push_back({group["model"].is_null() ? report::Cell{"all"} : report::cell(data, at + "/model"),
+                                 report::cell(data, at + "/knee/commands/" + std::to_string(j))});
+      }
+    }
+    if (fronts.parts.empty()) return {};
+    fronts.parts.emplace_back(std::move(commands));
+    return {std::move(fronts)};
+  }
+
+  void refuse() const override {
+    const std::span<const ExploreRow> all = rows();
+    if (std::ranges::none_of(all, &ExploreRow::drawn) && by_model(all).size() == 1)
+      throw InputError(all.front().reason);
+    if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
+      throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
+    refuse_models(all, "explore.csv");
+  }
+
+ protected:
+  [[nodiscard]] ExploreRow measured(std::size_t point) override {
+    const Job& job = jobs_[point];
+    return with_memory_for_picture({job.machine.picture.width, job.machine.picture.height, ample_memory_bits},
+                                   [&] { return meter_.measure(points_[point], job, process_); });
+  }
+
+  void conclude() override {
+    const std::vector<ExploreAxis> axes = axes_in(options_.asked_axes());
+    groups_.clear();
+    for (ExploreGroup& group : groups_of(rows(), axes)) {
+      std::vector<std::string> commands = commands_of(group);
+      groups_.push_back({std::move(group), std::move(commands)});
+    }
+  }
+
+ private:
+  /// A design whose figures do not fit each other is one that says so.
+  void add(const ModelOptions& design, JobMaker& maker) {
+    try {
+      Job job = maker.job_of(design);
+      refuse_unseen(design, job);
+      ExplorePoint point = point_of(design, job.machine.picture);
+      if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
+      add(std::move(point), std::move(job));
+    } catch (const InputError& error) {
+      add_refused(design, maker, error.what());
+    } catch (const UsageError& error) {
+      add_refused(design, maker, error.what());
+    }
+  }
+
+  void add_refused(const ModelOptions& design, JobMaker& maker, const std::string& why) {
+    ModelOptions plain = options_.model;
+    plain.model = design.model;
+    plain.sets = design.sets;
+    Job job = maker.job_of(plain);
+    job.reason = escaped(why);
+    add(point_of(design, {}), std::move(job));
+  }
+
+  void add(ExplorePoint point, Job job) {
+    if (process_) {
+      point.process = escaped(process_->name);
+      job.inputs.machine_hash = with_process(job.inputs.machine_hash, *process_);
+    }
+    points_.push_back(std::move(point));
+    jobs_.push_back(std::move(job));
+  }
+
+  /// What is seen through is not held against an exact picture.
+  void refuse_unseen(const ModelOptions& design, Job& job) {
+    if (!job.reason.empty()) return;
+    const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
+    if (is_new) {
+      try {
+        refuse_see_through(design, job.subject->tree, job.camera);
+      } catch (const InputError& error) {
+        known->second = escaped(error.what());
+      }
+    }
+    job.reason = known->second;
+  }
+
+  /// Of the design that is a group's knee, for each model that it draws; with memory for all of them.
+  [[nodiscard]] std::vector<std::string> commands_of(const ExploreGroup& group) const {
+    if (!group.knee) return {};
+    const ExplorePoint& knee = rows()[group.rows[*group.knee]].point;
+    std::vector<const ExploreRow*> drawn;
+    std::uint32_t memory_bits = 0;
+    for (const ExploreRow& row : rows()) {
+      ExplorePoint same = row.point;
+      same.model = knee.model;
+      const bool is_meant = group.model.empty() || row.point.model == group.model;
+      if (!is_meant || to_line(same) != to_line(knee)) continue;
+      drawn.push_back(&row);
+      memory_bits = std::max(memory_bits, row.point.memory_bits.value_or(row.used_bits));
+    }
+    std::vector<std::string> commands;
+    for (const ExploreRow* const row : drawn) {
+      const std::string picture = plot_stem(row->point.model) + "-knee.png";
+      commands.push_back(render_command(options_, *command_, *row, memory_bits, picture));
+    }
+    return commands;
+  }
+
+  ExploreOptions options_;
+  std::optional<Command> command_;
+  std::optional<process::Process> process_;
+  std::vector<ExplorePoint> points_;
+  std::vector<Job> jobs_;
+  std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can
+  ExploreMeter meter_;
+  std::vector<ShownGroup> groups_;
+};
+
+}  // namespace
+
+extern const StudyRow explore_row{
+    .name = "explore",
+    .does = "Open the design space of a machine: vary any figures, show what no other design beats, name the knee",
+    .example =
+        "  csgsim explore carburettor.csg --size 128x128 --vary alu.bits=1,2,4 --vary memory.reads=1,2 \\\n"
+        "    --vary z-bits=12..20 -o carburettor-explore\n"
+        "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 \\\n"
+        "    --points 500 --seed 2 --axes time,memory -o out\n"
+        "A design is on the front if no other is as good on every axis and better on one. The knee is the design of "
+        "the\n"
+        "front that is nearest to the best of each axis at once: on each the logarithm is stretched from 0, the least "
+        "of\n"
+        "the front, to 1, its greatest, and the sum of squares is least. Unless somebody says how many memory bits a\n"
+        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv at once; "
+        "the\n"
+        "same command goes on after an interruption, and with other values measures what is new.",
+    .plots = "plots (.png, .svg) of each model's front and of that of all",
+    .make = [] { return std::unique_ptr<Study>(std::make_unique<Explore>()); }};
+
+}  // namespace csgsim::studies

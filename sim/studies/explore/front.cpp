@@ -1,0 +1,188 @@
+#include "sim/studies/explore/front.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "sim/shell/lists.h"
+#include "sim/studies/row_text.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+constexpr ExploreAxis all_axes[] = {
+    {"time", "ms from frame to frame", [](const ExploreRow& row) { return std::optional(1e3 / row.frames_per_second); },
+     true, false},
+    {"area", "transistors of the machine",
+     [](const ExploreRow& row) {
+       return row.machine_transistors ? std::optional(static_cast<double>(*row.machine_transistors)) : std::nullopt;
+     },
+     false, false},
+    {"silicon", "mm2 of the machine", [](const ExploreRow& row) { return row.machine_mm2; }, false, false},
+    {"energy", "joules a frame", [](const ExploreRow& row) { return row.frame_joules; }, true, false},
+    {"memory", "memory bits of the machine",
+     [](const ExploreRow& row) { return std::optional(static_cast<double>(row.machine_memory_bits)); }, false, false},
+    {"wrong", "wrong pixels", [](const ExploreRow& row) { return std::optional(static_cast<double>(row.wrong)); }, true,
+     true},
+};
+
+bool is_at_most(const Values& a, const Values& b) {
+  for (std::size_t axis = 0; axis < a.size(); ++axis)
+    if (a[axis] > b[axis]) return false;
+  return true;
+}
+
+double stretched(double value, const ExploreAxis& axis) { return std::log(axis.may_be_zero ? 1 + value : value); }
+
+/// What a design is, whatever it draws.
+std::string design_of(const ExplorePoint& point) {
+  ExplorePoint any = point;
+  any.model.clear();
+  return to_line(any);
+}
+
+/// A design that is looked at: its rows, one a model.
+using Design = std::vector<std::size_t>;
+
+std::optional<double> value_of(std::span<const ExploreRow> rows, const Design& design, const ExploreAxis& axis) {
+  double all = 0;
+  for (const std::size_t row : design) {
+    const std::optional<double> one = axis.value(rows[row]);
+    if (!one) return std::nullopt;
+    all = axis.is_of_picture ? all + *one : std::max(all, *one);
+  }
+  return all;
+}
+
+/// Of the designs, of which each can draw all that it has to.
+void add_candidates(std::span<const ExploreRow> rows, std::span<const Design> designs,
+                    std::span<const ExploreAxis> axes, ExploreGroup& group) {
+  for (const ExploreAxis& axis : axes) {
+    const auto has_price = [&](const Design& design) { return value_of(rows, design, axis).has_value(); };
+    if (std::ranges::any_of(designs, has_price)) group.axes.push_back(axis);
+  }
+  for (const Design& design : designs) {
+    Values values;
+    for (const ExploreAxis& axis : group.axes) {
+      if (const std::optional<double> value = value_of(rows, design, axis)) values.push_back(*value);
+    }
+    if (values.size() < group.axes.size()) {
+      ++group.unpriced;
+      continue;
+    }
+    group.rows.push_back(design.front());
+    group.values.push_back(std::move(values));
+  }
+  group.front = pareto_of(group.values);
+  group.knee = knee_of(group.values, group.front, group.axes);
+}
+
+ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, const std::vector<Design>& all,
+                      std::span<const ExploreAxis> axes) {
+  ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
+  std::vector<Design> designs;
+  for (const Design& design : all) {
+    const bool is_drawn = std::ranges::all_of(design, [&](std::size_t row) { return rows[row].drawn(); });
+    if (is_drawn) {
+      designs.push_back(design);
+    } else {
+      ++group.refused;
+    }
+  }
+  add_candidates(rows, designs, axes, group);
+  return group;
+}
+
+}  // namespace
+
+std::span<const ExploreAxis> explore_axes() { return all_axes; }
+
+std::vector<std::string> explore_axis_names() {
+  std::vector<std::string> names;
+  for (const ExploreAxis& axis : all_axes) names.emplace_back(axis.name);
+  return names;
+}
+
+std::vector<ExploreAxis> axes_in(const std::string& text) {
+  std::vector<ExploreAxis> axes;
+  for (const std::string& name : shell::parse_names(text, "axis", explore_axis_names()))
+    axes.push_back(*std::ranges::find(all_axes, name, &ExploreAxis::name));
+  return axes;
+}
+
+std::vector<bool> pareto_of(std::span<const Values> candidates) {
+  std::vector<std::size_t> order(candidates.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // What beats another comes before it then, so that only what is on the front already has to be asked.
+  std::ranges::stable_sort(order, {}, [&](std::size_t one) -> const Values& { return candidates[one]; });
+  std::vector<bool> is_best(candidates.size());
+  std::vector<std::size_t> front;
+  for (const std::size_t one : order) {
+    const Values& values = candidates[one];
+    const bool is_beaten = std::ranges::any_of(
+        front, [&](std::size_t other) { return candidates[other] != values && is_at_most(candidates[other], values); });
+    if (is_beaten) continue;
+    is_best[one] = true;
+    front.push_back(one);
+  }
+  return is_best;
+}
+
+std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std::vector<bool>& front,
+                                   std::span<const ExploreAxis> axes) {
+  std::vector<std::pair<double, double>> ranges(
+      axes.size(), {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()});
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (!front[i]) continue;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const double value = stretched(candidates[i][axis], axes[axis]);
+      ranges[axis] = {std::min(ranges[axis].first, value), std::max(ranges[axis].second, value)};
+    }
+  }
+  std::optional<std::size_t> knee;
+  double least = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (!front[i]) continue;
+    double distance = 0;
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      const auto& [low, high] = ranges[axis];
+      const double part = high > low ? (stretched(candidates[i][axis], axes[axis]) - low) / (high - low) : 0;
+      distance += part * part;
+    }
+    if (knee && distance >= least) continue;
+    knee = i;
+    least = distance;
+  }
+  return knee;
+}
+
+std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<const ExploreAxis> axes) {
+  std::vector<std::string> models;
+  std::map<std::string, std::vector<Design>> by_model;
+  std::map<std::string, Design> by_design;
+  std::vector<std::string> designs;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ExplorePoint& point = rows[i].point;
+    std::vector<Design>& of_model = by_model[point.model];
+    if (of_model.empty()) models.push_back(point.model);
+    of_model.push_back({i});
+    Design& design = by_design[design_of(point)];
+    if (design.empty()) designs.push_back(design_of(point));
+    design.push_back(i);
+  }
+  std::vector<ExploreGroup> groups;
+  groups.reserve(models.size() + 1);
+  for (const std::string& model : models) groups.push_back(group_of(rows, model, by_model[model], axes));
+  if (models.size() == 1) return groups;
+  std::vector<Design> of_all;
+  of_all.reserve(designs.size());
+  for (const std::string& design : designs) of_all.push_back(by_design[design]);
+  groups.push_back(group_of(rows, "", of_all, axes));
+  return groups;
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,170 @@
+#include "sim/studies/explore/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/text.h"
+#include "hw/machines/names.h"
+#include "sim/shell/lists.h"
+#include "sim/shell/options.h"
+#include "sim/shell/read_by.h"
+#include "sim/shell/settings/sets.h"
+#include "sim/shell/usage.h"
+#include "sim/studies/dimensions.h"
+#include "sim/studies/explore/designs.h"
+#include "sim/studies/explore/front.h"
+
+namespace csgsim::studies {
+
+using namespace shell;
+
+namespace {
+
+constexpr std::string_view clock_figure = "clock.frequency";
+
+/// As it was named, of what a row tells of it.
+std::string named(const std::vector<std::string>& names, const std::string& told) {
+  const auto found = std::ranges::find(names, told, [](const std::string& name) { return escaped(name); });
+  return found == names.end() ? told : *found;
+}
+
+std::string key_of(const std::string& set) { return set.substr(0, set.find('=')); }
+
+std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
+  std::vector<Dimension> dimensions;
+  for (const std::string& text : options.vary)
+    dimensions.push_back(for_option("--vary", [&] { return dimension_in(text); }));
+  return dimensions;
+}
+
+/// The machine with its figures as set, which then are part of its name.
+ModelOptions base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
+  ModelOptions base = options.model;
+  base.sets = sorted(options.model.sets).scene;
+  base.machine = with_figures({options.model.machine}, options.model.sets).front();
+  for (const std::string& change : machines::changes_of(base.machine)) {
+    if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
+      throw UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
+  }
+  if (!options.process.empty() && std::ranges::find(dimensions, clock_figure, &Dimension::key) != dimensions.end())
+    throw UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
+  static_cast<void>(base.scene());  // read once for all designs
+  return base;
+}
+
+/// An option and its value for a shell, behind a blank.
+std::string shell_words(const std::string& name, const std::string& value) {
+  std::string text;
+  for (const std::string& word : option_words(name, value)) text += " " + shell_word(word);
+  return text;
+}
+
+/// Those that were given, and that render has too.
+std::string given_words(const ExploreOptions& options, const Command& command) {
+  const std::vector<std::string> own = own_explore_options();
+  std::string words;
+  for (const GivenOption& option : command.given()) {
+    if (option.is_default || std::ranges::find(own, option.name) != own.end()) continue;
+    words += option.value == "true" ? " --" + option.name : shell_words(option.name, option.value);
+  }
+  for (const std::string& set : sorted(options.model.sets).scene) words += shell_words("set", set);
+  return words;
+}
+
+}  // namespace
+
+std::vector<std::string> own_explore_options() {
+  std::vector<std::string> names = varied_options();
+  for (const char* name : {"vary", "points", "seed", "axes", "process", "machine", "set", "output", "threads", "shard",
+                           "no-plots", "progress", "report", "quiet"})
+    names.emplace_back(name);
+  return names;
+}
+
+void ExploreOptions::add_to(Command& command) {
+  model.add_to(command);
+  command.remove("MODEL");
+  command.option("MODEL", models, "The models, OpenSCAD .csg files, sources, .scad, or commands, .jan").required();
+  command.remove("--strategy");
+  command
+      .option("--strategy", model.strategy,
+              "How classifications are worked out, unless that is varied; auto depends on memory, which is a result "
+              "here")
+      .one_of(fixed_names_of(emit::strategies));
+  command.remove("--colouring");
+  command.option("--colouring", model.colouring, "How colours get to the pixels, unless that is varied")
+      .one_of(fixed_names_of(emit::colourings));
+  command.remove("--memory-bits");
+  command
+      .option("--memory-bits", model.memory_bits,
+              "Memory bits a pixel of every design; as many as its Program takes if nobody says, not the machine's own")
+      .between(1U, isa::max_memory_bits);
+  command
+      .option("--vary", vary,
+              fmt::format("KEY=LIST: a figure of the machine, as in alu.bits=1,2,4, or one of {}; once for each key. "
+                          "Every combination of values is a design",
+                          fmt::join(varied_options(), ", ")))
+      .check(is_read_by(dimension_in))
+      .required();
+  command
+      .option("--points", points,
+              "Designs of a sample of the combinations, which all of the grid is in evenly; 0 for all combinations, "
+              "which are 10,000 at most then")
+      .between(0U, most_designs);
+  command.option("--seed", seed, "Of the sample").check(whole_number);
+  command
+      .option("--axes", axes,
+              "What designs are held against each other by: a list of time (from frame to frame), area (transistors), "
+              "silicon (mm2, in a process), energy (of a frame, in a process), memory (bits), wrong (pixels); "
+              "time,area,memory,wrong if not given, in a process time,silicon,energy,memory,wrong")
+      .list_of(explore_axis_names(), "axis");
+  command.option("--process", process,
+                 fmt::format("The process that machines are made in, of which clock, silicon and energy follow: {}, or "
+                             "a .toml file; with figures changed: NAME+KEY=VALUE. Without one a machine has the clock "
+                             "of its description",
+                             fmt::join(process::process_names(), ", ")));
+}
+
+std::string ExploreOptions::asked_axes() const {
+  if (!axes.empty()) return axes;
+  return process.empty() ? "time,area,memory,wrong" : "time,silicon,energy,memory,wrong";
+}
+
+std::optional<process::Process> ExploreOptions::loaded_process() const {
+  if (process.empty()) return std::nullopt;
+  if (!machines::file_of(process).empty()) return process::load_process(process);
+  return for_option("--process", [&] { return process::load_process(process); });
+}
+
+std::vector<ModelOptions> ExploreOptions::designs() const {
+  const std::vector<Dimension> dimensions = dimensions_of(*this);
+  return designs_of(base_of(*this, dimensions), dimensions, {points, seed});
+}
+
+bool ExploreOptions::has_memory(const ModelOptions& design) const {
+  if (design.memory_bits) return true;
+  return std::ranges::any_of(machines::changes_of(design.machine),
+                             [](const std::string& change) { return is_memory_figure(key_of(change)); });
+}
+
+std::string render_command(const ExploreOptions& options, const Command& command, const ExploreRow& row,
+                           std::uint32_t memory_bits, const std::string& picture) {
+  const ExplorePoint& point = row.point;
+  std::string text = "csgsim render " + shell_word(named(options.models, point.model)) + given_words(options, command);
+  const std::string clock = point.process.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
+  text += shell_words("machine", point.machine + clock);
+  text += fmt::format(" --size {}x{} --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {}",
+                      point.width, point.height, memory_bits, point.z_bits, point.fraction_bits, point.colour_bits,
+                      point.colouring);
+  text += fmt::format(" --strategy {}", point.strategy);
+  if (point.stack_bits > 0) text += fmt::format(" --stack-bits {}", point.stack_bits);
+  if (point.curves != "auto") text += shell_words("curves", point.curves);
+  if (point.pruning != "all") text += shell_words("pruning", point.pruning);
+  return text + shell_words("output", picture);
+}
+
+}  // namespace csgsim::studies

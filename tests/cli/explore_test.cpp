@@ -1,0 +1,247 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+using namespace csgsim::testing::cli;
+
+namespace {
+
+const std::string small = " --size 48x48 --progress none";
+const std::string vary = " --vary alu.bits=1,4 --vary z-bits=8,16 --vary strategy=stack,list";
+
+/// The words of a command that csgsim printed without quotes, but for csgsim itself.
+std::string words_of(const std::string& command) {
+  REQUIRE(command.starts_with("csgsim "));
+  REQUIRE(command.find_first_of("'\"\\") == std::string::npos);
+  return command.substr(7);
+}
+
+std::string without_line(const std::string& table, std::size_t number) {
+  std::istringstream lines(table);
+  std::string rest;
+  std::string line;
+  for (std::size_t i = 0; std::getline(lines, line); ++i)
+    if (i != number) rest += line + "\n";
+  return rest;
+}
+
+}  // namespace
+
+TEST_CASE("explore measures every design on every model, marks the front and draws it") {
+  const Folder folder;
+  const Outcome outcome = run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small + vary +
+                              " --report " + (folder / "p.html") + " -o " + (folder / "e"));
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.err.empty());
+  const nlohmann::json file = json(folder / "e/explore.json");
+  REQUIRE(file["points"].size() == 2 * 8);
+  REQUIRE(file["fronts"].size() == 3);
+  const nlohmann::json& first = file["points"][0];
+  CHECK(first["machine"] == "pixel-planes-4+alu.bits=1");
+  CHECK(first["design"] == nlohmann::json{{"alu.bits", 1}, {"z-bits", 8}, {"strategy", "stack"}});
+  CHECK(first["machine_memory_bits"] == 48 * 48 * first["used_bits"].get<int>());
+  std::size_t on_front = 0;
+  for (const nlohmann::json& point : file["points"]) on_front += point["pareto"] == true ? 1U : 0U;
+  CHECK(on_front == file["fronts"][0]["front"].size() + file["fronts"][1]["front"].size());
+  CHECK(on_front < 16);
+  for (const std::string plot : {"old_example011_front", "thesis_fig_2_3_front", "all_models_front"})
+    for (const std::string ending : {".png", ".svg"})
+      CHECK(fs::file_size(folder.path() / "e" / (plot + ending)) > 1000);
+  CHECK(outcome.out.find("All models: ") != std::string::npos);
+  CHECK(content(folder / "p.html").find("Commands that draw the knees") != std::string::npos);
+}
+
+TEST_CASE("a design's row tells what render tells of it, and wrong pixels as accuracy counts them") {
+  const Folder folder;
+  const std::string of = model("rietveld_house") + " --size 64x64 --camera 3430,-2900,1950,590,230,220";
+  REQUIRE(run("explore " + of + " --vary memory.reads=1,2 --vary z-bits=8,20 --no-plots --progress none -o " +
+              (folder / "e"))
+              .code == 0);
+  REQUIRE(run("accuracy " + of + " --knobs z-bits --views 1 --no-plots --progress none -o " + (folder / "a")).code ==
+          0);
+  std::map<unsigned, std::uint64_t> wrong;
+  const nlohmann::json turned = json(folder / "a/accuracy.json")["points"];
+  for (const nlohmann::json& point : turned)
+    wrong[static_cast<unsigned>(std::stoul(point["value"].get<std::string>()))] = point["wrong"];
+  const nlohmann::json points = json(folder / "e/explore.json")["points"];
+  REQUIRE(points.size() == 4);
+  for (const nlohmann::json& point : points) {
+    CHECK(point["wrong"] == wrong.at(point["z_bits"]));
+    REQUIRE(run("render " + of + " --machine " + point["machine"].get<std::string>() + " --memory-bits " +
+                std::to_string(point["used_bits"].get<unsigned>()) + " --z-bits " +
+                std::to_string(point["z_bits"].get<unsigned>()) + " --stats " + (folder / "s.json"))
+                .code == 0);
+    const nlohmann::json stats = json(folder / "s.json");
+    CHECK(point["clocks"] == stats["clocks"]);
+    CHECK(point["interval_clocks"] == stats["interval_clocks"]);
+    CHECK(point["used_bits"] == stats["memory"]["used_bits"]);
+  }
+  CHECK(wrong.at(8) > wrong.at(20));
+}
+
+TEST_CASE("the command of the knee draws the knee") {
+  const Folder folder;
+  const std::string scene = " --camera 42,-38,41,10,5.5,2 --set background.colour=0,0,0.5";
+  REQUIRE(run("explore " + model("thesis_fig_2_3") + small + scene + vary + " --no-plots -o " + (folder / "e")).code ==
+          0);
+  const nlohmann::json file = json(folder / "e/explore.json");
+  const nlohmann::json commands = file["fronts"][0]["knee"]["commands"];
+  REQUIRE(commands.size() == 1);
+  const std::string command = commands[0];
+  CHECK(command.find("--camera") != std::string::npos);
+  const std::string words = words_of(command.substr(0, command.find(" --output")));
+  REQUIRE(run(words + " --stats " + (folder / "s.json")).code == 0);
+  std::size_t knees = 0;
+  for (const nlohmann::json& point : file["points"]) {
+    if (point["knee"] != true) continue;
+    ++knees;
+    CHECK(json(folder / "s.json")["clocks"] == point["clocks"]);
+  }
+  CHECK(knees == 1);
+}
+
+TEST_CASE("explore goes on where it was, and with other values measures what is new") {
+  const Folder folder;
+  const std::string command =
+      "explore " + model("old_example011") + small + " --no-plots -o " + (folder / "e") + " --vary z-bits=";
+  REQUIRE(run(command + "8,12,16").code == 0);
+  const std::string table = content(folder / "e/explore.csv");
+  // As if interrupted; what is there has a mark, and keeps it.
+  std::string marked = table;
+  const std::string csgsim = json(folder / "e/explore.json")["points"][0]["csgsim"];
+  const std::string measured = "," + csgsim + ",";
+  const std::size_t halfspaces = marked.find(measured) + measured.size();
+  marked.insert(halfspaces, "1");
+  write(folder / "e/explore.csv", without_line(marked, 3));
+  REQUIRE(run(command + "8,12,16").code == 0);
+  CHECK(content(folder / "e/explore.csv") == marked);
+  const Outcome more = run(command + "8,10,12,16 --axes time,wrong");
+  REQUIRE(more.code == 0);
+  CHECK(json(folder / "e/explore.json")["points"].size() == 4);
+  CHECK(json(folder / "e/explore.json")["fronts"][0]["axes"] == nlohmann::json{"time", "wrong"});
+  CHECK(run(command + "8 --projection perspective").code == 1);
+}
+
+TEST_CASE("the shards of explore are joined to what one process makes") {
+  const Folder folder;
+  const std::string command =
+      "explore " + model("old_example011") + " " + model("sphere") + small + vary + " --no-plots";
+  REQUIRE(run(command + " -o " + (folder / "whole")).code == 0);
+  for (const std::string shard : {"1/3", "2/3", "3/3"})
+    REQUIRE(run(command + " --shard " + shard + " -o " + (folder / "parts")).code == 0);
+  REQUIRE(run("gather " + (folder / "parts") + " --no-plots").code == 0);
+  for (const char* const file : {"explore.csv", "explore.json"})
+    CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));
+}
+
+TEST_CASE("a sample of a grid is as large as it was asked for, and a longer one goes on from it") {
+  const Folder folder;
+  const std::string command = "explore " + model("sphere") + small + " --no-plots -o " + (folder / "e") +
+                              " --vary z-bits=4..30 --vary fraction-bits=0..16 --vary link.width=8,16,32 "
+                              "--vary clock.frequency=1000000..1000900";
+  misused(command, "take --points N");
+  REQUIRE(run(command + " --points 5").code == 0);
+  const nlohmann::json few = json(folder / "e/explore.json")["points"];
+  REQUIRE(few.size() == 5);
+  REQUIRE(run(command + " --points 8").code == 0);
+  const nlohmann::json more = json(folder / "e/explore.json")["points"];
+  REQUIRE(more.size() == 8);
+  for (std::size_t i = 0; i < few.size(); ++i) CHECK(more[i]["design"] == few[i]["design"]);
+}
+
+TEST_CASE("designs that cannot draw the model say why, and do not stop the others") {
+  const Folder folder;
+  const Outcome outcome = run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "e") +
+                              " --vary array.memory_bits=20,72");
+  REQUIRE(outcome.code == 0);
+  const nlohmann::json file = json(folder / "e/explore.json");
+  CHECK(file["points"][0]["reason"] != "");
+  CHECK(file["points"][0].contains("pareto") == false);
+  CHECK(file["points"][1]["memory_bits"] == 72);
+  CHECK(file["points"][1]["machine_memory_bits"] == 48 * 48 * 72);
+  CHECK(file["fronts"][0]["refused"] == 1);
+  CHECK(outcome.out.find("1 cannot be drawn") != std::string::npos);
+  const Outcome none = run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "n") +
+                           " --vary array.memory_bits=20,21");
+  CHECK(none.code == 1);
+  CHECK(one_line(none.err));
+}
+
+TEST_CASE("machines whose pixels have no price have no area, and their fronts do without") {
+  const Folder folder;
+  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
+              " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e"))
+              .code == 0);
+  const nlohmann::json file = json(folder / "e/explore.json");
+  CHECK(file["points"][0]["machine_transistors"].is_null());
+  CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "memory", "wrong"});
+}
+
+TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to say instead") {
+  const Folder folder;
+  const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
+  misused(command, "--vary");
+  misused(command + " --vary alu.bits", "say KEY=a,b,c");
+  misused(command + " --vary alu.bit=1", "the nearest known is 'alu.bits'");
+  misused(command + " --vary alu.bits=1,999", "--vary alu.bits");
+  misused(command + " --vary strategy=auto", "strategy");
+  misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is set besides");
+  misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "said twice");
+  misused(command + " --vary alu.bits=1,2 --axes tim", "did you mean time");
+  misused(command + " --vary alu.bits=1,2 --points 100000", "--points");
+  CHECK(folder.files() == 0);
+}
+
+TEST_CASE("in a process a machine has the clock that it leaves, and the knee's command says it") {
+  const Folder folder;
+  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
+              " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e"))
+              .code == 0);
+  const nlohmann::json file = json(folder / "e/explore.json");
+  CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "silicon", "energy", "memory", "wrong"});
+  for (const nlohmann::json& point : file["points"]) {
+    CHECK(point["process"] == "cmos-45nm");
+    CHECK(point["clock_path"] == "pixel");
+    CHECK(point["machine_mm2"] > 0);
+    CHECK(point["frame_joules"] > 0);
+    if (point["knee"] != true) continue;
+    const std::string command = file["fronts"][0]["knee"]["commands"][0];
+    CHECK(command.find("+clock.frequency=" + std::to_string(point["clock_hz"].get<std::uint64_t>())) !=
+          std::string::npos);
+    const std::string words = words_of(command.substr(0, command.find(" --output")));
+    REQUIRE(run(words + " --stats " + (folder / "s.json")).code == 0);
+    CHECK(json(folder / "s.json")["frames_per_second"].get<double>() ==
+          doctest::Approx(point["frames_per_second"].get<double>()));
+  }
+  CHECK(file["points"][0]["clock_hz"] > file["points"][2]["clock_hz"]);
+}
+
+TEST_CASE("a process does not price what has not been synthesised, and measures anew when its figures change") {
+  const Folder folder;
+  const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
+  REQUIRE(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4").code == 0);
+  nlohmann::json points = json(folder / "e/explore.json")["points"];
+  CHECK(points[0]["machine_mm2"].is_null());
+  CHECK(points[0]["frame_joules"].is_null());
+  CHECK(points[0]["clock_path"] == "");
+  CHECK(points[0]["clock_hz"] == 10'000'000);
+  REQUIRE(run("manual processes nmos-3um").code == 0);
+  REQUIRE(run(command + " --process nmos-3um --vary alu.bits=1").code == 0);
+  const nlohmann::json slow = json(folder / "e/explore.json")["points"][0];
+  REQUIRE(run(command + " --process nmos-3um+gate.delay=1000 --vary alu.bits=1").code == 0);
+  points = json(folder / "e/explore.json")["points"];
+  CHECK(points[0]["process"] == "nmos-3um+gate.delay=1000");
+  CHECK(points[0]["clock_hz"] > slow["clock_hz"]);
+  misused("explore " + model("sphere") + small + " -o " + (folder / "n") + " --vary alu.bits=1 --process nmos-3",
+          "did you mean nmos-3um");
+  misused("explore " + model("sphere") + small + " -o " + (folder / "n") +
+              " --vary clock.frequency=1000,2000 --process nmos-3um",
+          "the clock follows from the process");
+}

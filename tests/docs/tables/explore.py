@@ -1,0 +1,39 @@
+"""docs/explore.md: the processes that come with csgsim, from their files."""
+
+import tomllib
+
+from figures import row
+from runs import ROOT
+
+NAMES = ("nmos-3um", "cmos-45nm", "cmos-7nm")
+MEANINGS = {
+    "gate.delay": "of a gate with some load",
+    "gate.fan_in": "of a gate at most",
+    "gate.static_power": "that a gate draws whatever it does",
+    "register.delay": "setting up, and until its output is there",
+    "register.energy": "clocked",
+    "adder.energy": "added",
+    "memory.access": "bit lines and sensing",
+    "memory.read_energy": "read",
+    "memory.read_bits": "of the memory that this is of",
+    "memory.transistor_area": "one of a memory cell",
+    "transistor.area": "one of logic, with its share of wires",
+    "wire.delay": "with what drives it",
+    "wire.energy": "carried",
+}
+
+
+def figure(described, key):
+    table, _, name = key.partition(".")
+    return described[table][name]
+
+
+def processes(_):
+    all_described = [tomllib.loads((ROOT / f"hw/process/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+    rows = []
+    for key, meaning in MEANINGS.items():
+        figures = [figure(one, key) for one in all_described]
+        rows.append((f"`{key}`", f"{figures[0]['unit']}, {meaning}",
+                     *(cell for one in figures for cell in (f"{one['value']:,}", one["provenance"][0]))))
+    head = [row("figure", "unit", *(cell for name in NAMES for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(NAMES)]
+    return "\n".join(head + [row(*cells) for cells in rows])

@@ -1,0 +1,222 @@
+#include "hw/process/process.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "hw/base/error.h"
+#include "hw/isa/opcodes.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/change_error.h"
+#include "hw/machines/kind.h"
+#include "hw/process/price.h"
+
+using namespace csgsim;
+using process::ClockPath;
+using process::Process;
+
+namespace {
+
+/// Figures with which sums can be done by hand.
+const std::string round_figures = R"(
+name = "round"
+description = "of round figures"
+[gate.delay]
+value = 10
+unit = "ps"
+provenance = "assumed"
+source = "a test"
+[gate.fan_in]
+value = 4
+unit = "inputs"
+provenance = "assumed"
+source = "a test"
+[gate.static_power]
+value = 4
+unit = "pW"
+provenance = "assumed"
+source = "a test"
+[register.delay]
+value = 100
+unit = "ps"
+provenance = "assumed"
+source = "a test"
+[register.energy]
+value = 2
+unit = "aJ a bit"
+provenance = "assumed"
+source = "a test"
+[adder.energy]
+value = 5
+unit = "aJ a bit"
+provenance = "assumed"
+source = "a test"
+[memory.access]
+value = 1000
+unit = "ps"
+provenance = "assumed"
+source = "a test"
+[memory.read_energy]
+value = 40
+unit = "aJ a bit"
+provenance = "assumed"
+source = "a test"
+[memory.read_bits]
+value = 6400
+unit = "bits"
+provenance = "assumed"
+source = "a test"
+[memory.transistor_area]
+value = 1_000_000
+unit = "nm2"
+provenance = "assumed"
+source = "a test"
+[transistor.area]
+value = 2_000_000
+unit = "nm2"
+provenance = "assumed"
+source = "a test"
+[wire.delay]
+value = 300
+unit = "ps a mm"
+provenance = "assumed"
+source = "a test"
+[wire.energy]
+value = 7
+unit = "aJ a bit and mm"
+provenance = "assumed"
+source = "a test"
+)";
+
+Process round_process() { return process::read_process(round_figures, "round.toml"); }
+
+/// Pixel-planes 4 of 64 x 64 pixels with 64 bits each.
+machines::Machine small_machine(const std::string& changes = "") {
+  machines::Machine machine = kinds::load("pixel-planes-4" + changes);
+  machines::set_picture_size(machine, {64, 64});
+  machine.array.memory_bits = 64;
+  return machine;
+}
+
+double path(const machines::Machine& machine, const Process& process, std::string_view name) {
+  const std::vector<ClockPath> paths = process::clock_paths(machine, process);
+  return std::ranges::find(paths, name, &ClockPath::name)->ps;
+}
+
+}  // namespace
+
+TEST_CASE("each figure of each process that comes with csgsim says where it comes from") {
+  REQUIRE(process::process_names().size() == 3);
+  for (const std::string_view name : process::process_names()) {
+    const Process one = process::load_process(std::string(name));
+    CHECK(one.name == name);
+    CHECK(one.figures.size() == 13);
+    for (const machines::Figure& figure : one.figures) CHECK(figure.source.size() > 10);
+  }
+}
+
+TEST_CASE("a process is told by name or file, with figures changed, and what is wrong is told with its place") {
+  CHECK(process::load_process("nmos-3um+gate.delay=5000").gate_delay == 5000);
+  CHECK(process::load_process("nmos-3um+gate.delay=5000").name == "nmos-3um+gate.delay=5000");
+  CHECK_THROWS_AS(process::load_process("nmos-3um+gate.delay=0"), machines::ChangeError);
+  CHECK_THROWS_AS(process::load_process("nmos-3um+gate.dealy=5"), machines::ChangeError);
+  CHECK_THROWS_WITH_AS(process::load_process("nmos-3"), doctest::Contains("did you mean nmos-3um"), InputError);
+  std::string text = round_figures;
+  text.replace(text.find("[gate.fan_in]"), 13, "[gate.fan_out]");
+  CHECK_THROWS_WITH_AS(process::read_process(text, "round.toml"), doctest::Contains("round.toml:9:7"), InputError);
+}
+
+TEST_CASE("Pixel-planes 4 as it is described comes to its published 10 MHz in the process of its time") {
+  const auto clock = process::clock_of(kinds::load("pixel-planes-4"), process::load_process("nmos-3um"));
+  REQUIRE(clock.has_value());
+  CHECK(clock->hz == 10'000'000);
+  CHECK(clock->path.name == "pixel");
+}
+
+TEST_CASE("the paths of a clock are as their gates add up by hand") {
+  const Process one = round_process();
+  // Register 100, access 1000; 6 address bits, two levels of gates with four inputs and a driver; 4 to select, 2 to
+  // carry a bit.
+  CHECK(path(small_machine(), one, "pixel") == doctest::Approx(100 + 1000 + 10 * (3 + 4 + 2)));
+  // Four bits: two levels of the rotator, two gates each.
+  CHECK(path(small_machine("+alu.bits=4"), one, "pixel") == doctest::Approx(100 + 1000 + 10 * (3 + 4 + 4 + 8)));
+  CHECK(path(small_machine(), one, "trees") == doctest::Approx(100 + 30));
+  // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 a pixel; half of 64 of them.
+  CHECK(path(small_machine(), one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
+  // 64 lines a gate: three levels of four.
+  CHECK(path(small_machine(), one, "global OR") == doctest::Approx(100 + 30));
+  CHECK(path(small_machine("+global_or.fan_in=4"), one, "global OR") == doctest::Approx(100 + 10));
+  CHECK(process::clock_paths(small_machine("+global_or.present=0"), one).size() == 3);
+  const auto clock = process::clock_of(small_machine(), one);
+  CHECK(clock->hz == static_cast<std::uint64_t>(std::llround(1e12 / 1190)));
+}
+
+TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
+  const Process one = round_process();
+  const machines::Machine machine = small_machine();
+  const machines::Resources pixels{4096, 4096 * 64};
+  const double shared = (35'966 + 16 * 32 * 18'666.0 / 512) * 2e-6;
+  CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
+  const machines::Resources buffered{4096, 4096 * 64 + 1000};
+  CHECK(process::machine_mm2(machine, buffered, one) == doctest::Approx(4096 * 1060e-6 + shared + 1000 * 3e-6));
+}
+
+TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw while it lasts") {
+  const Process one = round_process();
+  const machines::Resources pixels{4096, 4096 * 64};
+  // Two ports of a bit, each 40 aJ times the tenth that the memory's side is; two adder bits; 3 + 1 + 3 registers; two
+  // streams over the pixel's pitch.
+  const double clock = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + 7 * 2 + 2 * 7 * std::sqrt(1060e-6));
+  const double gates = (4096 * 434 + 35'966 + 18'666) / 4.0;
+  CHECK(process::frame_joules(small_machine(), pixels, {1000, 0}, one) == doctest::Approx(1000 * clock));
+  CHECK(process::frame_joules(small_machine(), pixels, {1000, 2}, one) ==
+        doctest::Approx(1000 * clock + gates * 4e-12 * 2));
+}
+
+TEST_CASE("pixel clocks are those of what is carried out, at each pixel of its region") {
+  isa::Program program;
+  isa::Instruction any;
+  any.opcode = isa::Opcode::enable_all;
+  isa::Instruction question;
+  question.opcode = isa::Opcode::skip_if_none;
+  question.constant = 2;
+  program.segments.push_back({});
+  program.segments[0].region = {0, 0, 8, 4};
+  program.segments[0].instructions = {any, question, any, any, any};
+  const machines::Machine machine = small_machine();
+  const std::uint64_t answer = machine.kind->clocks(question, machine);
+  CHECK(process::pixel_clocks(program, machine, {}) == 32 * (answer + 4));
+  const machines::Skip skip{0, 1};
+  CHECK(process::pixel_clocks(program, machine, {&skip, 1}) == 32 * (answer + 2));
+}
+
+TEST_CASE("what has not been synthesised has no price in any process") {
+  const Process one = process::load_process("cmos-45nm");
+  for (const std::string machine : {"scan-line", "multi-processor", "pixel-planes-4+alu.bits=3"}) {
+    CAPTURE(machine);
+    const machines::Machine other = kinds::load(machine);
+    CHECK(process::clock_paths(other, one).empty());
+    CHECK(!process::clock_of(other, one).has_value());
+    CHECK(!process::machine_mm2(other, {16, 1024}, one).has_value());
+    CHECK(!process::frame_joules(other, {16, 1024}, {1, 1}, one).has_value());
+  }
+}
+
+TEST_CASE("a wider ALU is never faster a clock, nor smaller, in any process") {
+  for (const std::string_view name : process::process_names()) {
+    const Process one = process::load_process(std::string(name));
+    double slowest = 0;
+    double largest = 0;
+    for (const std::string bits : {"1", "2", "4", "8", "16", "32"}) {
+      const machines::Machine machine = small_machine("+alu.bits=" + bits);
+      const double ps = process::clock_of(machine, one)->path.ps;
+      const double mm2 = *process::machine_mm2(machine, {4096, 4096 * 64}, one);
+      CHECK(ps > slowest);
+      CHECK(mm2 > largest);
+      slowest = ps;
+      largest = mm2;
+    }
+  }
+}

@@ -1,0 +1,267 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "sim/shell/usage.h"
+#include "sim/studies/explore/designs.h"
+#include "sim/studies/explore/front.h"
+#include "sim/studies/explore/sample.h"
+#include "sim/studies/explore/show.h"
+
+using namespace csgsim;
+using studies::ExploreRow;
+using studies::GridSequence;
+using studies::Values;
+
+namespace {
+
+using Cell = std::vector<std::size_t>;
+
+std::vector<Cell> cells_of(const std::vector<std::size_t>& sizes, std::uint64_t seed, std::size_t most) {
+  GridSequence sequence(sizes, seed);
+  std::vector<Cell> cells;
+  while (cells.size() < most) {
+    std::optional<Cell> cell = sequence.next();
+    if (!cell) break;
+    cells.push_back(std::move(*cell));
+  }
+  return cells;
+}
+
+/// By the words alone: each is held against each other one.
+bool is_beaten(const std::vector<Values>& all, std::size_t one) {
+  for (const Values& other : all) {
+    bool is_nowhere_worse = true;
+    bool is_somewhere_better = false;
+    for (std::size_t axis = 0; axis < other.size(); ++axis) {
+      if (other[axis] > all[one][axis]) is_nowhere_worse = false;
+      if (other[axis] < all[one][axis]) is_somewhere_better = true;
+    }
+    if (is_nowhere_worse && is_somewhere_better) return true;
+  }
+  return false;
+}
+
+ExploreRow row(const std::string& model, const std::string& machine, double fps, std::uint64_t bits,
+               std::uint64_t wrong, std::optional<std::uint64_t> transistors = 1000) {
+  ExploreRow one;
+  one.point.model = model;
+  one.point.machine = machine;
+  one.point.strategy = "stack";
+  one.frames_per_second = fps;
+  one.machine_memory_bits = bits;
+  one.wrong = wrong;
+  one.machine_transistors = transistors;
+  return one;
+}
+
+std::string key_wrong(const std::vector<studies::Dimension>& dimensions, const studies::GridChoice& choice = {}) {
+  try {
+    static_cast<void>(studies::designs_of({}, dimensions, choice));
+  } catch (const shell::UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("the front is what no other beats, as holding each against each finds it") {
+  rc::check([] {
+    const auto axes = *rc::gen::inRange<std::size_t>(1, 5);
+    const auto candidates = *rc::gen::container<std::vector<Values>>(
+        rc::gen::container<Values>(axes, rc::gen::map(rc::gen::inRange(0, 6), [](int i) { return double(i); })));
+    const std::vector<bool> front = studies::pareto_of(candidates);
+    RC_ASSERT(front.size() == candidates.size());
+    for (std::size_t i = 0; i < candidates.size(); ++i) RC_ASSERT(front[i] != is_beaten(candidates, i));
+  });
+}
+
+TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms stretched over the front") {
+  const std::vector<studies::ExploreAxis> time_memory = studies::axes_in("time,memory");
+  // Logarithms to base 10: (0, 3), (1, 1), (3, 0), stretched to (0, 1), (1/3, 1/3), (1, 0).
+  const std::vector<Values> candidates{{1, 1000}, {10, 10}, {1000, 1}, {1, 1e9}};
+  const std::vector<bool> front = studies::pareto_of(candidates);
+  CHECK(front == std::vector<bool>{true, true, true, false});
+  CHECK(studies::knee_of(candidates, front, time_memory) == 1);
+  CHECK(studies::knee_of({}, {}, time_memory) == std::nullopt);
+  // What is the same all over the front does not matter, and of equals it is the first.
+  const std::vector<Values> alike{{5, 7}, {5, 7}};
+  CHECK(studies::knee_of(alike, studies::pareto_of(alike), time_memory) == 0);
+  // 0 wrong pixels: log(1 + n) is 0, log 10, log 100.
+  const std::vector<Values> pixels{{1, 99}, {10, 9}, {100, 0}};
+  CHECK(studies::knee_of(pixels, studies::pareto_of(pixels), studies::axes_in("time,wrong")) == 1);
+}
+
+TEST_CASE("the knee is on the front, wherever it is, and units do not matter to it") {
+  rc::check([] {
+    const auto axes = studies::axes_in("time,memory,area");
+    const auto candidates = *rc::gen::nonEmpty(rc::gen::container<std::vector<Values>>(
+        rc::gen::container<Values>(3, rc::gen::map(rc::gen::inRange(1, 50), [](int i) { return double(i); }))));
+    const std::vector<bool> front = studies::pareto_of(candidates);
+    const std::optional<std::size_t> knee = studies::knee_of(candidates, front, axes);
+    RC_ASSERT(knee.has_value());
+    RC_ASSERT(front[*knee]);
+    std::vector<Values> scaled = candidates;
+    for (Values& values : scaled) values[1] *= 1024;
+    const std::optional<std::size_t> again = studies::knee_of(scaled, front, axes);
+    // Rounding may choose another of some that are as near.
+    const auto distance = [&](std::size_t one) {
+      double sum = 0;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double least = 1e300;
+        double most = 0;
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+          if (!front[i]) continue;
+          least = std::min(least, std::log2(candidates[i][axis]));
+          most = std::max(most, std::log2(candidates[i][axis]));
+        }
+        if (most > least) sum += std::pow((std::log2(candidates[one][axis]) - least) / (most - least), 2);
+      }
+      return sum;
+    };
+    RC_ASSERT(std::abs(distance(*knee) - distance(*again)) < 1e-9);
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (front[i]) RC_ASSERT(distance(*knee) < distance(i) + 1e-9);
+  });
+}
+
+TEST_CASE("a sample has no cell twice, a longer one begins with it, and the longest has all") {
+  rc::check([] {
+    const auto sizes = *rc::gen::nonEmpty(
+        rc::gen::resize(5, rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(1, 6))));
+    const auto seed = *rc::gen::arbitrary<std::uint32_t>();
+    std::size_t all = 1;
+    for (const std::size_t size : sizes) all *= size;
+    RC_PRE(all < 4000);
+    const std::vector<Cell> cells = cells_of(sizes, seed, all + 10);
+    RC_ASSERT(cells.size() == all);
+    RC_ASSERT(std::set<Cell>(cells.begin(), cells.end()).size() == all);
+    for (const Cell& cell : cells) {
+      RC_ASSERT(cell.size() == sizes.size());
+      for (std::size_t axis = 0; axis < sizes.size(); ++axis) RC_ASSERT(cell[axis] < sizes[axis]);
+    }
+    const std::vector<Cell> fewer = cells_of(sizes, seed, all / 2);
+    RC_ASSERT(std::equal(fewer.begin(), fewer.end(), cells.begin()));
+  });
+}
+
+TEST_CASE("a sample has each value of each axis about as often, and another seed has other cells") {
+  const std::vector<std::size_t> sizes{8, 5, 6, 10, 4};
+  const std::vector<Cell> cells = cells_of(sizes, 1, 240);
+  for (std::size_t axis = 0; axis < sizes.size(); ++axis) {
+    std::map<std::size_t, std::size_t> times;
+    for (const Cell& cell : cells) ++times[cell[axis]];
+    CAPTURE(axis);
+    CHECK(times.size() == sizes[axis]);
+    const double expected = 240.0 / static_cast<double>(sizes[axis]);
+    for (const auto& [value, count] : times) CHECK(std::abs(static_cast<double>(count) - expected) < 6);
+  }
+  CHECK(cells_of(sizes, 2, 240) != cells);
+  CHECK(cells_of(sizes, 1, 240) == cells);
+}
+
+TEST_CASE("grids are in the order of their axes, the last fastest") {
+  CHECK(studies::grid_cell({2, 3}, 0) == Cell{0, 0});
+  CHECK(studies::grid_cell({2, 3}, 1) == Cell{0, 1});
+  CHECK(studies::grid_cell({2, 3}, 5) == Cell{1, 2});
+}
+
+TEST_CASE("what is varied is a key with values, of which ranges are several, none twice") {
+  using studies::Dimension;
+  CHECK(studies::dimension_in("alu.bits=1,2,4") == Dimension{"alu.bits", {"1", "2", "4"}});
+  CHECK(studies::dimension_in("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
+  CHECK(studies::dimension_in("strategy=stack,list") == Dimension{"strategy", {"stack", "list"}});
+  CHECK(studies::dimension_in("pruning=all,no-space+no-near").values.size() == 2);
+  for (const char* const wrong :
+       {"", "alu.bits", "=1", "alu.bits=", "alu.bits=1,,2", "z-bits=10..8", "z-bits=1..99999999", "z-bits=1..2..3"})
+    CHECK_THROWS_AS(studies::dimension_in(wrong), InputError);
+}
+
+TEST_CASE("designs are all combinations, in order, and those that draw alike are one") {
+  const std::vector<studies::Dimension> dimensions{
+      {"alu.bits", {"1", "2"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "4", "5"}}};
+  const std::vector<shell::ModelOptions> all = studies::designs_of({}, dimensions, {});
+  REQUIRE(all.size() == 2 * (1 + 3));
+  CHECK(all[0].machine == "pixel-planes-4+alu.bits=1");
+  CHECK(all[0].strategy == "stack");
+  CHECK(all[1].strategy == "bits");
+  CHECK(all[1].stack_bits == 3);
+  CHECK(all[7].machine == "pixel-planes-4+alu.bits=2");
+  CHECK(all[7].stack_bits == 5);
+  CHECK(studies::designs_of({}, dimensions, {5, 1}).size() == 5);
+  CHECK(studies::designs_of({}, dimensions, {500, 1}).size() == 8);
+}
+
+TEST_CASE("a wrong key or value is told, and so are too many designs") {
+  CHECK(key_wrong({{"alu.bit", {"1"}}}).find("the nearest known is 'alu.bits'") != std::string::npos);
+  CHECK(key_wrong({{"zbits", {"12"}}}).find("the nearest known is 'z-bits'") != std::string::npos);
+  CHECK(key_wrong({{"alu.bits", {"1", "999"}}}).find("--vary alu.bits") != std::string::npos);
+  CHECK(key_wrong({{"strategy", {"stak"}}}).find("did you mean stack") != std::string::npos);
+  CHECK(key_wrong({{"strategy", {"auto"}}}) != "");
+  CHECK(key_wrong({{"chains.count", {"4"}}}).find("neither a figure of pixel-planes-4") != std::string::npos);
+  CHECK(key_wrong({{"z-bits", {"12"}}, {"z-bits", {"13"}}}).find("said twice") != std::string::npos);
+  std::vector<std::string> many;
+  many.reserve(200);
+  for (int i = 0; i < 200; ++i) many.push_back(std::to_string(1'000'000 + i));
+  const std::vector<studies::Dimension> large{
+      {"clock.frequency", many},
+      {"z-bits", {"10", "11", "12", "13", "14"}},
+      {"fraction-bits", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10"}}};
+  CHECK(key_wrong(large).find("--points") != std::string::npos);
+  CHECK(key_wrong(large, {10, 1}).empty());
+}
+
+TEST_CASE("what has no price on an axis is on no front, and what none has a price on is no axis") {
+  const std::vector<ExploreRow> rows{row("m", "a", 10, 100, 0), row("m", "b", 20, 50, 0, std::nullopt),
+                                     row("m", "c", 5, 200, 0)};
+  std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("time,area,memory"));
+  REQUIRE(groups.size() == 1);
+  CHECK(groups[0].unpriced == 1);
+  CHECK(groups[0].rows == std::vector<std::size_t>{0, 2});
+  CHECK(groups[0].front == std::vector<bool>{true, false});
+  groups = studies::groups_of(rows, studies::axes_in("time,memory"));
+  CHECK(groups[0].unpriced == 0);
+  CHECK(groups[0].front == std::vector<bool>{false, true, false});
+  const std::vector<ExploreRow> none{row("m", "a", 10, 100, 0, std::nullopt), row("m", "b", 20, 150, 0, std::nullopt)};
+  groups = studies::groups_of(none, studies::axes_in("time,area,memory"));
+  CHECK(groups[0].axes.size() == 2);
+  CHECK(groups[0].front == std::vector<bool>{true, true});
+}
+
+TEST_CASE("of all models times and wrong pixels add up, and what is built is the largest; one refused, all refused") {
+  std::vector<ExploreRow> rows{row("m", "a", 10, 100, 1), row("m", "b", 20, 50, 2), row("m", "c", 1000, 1, 0),
+                               row("n", "a", 50, 300, 4), row("n", "b", 5, 20, 8),  row("n", "c", 1000, 1, 0)};
+  rows[5].reason = "it does not fit";
+  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("time,memory,wrong"));
+  REQUIRE(groups.size() == 3);
+  CHECK(groups[0].values.size() == 3);
+  CHECK(groups[1].refused == 1);
+  const studies::ExploreGroup& all = groups[2];
+  CHECK(all.model.empty());
+  CHECK(all.refused == 1);
+  REQUIRE(all.values.size() == 2);
+  CHECK(all.values[0][0] == doctest::Approx(100 + 20));
+  CHECK(all.values[0][1] == 300);
+  CHECK(all.values[0][2] == 5);
+  CHECK(all.values[1][0] == doctest::Approx(50 + 200));
+  CHECK(all.values[1][1] == 50);
+  CHECK(all.values[1][2] == 10);
+}
+
+TEST_CASE("designs are called by what varies among them") {
+  std::vector<ExploreRow> rows{row("m", "pixel-planes-4+alu.bits=1+memory.reads=2", 10, 100, 1),
+                               row("m", "pixel-planes-4+alu.bits=4+memory.reads=2", 10, 100, 1)};
+  rows[1].point.z_bits = 12;
+  const studies::DesignNames names(rows);
+  CHECK(names.keys() == std::vector<std::string>{"alu.bits", "z-bits"});
+  CHECK(names.text(rows[1].point) == "alu.bits=4, z-bits=12");
+}
