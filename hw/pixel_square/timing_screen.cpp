@@ -2,11 +2,17 @@
 
 #include <algorithm>
 
-#include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/screen.h"
 
 namespace csgsim::pixel_square {
+
+namespace {
+
+/// For products of two rates.
+__extension__ using Wide = unsigned __int128;
+
+}  // namespace
 
 ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -20,13 +26,13 @@ ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine&
   banks_ = figures.banks;
 }
 
-/// That have begun. Whole seconds apart, so that no product overflows.
+/// That have begun.
 std::uint64_t ScreenTiming::turns_until(Time now) const {
-  return now / clock_hz_ * turns_a_second_ + now % clock_hz_ * turns_a_second_ / clock_hz_;
+  return static_cast<std::uint64_t>(Wide{now} * turns_a_second_ / clock_hz_);
 }
 
 Time ScreenTiming::begin_of(std::uint64_t turn) const {
-  return turn / turns_a_second_ * clock_hz_ + quotient_up(turn % turns_a_second_ * clock_hz_, turns_a_second_);
+  return static_cast<Time>((Wide{turn} * clock_hz_ + turns_a_second_ - 1) / turns_a_second_);
 }
 
 std::optional<std::uint32_t> ScreenTiming::bank(Time now) const {
