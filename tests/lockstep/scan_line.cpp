@@ -1,8 +1,8 @@
 // lockstep_scan_line CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH WORD_CLOCKS
-// FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS PROGRAMS INSTRUCTIONS: holds that many random
-// Programs, of at most so many instructions a line, clocked in SystemC against the reference engine, and the picture
-// against that of the functional engine. PORTS 0 are ideal. One machine a process, as SystemC elaborates once.
-// RC_PARAMS overrides the seed and the number of Programs.
+// FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS ALU_BITS SHIFT_BITS PROGRAMS INSTRUCTIONS: holds
+// that many random Programs, of at most so many instructions a line, clocked in SystemC against the reference engine,
+// and the picture against that of the functional engine. PORTS, ALU_BITS and SHIFT_BITS 0 are ideal. One machine a
+// process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -34,6 +34,8 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
   machine.clock_hz = 20'000;  // some lines are late, some are not
   machine.own = scan_line::Figures{.words = figures[3],
                                    .word_bits = figures[4],
+                                   .alu_bits = figures[16],
+                                   .shift_bits = figures[17],
                                    .ports = figures[5],
                                    .chains = figures[7],
                                    .bucket_clocks = figures[13],
@@ -72,13 +74,13 @@ void check_pictures(engine::Engine& judge, engine::Engine& engine, const isa::Pr
 
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[16]).c_str(), 0);
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[18]).c_str(), 0);
   const auto judge = engine::make_reference_engine(machine);
   const auto drawing = engine::make_functional_engine(machine);
   TimedMachine hardware(machine);
   const auto engine = cycle::make_clocked_engine(machine, hardware);
   const bool agree = rc::check("the clocked scan-line array agrees with the reference", [&] {
-    const auto program = *arbitrary_program_in_parts(machine, figures[17], machine.evaluator_degree);
+    const auto program = *arbitrary_program_in_parts(machine, figures[19], machine.evaluator_degree);
     check_lockstep(*judge, *engine, program, machine);
     hardware.check_timeline(program);
     if (*rc::gen::inRange(0, 3) == 0) hardware.check_wave(program, *judge);
@@ -96,10 +98,11 @@ int main(int argc, char** argv) {
   try {
     std::vector<std::uint32_t> figures;
     for (int i = 1; i < argc; ++i) figures.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
-    if (figures.size() == 18) return csgsim::test::run(figures);
+    if (figures.size() == 20) return csgsim::test::run(figures);
     fmt::print(stderr,
                "usage: {} CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH "
-               "WORD_CLOCKS FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS PROGRAMS INSTRUCTIONS\n",
+               "WORD_CLOCKS FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS ALU_BITS SHIFT_BITS "
+               "PROGRAMS INSTRUCTIONS\n",
                argv[0]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
