@@ -31,6 +31,7 @@ struct Settings {
   machines::Machine machine = machine_of({8, 8, 40}, 1);
   unsigned programs = 100;
   unsigned instructions = 30;  ///< of a segment at most
+  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
 };
 
 Settings read_settings(int count, char** arguments) {
@@ -38,6 +39,7 @@ Settings read_settings(int count, char** arguments) {
   machines::Machine& machine = settings.machine;
   auto& figures = machines::own<pixel_planes::Figures>(machine);
   std::uint32_t shared_port = 0;
+  std::uint32_t stepped = 0;
   const std::map<std::string, std::uint32_t*> known{{"width", &machine.array.width},
                                                     {"height", &machine.array.height},
                                                     {"bits", &machine.array.memory_bits},
@@ -52,10 +54,12 @@ Settings read_settings(int count, char** arguments) {
                                                     {"fan_in", &figures.or_fan_in},
                                                     {"pixels", &figures.scan_out_pixels},
                                                     {"shared", &shared_port},
+                                                    {"stepped", &stepped},
                                                     {"buffers", &figures.scan_out_buffers},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);
+  if (stepped != 0) settings.evaluator = systemc::EvaluatorForm::stepped;
   if (shared_port != 0) figures.scan_out_port = pixel_planes::ScanOutPort::shared;
   return settings;
 }
@@ -121,7 +125,7 @@ bool agree_in_sequences(const Settings& settings) {
       frames.push_back({&program, drawings.back().skips});
       nobody.push_back(&unmoved);
     }
-    const auto counted = cycle::run_sequence(machine, programs, nobody);
+    const auto counted = cycle::run_sequence(machine, programs, nobody, settings.evaluator);
     const auto expected = pixel_planes::time_sequence(frames, machine);
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
@@ -137,7 +141,7 @@ bool agree_in_sequences(const Settings& settings) {
 bool agree(const Settings& settings) {
   const machines::Machine& machine = settings.machine;
   const auto reference = engine::make_reference_engine(machine);
-  TimedMachine hardware(machine);
+  TimedMachine hardware(machine, settings.evaluator);
   const auto cycle = cycle::make_clocked_engine(machine, hardware);
   return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
     const isa::Program program =
