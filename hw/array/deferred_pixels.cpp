@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace csgsim::array {
 
@@ -17,10 +18,37 @@ DeferredPixels::DeferredPixels(PlaneShape shape, std::span<const Place> places, 
       owed_(shape.padded_words() / kernels::block_words),
       on_(owed_.size()) {}
 
-void DeferredPixels::push(const ArrayStep& step, const StreamBit& tree) {
+void DeferredPixels::push(const ArrayStep& step, const StreamBit& tree) { push(step, &tree); }
+
+void DeferredPixels::push_with(std::span<const std::uint64_t> tree, const ArrayStep& step) {
+  if (step.source == OperandSource::tree && info(step.function).reads_x) put_tree(tree);
+  push(step, nullptr);
+}
+
+void DeferredPixels::push(const ArrayStep& step, const StreamBit* tree) {
   constexpr std::size_t most_runs = 1024;
   log_.push(step, tree);
   if (log_.batch().runs.size() >= most_runs) settle();
+}
+
+/// What the registers had is needed no more then.
+void DeferredPixels::put_tree(std::span<const std::uint64_t> tree) {
+  settle_registers();
+  if (!bits_.has_tree) add_tree();
+  for (std::size_t number = 0; number < owed_.size(); ++number)
+    std::copy_n(&tree[number * kernels::block_words], kernels::block_words,
+                block(number) + bits_.tree() * kernels::block_words);
+}
+
+void DeferredPixels::add_tree() {
+  const std::size_t before = bits_.count() * kernels::block_words;
+  bits_.has_tree = true;
+  const std::size_t now = bits_.count() * kernels::block_words;
+  Words words(owed_.size() * now);
+  for (std::size_t number = 0; number < owed_.size(); ++number)
+    std::copy_n(&words_[number * before], before, &words[number * now]);
+  words_ = std::move(words);
+  log_ = StepLog(bits_);
 }
 
 void DeferredPixels::settle() {

@@ -62,6 +62,10 @@ void PixelArray::select(std::uint32_t width, std::uint32_t height) {
 
 void PixelArray::step(const ArrayStep& step, const StreamBit& tree) { pixels_.push(step, tree); }
 
+void PixelArray::step_with(std::span<const std::uint64_t> tree, const ArrayStep& step) {
+  pixels_.push_with(tree, step);
+}
+
 bool PixelArray::any_enabled() const {
   const std::span<const std::uint64_t> plane = enable();
   return kernels::any_ones(plane.data(), plane.size());

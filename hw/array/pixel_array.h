@@ -48,6 +48,9 @@ class PixelArray {
   /// One clock of all pixels; `tree` is at the leaves of the multiplier trees.
   void step(const ArrayStep& step, const StreamBit& tree);
 
+  /// The same, where these bits are there, a bit a pixel as in `enable`.
+  void step_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
+
   [[nodiscard]] bool any_enabled() const;
   [[nodiscard]] std::uint64_t count_enabled() const;
 

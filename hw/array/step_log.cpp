@@ -78,7 +78,7 @@ void Batch::clear() {
   acts_where_disabled = false;
 }
 
-void StepLog::push(const ArrayStep& step, const StreamBit& tree) {
+void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
   if (step.function == AluFunction::idle || step.function == AluFunction::answer) return;
   const bool latches = takes_latch(step);
   ArrayStep one = step;
@@ -98,17 +98,19 @@ bool StepLog::takes_latch(const ArrayStep& step) const {
   return before.function == AluFunction::latch_x && before.count == 1 && !before.from_tree && bits_.alu_bits == 1;
 }
 
-void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit& tree, bool latches) {
+void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tree, bool latches) {
   Run run{.count = 1};
   part_carry(function_of_bit(step, bit), run);
   const AluInfo& row = info(run.function);
   run.constant = step.constant >> bit & 1U;
   if (row.reads_x) {
     run.latches = latches;
-    run.from_tree = step.source == OperandSource::tree;
+    run.from_tree = step.source == OperandSource::tree && tree != nullptr;
     if (run.from_tree) {
-      run.stream = stream_of(tree);
-      run.stream_bit = static_cast<std::uint16_t>(tree.token.active() ? tree.token.bit : 0);
+      run.stream = stream_of(*tree);
+      run.stream_bit = static_cast<std::uint16_t>(tree->token.active() ? tree->token.bit : 0);
+    } else if (step.source == OperandSource::tree) {
+      run.x = static_cast<std::uint16_t>(bits_.tree());
     } else {
       run.x = static_cast<std::uint16_t>(step.source == OperandSource::latch ? bits_.latch(bit)
                                                                              : bits_.memory(step.x + bit));

@@ -12,16 +12,19 @@
 /// pixels by block of pixels, all steps of a block one after the other.
 namespace csgsim::array {
 
-/// Where a pixel's bits lie beside each other: the carry, the flag, the latch, the memory.
+/// Where a pixel's bits lie beside each other: the carry, the flag, the latch, the memory, and perhaps the register
+/// between the trees and the pixel.
 struct PixelBits {
   unsigned alu_bits = 1;
   unsigned memory_bits = 0;
+  bool has_tree = false;  ///< that register; without it a stream's coefficients stand for it
 
   static constexpr unsigned carry = 0;
   static constexpr unsigned flag = 1;
   [[nodiscard]] constexpr unsigned latch(unsigned bit) const { return 2 + bit; }
   [[nodiscard]] constexpr unsigned memory(unsigned address) const { return 2 + alu_bits + address; }
-  [[nodiscard]] constexpr unsigned count() const { return 2 + alu_bits + memory_bits; }
+  [[nodiscard]] constexpr unsigned tree() const { return memory(memory_bits); }
+  [[nodiscard]] constexpr unsigned count() const { return tree() + (has_tree ? 1 : 0); }
 };
 
 /// The carry before the first of a run's steps.
@@ -89,14 +92,14 @@ class StepLog {
  public:
   explicit StepLog(PixelBits bits) : bits_(bits) {}
 
-  /// The step of a clock, in which `tree` is at the pixels.
-  void push(const ArrayStep& step, const StreamBit& tree);
+  /// The step of a clock, in which `tree` is at the pixels; null: what their registers have.
+  void push(const ArrayStep& step, const StreamBit* tree);
 
   [[nodiscard]] const Batch& batch() const { return batch_; }
   void clear() { batch_.clear(); }
 
  private:
-  void push_bit(const ArrayStep& step, unsigned bit, const StreamBit& tree, bool latches);
+  void push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tree, bool latches);
   void append(const Run& run);
   void note(const Run& run);
   [[nodiscard]] bool takes_latch(const ArrayStep& step) const;

@@ -22,7 +22,10 @@ struct RootWord {
 
 /// In the registers between the trees and the pixels.
 struct TreeWord {
-  array::StreamBit bit;
+  array::StreamBit bit;  ///< of stepped trees the token alone
+  /// Of stepped trees: the bits of all pixels that are built, as a PixelArray has them, until the evaluator writes the
+  /// word after the next.
+  const array::Words* pixels = nullptr;
 
   constexpr bool operator==(const TreeWord&) const = default;
 };

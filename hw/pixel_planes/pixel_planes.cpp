@@ -30,6 +30,13 @@ ControllerFigures controller_figures(const machines::Machine& machine) {
           .two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2};
 }
 
+std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
+                                              const systemc::Foretold* foretold) {
+  if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
+  const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
+  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree, pixels);
+}
+
 /// The array holds the whole picture when the program is through.
 bool fills_array(const isa::Program& program, array::PlaneShape shape) {
   const isa::Region whole{0, 0, shape.width, shape.height};
@@ -52,7 +59,7 @@ void check_fits(const isa::ArrayShape& program, const isa::ArrayShape& machine) 
 
 }  // namespace
 
-PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
+PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form,
                          const systemc::Foretold* foretold)
     : sc_core::sc_module(name),
       machine_(machine),
@@ -64,7 +71,7 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
       host_("host", machine.link),
       controller_("controller", sequencer(machine), controller_figures(machine)),
       control_delay_("control_delay", latency_),
-      evaluator_("evaluator", plane_shape(machine)),
+      evaluator_("evaluator", plane_shape(machine), adders(machine, form, foretold)),
       processors_("processors", machine.array, machine.alu_bits, foretold),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       scan_out_("scan_out", plane_shape(machine), machines::own<Figures>(machine).scan_out_pixels,
@@ -306,9 +313,14 @@ std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& m
   return std::make_unique<PixelPlanes>("pixel_planes", machine);
 }
 
+std::unique_ptr<systemc::ClockedMachine> make_stepped_machine(const machines::Machine& machine) {
+  return std::make_unique<PixelPlanes>("pixel_planes", machine, systemc::EvaluatorForm::stepped);
+}
+
 std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                             const systemc::Foretold& foretold) {
-  return std::make_unique<PixelPlanes>("pixel_planes", machine, &foretold);
+                                                             const systemc::Foretold& foretold,
+                                                             systemc::EvaluatorForm form) {
+  return std::make_unique<PixelPlanes>("pixel_planes", machine, form, &foretold);
 }
 
 }  // namespace csgsim::pixel_planes

@@ -21,6 +21,7 @@
 #include "hw/pixel_planes/scan_out.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/evaluator_form.h"
 #include "hw/systemc/foretold.h"
 #include "hw/systemc/retirement.h"
 
@@ -32,6 +33,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   /// `foretold`, unless null, says which pixels alone are built, for Programs of one segment; the picture that a run
   /// reports is then of no use.
   PixelPlanes(sc_core::sc_module_name name, const machines::Machine& machine,
+              systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out,
               const systemc::Foretold* foretold = nullptr);
 
   /// A frame begins with the clock in which the controller asks for it and ends when its last step has been carried

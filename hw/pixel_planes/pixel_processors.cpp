@@ -23,11 +23,27 @@ void PixelProcessors::on_clock() {
     pixels_.select(word.clear.width, word.clear.height);
     pixels_.clear_memory(word.clear.address, word.clear.bits);
   } else if (!word.refreshes) {
-    pixels_.step(word.step, tree.read().bit);
+    step(word.step);
   }
   carried_out_ = word;
   if (word.last) retired.write(++retired_count_);
   if (word == ControlWord{}) next_trigger(control.value_changed_event());
+}
+
+void PixelProcessors::step(const array::ArrayStep& step) {
+  const TreeWord& word = tree.read();
+  if (word.pixels == nullptr) {
+    pixels_.step(step, word.bit);
+  } else {
+    pixels_.step_with(*word.pixels, step);
+  }
+}
+
+array::PixelProbe PixelProcessors::probe(std::uint32_t x, std::uint32_t y) const {
+  const TreeWord& word = tree.read();
+  array::PixelProbe probe = pixels_.probe(x, y, word.bit);
+  if (word.pixels != nullptr) probe.tree = array::bit_of(*word.pixels, pixels_.shape(), x, y);
+  return probe;
 }
 
 void PixelProcessors::resume(const array::PixelArray& pixels, isa::Field shown) {

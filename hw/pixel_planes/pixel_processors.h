@@ -58,9 +58,7 @@ class PixelProcessors final : public systemc::ClockedModule, public RefreshPort,
   void resume(const array::PixelArray& pixels, isa::Field shown);
 
   /// Registers of one pixel.
-  [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const {
-    return pixels_.probe(x, y, tree.read().bit);
-  }
+  [[nodiscard]] array::PixelProbe probe(std::uint32_t x, std::uint32_t y) const;
 
  private:
   /// The picture that another run has left.
@@ -79,6 +77,7 @@ class PixelProcessors final : public systemc::ClockedModule, public RefreshPort,
   };
 
   void on_clock() override;
+  void step(const array::ArrayStep& step);
 
   array::PixelArray pixels_;
   mutable array::Words row_;  ///< that the refresh port was asked for last

@@ -37,6 +37,7 @@ Cells::Cells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& sh
       enable_(count),
       fetched_(count),
       words_fetched_(count),
+      alus_(count),
       roots_(count),
       result_(count),
       writes_(count) {}
@@ -58,34 +59,40 @@ void Cells::add(std::uint32_t cell, PacketWord& word) {
   if (word.square != 0) word.a = add_words(word.a, word.aa, difference_carry_[cell]);
 }
 
+void Cells::work(std::uint32_t cell, const PacketWord& beat) {
+  CellAlu& alu = alus_[cell];
+  if (beat.number == beat.accesses.work_from) alu.begin();
+  alu.clock(beat.work, operands_of(cell, beat.instruction), shape_);
+}
+
 /// The root found so far takes the field's upper bits, which the remainder does not need any more; its bit k is tried
 /// against k + 3 bits of the field.
 void Cells::try_root(std::uint32_t cell, const PacketWord& beat) {
   Root& root = roots_[cell];
   std::uint64_t& value = fetched_[cell][0];
   const std::uint32_t bits = beat.accesses.target.field.width / 2U;
-  if (beat.number == beat.accesses.root_from) {
+  if (beat.number == beat.accesses.work_from) {
     root = {};
     value &= low_bits(2 * bits);
   }
   const std::uint32_t length = root.bit + 3;
   const std::uint32_t lowest = 2 * (bits - 1 - root.bit);
-  const std::uint32_t first = root.word * shape_.word_bits;
-  const std::uint32_t count = std::min(shape_.word_bits, length - first);
+  const std::uint32_t first = root.tried;
+  const std::uint32_t count = std::min(alu_width(shape_, shape_.word_bits), length - first);
   const std::uint64_t found = value >> (2 * bits - root.bit) >> 1U;
   const std::uint64_t operand = root.negative ? 4 * found + 3 : ~(4 * found + 1);
-  const bool carry = root.word == 0 ? !root.negative : root.carry;
+  const bool carry = first == 0 ? !root.negative : root.carry;
   const std::uint64_t mask = low_bits(count);
   const std::uint64_t sum = (value >> (lowest + first) & mask) + (operand >> first & mask) + (carry ? 1U : 0U);
   value = (value & ~(mask << (lowest + first))) | (sum & mask) << (lowest + first);
   root.carry = (sum >> count & 1U) != 0;
-  ++root.word;
-  if (first + count < length) return;
+  root.tried += count;
+  if (root.tried < length) return;
   const std::uint64_t sign = std::uint64_t{1} << (lowest + length - 1);
   root.negative = (value & sign) != 0;
   value ^= sign;
   ++root.bit;
-  root.word = 0;
+  root.tried = 0;
 }
 
 void Cells::clear(std::uint32_t cell) {
@@ -126,6 +133,8 @@ void Cells::act(std::uint32_t cell, const PacketWord& beat) {
   const auto& [first, second] = beat.accesses.sources;
   if (words_fetched_[cell] < std::uint32_t{first.count} + second.count)
     throw std::logic_error("a cell acts before its ports have read the fields");
+  if (!alus_[cell].done(beat.work, shape_))
+    throw std::logic_error("a cell acts before its shifter and ALU are through");
   if (beat.instruction.opcode == isa::Opcode::root && roots_[cell].bit != beat.accesses.target.field.width / 2U)
     throw std::logic_error("a cell acts before it has found all bits of a root");
   const Result result = result_of(cell, beat.instruction);
@@ -148,20 +157,28 @@ void Cells::store(std::uint32_t cell, const PacketWord& beat) {
   }
 }
 
+/// F is the first, where there is one; a constant is the second.
+AluOperands Cells::operands_of(std::uint32_t cell, const isa::Instruction& instruction) const {
+  const std::uint64_t first = fetched_[cell][0];
+  if (instruction.linear.width > 0)
+    return {static_cast<std::uint64_t>(value_of_f(sum_[cell], instruction.linear)), first, instruction.fields[0].width};
+  const bool is_constant = instruction.opcode == isa::Opcode::xor_constant;
+  return {first, is_constant ? instruction.constant : fetched_[cell][1], 0};
+}
+
 Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instruction) const {
   using isa::Opcode;
   const bool e = enabled(cell);
+  const CellAlu& alu = alus_[cell];
   const std::uint64_t first = fetched_[cell][0];
-  const std::uint64_t second = fetched_[cell][1];
-  const auto number = static_cast<std::int64_t>(first);
   const auto bit = first != 0;
   const std::int64_t f = value_of_f(sum_[cell], instruction.linear);
   const auto enable = [](bool value) { return Result{.enable = value}; };
   const auto write = [e](std::uint64_t value) { return Result{.enable = e, .writes = e, .value = value}; };
   // Disables the cell if the number does not fit.
   const auto write_linear = [&](bool writes) {
-    const bool fits = f >= 0 && f >> instruction.fields[0].width == 0;
-    return Result{.enable = e && (fits || !writes), .writes = e && writes, .value = static_cast<std::uint64_t>(f)};
+    return Result{
+        .enable = e && (alu.fits() || !writes), .writes = e && writes, .value = static_cast<std::uint64_t>(f)};
   };
 
   switch (instruction.opcode) {
@@ -176,31 +193,31 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::edge_not_negative: return enable(e && f >= 0);
     case Opcode::edge_negative:
     case Opcode::stripe: return enable(e && f < 0);
-    case Opcode::linear_ge: return enable(e && f >= number);
-    case Opcode::linear_gt: return enable(e && f > number);
-    case Opcode::linear_le: return enable(e && f <= number);
-    case Opcode::linear_lt: return enable(e && f < number);
-    case Opcode::linear_eq: return enable(e && f == number);
+    case Opcode::linear_ge: return enable(e && !alu.less());
+    case Opcode::linear_gt: return enable(e && !alu.less() && !alu.equal());
+    case Opcode::linear_le: return enable(e && (alu.less() || alu.equal()));
+    case Opcode::linear_lt: return enable(e && alu.less());
+    case Opcode::linear_eq: return enable(e && alu.equal());
     case Opcode::load_linear: return write_linear(true);
-    case Opcode::keep_max: return write_linear(f > number);
-    case Opcode::keep_min: return write_linear(f < number);
+    case Opcode::keep_max: return write_linear(!alu.less() && !alu.equal());
+    case Opcode::keep_min: return write_linear(alu.less());
     case Opcode::set_constant: return write(instruction.constant);
     case Opcode::copy: return write(first);
-    case Opcode::field_lt: return enable(e && first < second);
-    case Opcode::field_le: return enable(e && first <= second);
-    case Opcode::field_eq: return enable(e && first == second);
-    case Opcode::bit_and: return write(first & second);
-    case Opcode::bit_or: return write(first | second);
-    case Opcode::bit_xor: return write(first ^ second);
-    case Opcode::bit_and_not: return write(first & ~second);
-    case Opcode::bit_not: return write(~first);
-    case Opcode::xor_constant: return write(first ^ instruction.constant);
-    case Opcode::add: return write(first + second);
+    case Opcode::field_lt: return enable(e && alu.below());
+    case Opcode::field_le: return enable(e && (alu.below() || alu.equal()));
+    case Opcode::field_eq: return enable(e && alu.equal());
+    case Opcode::bit_and:
+    case Opcode::bit_or:
+    case Opcode::bit_xor:
+    case Opcode::bit_and_not:
+    case Opcode::bit_not:
+    case Opcode::xor_constant:
+    case Opcode::add:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus: return write(alu.value());
     case Opcode::global_or:
     case Opcode::skip_if_none: return enable(e);
     case Opcode::squares: return enable(e);
-    case Opcode::linear_plus: return write(static_cast<std::uint64_t>(f) + first);
-    case Opcode::linear_minus: return write(static_cast<std::uint64_t>(f) - first);
     case Opcode::root: return write(first);
   }
   return enable(e);

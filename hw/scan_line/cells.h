@@ -6,14 +6,15 @@
 #include <span>
 #include <vector>
 
+#include "hw/scan_line/cell_alu.h"
 #include "hw/scan_line/packet.h"
 
 namespace csgsim::scan_line {
 
 /// The cells of a chain. Each has a memory of words with so many ports, an enable bit, an adder of a word with its
-/// carry, and registers: the words of F that have come in, two fields that have been read, and a field to be written.
-/// The memory writes single bits of a word. For squares there is a second adder, which brings the difference up to
-/// date, with its carry. A root is taken by the ALU, in the register of the first field read.
+/// carry, a shifter, an ALU, and registers: the words of F that have come in, two fields that have been read, and a
+/// field to be written. The memory writes single bits of a word. For squares there is a second adder, which brings the
+/// difference up to date, with its carry. A root is taken by the ALU, in the register of the first field read.
 class Cells {
  public:
   Cells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& shape);
@@ -33,11 +34,14 @@ class Cells {
   /// What the ports read in the clock of that beat.
   void fetch(std::uint32_t cell, const PacketWord& beat);
 
-  /// A clock of a root's trials, in which the ALU subtracts or adds a word.
+  /// A clock of the shifter or of the ALU.
+  void work(std::uint32_t cell, const PacketWord& beat);
+
+  /// A clock of a root's trials, in which the ALU subtracts or adds the bits that it goes through in one.
   void try_root(std::uint32_t cell, const PacketWord& beat);
 
   /// Carries out a valid instruction, whose F and fields have come in, but for what is written. Throws std::logic_error
-  /// if a field has not been read, or a root is not complete.
+  /// if a field has not been read, the ALU is not through, or a root is not complete.
   void act(std::uint32_t cell, const PacketWord& beat);
 
   /// What the ports write in the clock of that beat.
@@ -63,14 +67,15 @@ class Cells {
 
   /// How far a root has come.
   struct Root {
-    std::uint32_t bit = 0;   ///< of the root, the highest first
-    std::uint32_t word = 0;  ///< of the trial for it
-    bool carry = false;      ///< out of the word before
-    bool negative = false;   ///< the remainder
+    std::uint32_t bit = 0;    ///< of the root, the highest first
+    std::uint32_t tried = 0;  ///< bits of the trial for it
+    bool carry = false;       ///< out of these
+    bool negative = false;    ///< the remainder
   };
 
   /// Adds a word to another; `carry` goes in, and is the carry out then.
   [[nodiscard]] std::uint64_t add_words(std::uint64_t one, std::uint64_t other, std::uint8_t& carry) const;
+  [[nodiscard]] AluOperands operands_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   [[nodiscard]] Result result_of(std::uint32_t cell, const isa::Instruction& instruction) const;
   [[nodiscard]] isa::Field part_in(const FieldWords& words, std::uint32_t word) const;
 
@@ -85,6 +90,7 @@ class Cells {
   std::vector<std::uint8_t> enable_;
   std::vector<std::array<std::uint64_t, 2>> fetched_;
   std::vector<std::uint32_t> words_fetched_;  ///< of the packet
+  std::vector<CellAlu> alus_;
   std::vector<Root> roots_;
   std::vector<std::uint64_t> result_;
   std::vector<std::uint8_t> writes_;  ///< whether the result is to be written

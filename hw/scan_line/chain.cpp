@@ -110,8 +110,10 @@ void Chain::work_on_instruction(Flight& flight) {
   if (beat.number < beat.words && beat.instruction.linear.width > 0) cells_.add(flight.cell, beat);
   cells_.fetch(flight.cell, beat);
   const bool is_root = beat.instruction.opcode == isa::Opcode::root;
-  if (is_root && beat.number >= beat.accesses.root_from && beat.number <= beat.accesses.result)
-    cells_.try_root(flight.cell, beat);
+  if (beat.number >= beat.accesses.work_from && beat.number <= beat.accesses.result) {
+    if (is_root) cells_.try_root(flight.cell, beat);
+    cells_.work(flight.cell, beat);
+  }
   if (beat.number == beat.accesses.result) {
     flight.enabled += cells_.enabled(flight.cell) ? 1U : 0U;
     cells_.act(flight.cell, beat);

@@ -7,7 +7,9 @@ namespace csgsim::scan_line {
 /// What only this kind of machine has.
 struct Figures {
   std::uint32_t words = 0;               ///< of a cell's memory
-  std::uint32_t word_bits = 0;           ///< of each of them, and of the cell's adder and ALU
+  std::uint32_t word_bits = 0;           ///< of each of them, and of the adder of the running sum
+  std::uint32_t alu_bits = 0;            ///< that a cell's ALU goes through in a clock; 0 for any number
+  std::uint32_t shift_bits = 0;          ///< by which a cell's shifter moves a word in a clock; 0 for no cost at all
   std::uint32_t ports = 0;               ///< words of a cell's memory read or written in a clock; 0 for any number
   std::uint32_t chains = 1;              ///< lines worked on in parallel, each by a chain of its own
   std::uint32_t bucket_clocks = 0;       ///< of the host, to put a primitive into the bucket of its first line

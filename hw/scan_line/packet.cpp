@@ -38,10 +38,103 @@ Accesses accesses_of(const isa::Instruction& instruction, const CellShape& cell)
   return accesses;
 }
 
+AluFunction function_of(isa::Opcode opcode) {
+  using isa::Opcode;
+  switch (opcode) {
+    case Opcode::linear_ge:
+    case Opcode::linear_gt:
+    case Opcode::linear_le:
+    case Opcode::linear_lt:
+    case Opcode::linear_eq:
+    case Opcode::load_linear:
+    case Opcode::keep_max:
+    case Opcode::keep_min:
+    case Opcode::field_lt:
+    case Opcode::field_le:
+    case Opcode::field_eq:
+    case Opcode::linear_minus: return AluFunction::subtract;
+    case Opcode::add:
+    case Opcode::linear_plus: return AluFunction::add;
+    case Opcode::bit_and: return AluFunction::bit_and;
+    case Opcode::bit_or: return AluFunction::bit_or;
+    case Opcode::bit_xor:
+    case Opcode::xor_constant: return AluFunction::bit_xor;
+    case Opcode::bit_and_not: return AluFunction::bit_and_not;
+    case Opcode::bit_not: return AluFunction::bit_not;
+    case Opcode::enable_all:
+    case Opcode::enable_invert:
+    case Opcode::enable_load:
+    case Opcode::enable_and:
+    case Opcode::enable_and_not:
+    case Opcode::enable_or:
+    case Opcode::enable_xor:
+    case Opcode::enable_store:
+    case Opcode::edge_not_negative:
+    case Opcode::edge_negative:
+    case Opcode::stripe:
+    case Opcode::set_constant:
+    case Opcode::copy:
+    case Opcode::global_or:
+    case Opcode::skip_if_none:
+    case Opcode::squares:
+    case Opcode::root: return AluFunction::none;
+  }
+  return AluFunction::none;
+}
+
+/// An operand that begins at that bit of a word, and so many bits of it are wanted where the field begins in its word.
+Move move_to(isa::Field field, std::uint32_t begins, std::uint32_t bits, const CellShape& cell) {
+  const std::uint32_t wanted = field.base % cell.word_bits;
+  return {quotient_up(wanted + bits, cell.word_bits), begins > wanted ? begins - wanted : wanted - begins};
+}
+
+/// Operands are moved to the first field, which is the target where there is one. F has its sign above its bits as far
+/// as it is wanted; single bits that meet E, and constants, come to where they are wanted by themselves.
+CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
+  CellWork work{.function = function_of(instruction.opcode)};
+  const isa::Field& place = instruction.fields[0];
+  const isa::Operands& operands = isa::operands_of(instruction.opcode);
+  const bool is_linear = isa::has_operand(operands, isa::OperandKind::linear) && place.width > 0;
+  const std::uint32_t f_bits = is_linear ? std::uint32_t{instruction.linear.width} - instruction.linear.shift : 0;
+  const bool sums = instruction.opcode == isa::Opcode::linear_plus || instruction.opcode == isa::Opcode::linear_minus;
+  std::size_t moves = 0;
+  if (is_linear) {
+    const std::uint32_t wanted = sums ? std::min<std::uint32_t>(f_bits, place.width) : f_bits;
+    work.moves.at(moves++) = move_to(place, instruction.linear.shift % cell.word_bits, wanted, cell);
+  }
+  for (std::size_t i = 1; i < operands.size(); ++i) {
+    const isa::Field& field = instruction.fields[i];
+    if (field.width > 0) work.moves.at(moves++) = move_to(place, field.base % cell.word_bits, field.width, cell);
+  }
+  if (work.function != AluFunction::none) work.bits = is_linear && !sums ? f_bits : place.width;
+  return work;
+}
+
+/// By going through them.
+std::uint32_t clocks_of(const Move& move, const CellShape& cell) {
+  std::uint32_t clocks = 0;
+  for (std::uint32_t moved = 0; cell.shift_bits > 0 && moved < move.distance; moved += cell.shift_bits)
+    clocks += move.words;
+  return clocks;
+}
+
+std::uint32_t alu_clocks(std::uint32_t bits, std::uint32_t bits_a_clock) {
+  std::uint32_t clocks = 0;
+  for (std::uint32_t done = 0; done < bits; done += bits_a_clock) ++clocks;
+  return clocks;
+}
+
+std::uint32_t clocks_of(const CellWork& work, const CellShape& cell) {
+  std::uint32_t clocks = alu_clocks(work.bits, alu_width(cell, work.bits));
+  for (const Move& move : work.moves) clocks += clocks_of(move, cell);
+  return clocks;
+}
+
 /// Clocks of a root's trials.
 std::uint32_t trial_clocks(isa::Field field, const CellShape& cell) {
   std::uint32_t clocks = 0;
-  for (std::uint32_t bit = 0; bit < field.width / 2U; ++bit) clocks += quotient_up(bit + 3, cell.word_bits);
+  for (std::uint32_t bit = 0; bit < field.width / 2U; ++bit)
+    clocks += alu_clocks(bit + 3, alu_width(cell, cell.word_bits));
   return clocks;
 }
 
@@ -51,11 +144,14 @@ void schedule(PacketWord& packet, const CellShape& cell) {
   const std::uint32_t read_words = std::uint32_t{accesses.sources[0].count} + accesses.sources[1].count;
   const std::uint32_t reads = cell.ports == 0 ? 0 : quotient_up(read_words, cell.ports);
   const std::uint32_t writes = cell.ports == 0 ? 0 : quotient_up(accesses.target.count, cell.ports);
-  const std::uint32_t last_read = reads > 0 ? reads - 1 : 0;
-  accesses.result = std::max(packet.words - 1, writes > 0 ? reads : last_read);
   if (packet.kind == WordKind::instruction && packet.instruction.opcode == isa::Opcode::root) {
-    accesses.root_from = reads;
+    accesses.work_from = reads;
     accesses.result = reads + trial_clocks(accesses.target.field, cell) - 1;
+  } else {
+    const std::uint32_t last_read = reads > 0 ? reads - 1 : 0;
+    accesses.work_from = std::max(packet.words - 1, last_read);
+    const std::uint32_t last_work = accesses.work_from + std::max(clocks_of(packet.work, cell), 1U) - 1;
+    accesses.result = std::max(last_work, writes > 0 ? reads : 0);
   }
   packet.beats = accesses.result + std::max(writes, 1U);
 }
@@ -74,6 +170,7 @@ PacketWord instruction_packet(const isa::Instruction& instruction, const CellSha
   PacketWord packet{.kind = WordKind::instruction,
                     .square = squares.a,
                     .accesses = accesses_of(instruction, cell),
+                    .work = work_of(instruction, cell),
                     .instruction = instruction};
   if (instruction.opcode == isa::Opcode::squares) packet.instruction.linear = {};
   std::uint32_t bits = std::max<std::uint32_t>(packet.instruction.linear.width, 1);

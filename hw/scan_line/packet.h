@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "hw/isa/instruction.h"
+#include "hw/scan_line/figures.h"
 #include "hw/systemc/run_listener.h"
 
 namespace csgsim::scan_line {
@@ -12,11 +13,20 @@ using systemc::Keep;
 
 /// What a cell is built of.
 struct CellShape {
-  std::uint32_t word_bits = 1;  ///< of a word of memory, of the adder and of the ALU: 1 to 64
-  std::uint32_t ports = 0;      ///< words of memory that are read or written in a clock; 0 for any number
+  std::uint32_t word_bits = 1;   ///< of a word of memory, and of the adder of the running sum: 1 to 64
+  std::uint32_t ports = 0;       ///< words of memory that are read or written in a clock; 0 for any number
+  std::uint32_t alu_bits = 0;    ///< that the ALU goes through in a clock, of a word at most; 0 for any number
+  std::uint32_t shift_bits = 0;  ///< by which the shifter moves a word in a clock; 0 if all lie where they are wanted
 
   constexpr bool operator==(const CellShape&) const = default;
 };
+
+constexpr CellShape cell_shape(const Figures& figures) {
+  return {.word_bits = figures.word_bits,
+          .ports = figures.ports,
+          .alu_bits = figures.alu_bits,
+          .shift_bits = figures.shift_bits};
+}
 
 enum class WordKind : std::uint8_t {
   none,
@@ -34,17 +44,41 @@ struct FieldWords {
   constexpr bool operator==(const FieldWords&) const = default;
 };
 
-/// What a packet asks of a cell's memory. Reads begin with the packet's first word, at each port one a clock. The clock
-/// of the result is the first in which all words of the packet are there and the last read is done, or, if something
-/// is to be written, the ports are free again; the writes begin in it. A root has clocks of trials before its result,
-/// which begin when the ports are free: its bit of number k takes as many as a sum of k + 3 bits has words.
+/// What a packet asks of a cell's memory. Reads begin with the packet's first word, at each port one a clock. In the
+/// first clock in which all words of the packet are there and the last read is done the cell's work begins. The clock
+/// of the result is the last of the work, or, if something is to be written, the first after it or then in which the
+/// ports are free again; the writes begin in it. The work of a root are its trials, which begin when the ports are
+/// free: its bit of number k takes as many clocks as the ALU takes for a sum of k + 3 bits.
 struct Accesses {
   std::array<FieldWords, 2> sources{};  ///< read one after the other
   FieldWords target{};                  ///< written
-  std::uint32_t result = 0;             ///< clock of the result, counted from the packet's first word in the cell
-  std::uint32_t root_from = 0;          ///< of a root the clock of the first trial, which the result ends
+  std::uint32_t work_from = 0;          ///< clock, counted from the packet's first word in the cell
+  std::uint32_t result = 0;             ///< likewise
 
   constexpr bool operator==(const Accesses&) const = default;
+};
+
+/// An operand that the shifter moves to where the other one, or the target, lies in its words: word after word, each by
+/// the distance, in either direction; the bits that come in at its end are those of the word beside it.
+struct Move {
+  std::uint32_t words = 0;     ///< that it has where it comes to lie
+  std::uint32_t distance = 0;  ///< bits, fewer than a word has
+
+  constexpr bool operator==(const Move&) const = default;
+};
+
+/// What the ALU makes of two operands, x and y.
+enum class AluFunction : std::uint8_t { none, add, subtract, bit_and, bit_or, bit_xor, bit_and_not, bit_not };
+
+/// What a cell does with a packet's operands when all are there, one thing a clock: the shifter moves what lies
+/// elsewhere, then the ALU goes through the operands from the lowest bits on. What follows from the sign of F, or from
+/// a single bit and E, is no work.
+struct CellWork {
+  std::array<Move, 2> moves{};
+  AluFunction function = AluFunction::none;
+  std::uint32_t bits = 0;  ///< that the ALU goes through
+
+  constexpr bool operator==(const CellWork&) const = default;
 };
 
 /// What moves from cell to cell, one a clock. A packet occupies each cell for `beats` clocks: in the first `words` of
@@ -65,6 +99,7 @@ struct PacketWord {
   std::uint64_t aa = 0;     ///< word of the second difference: twice the factor of x*x
   std::int64_t square = 0;  ///< that factor
   Accesses accesses{};
+  CellWork work{};
   isa::Instruction instruction{};  ///< of a mark with a background: only the constant
 
   [[nodiscard]] constexpr bool last() const { return number + 1 == beats; }
@@ -87,6 +122,12 @@ PacketWord clear_packet(std::uint32_t clocks);
 PacketWord mark_packet(isa::Field colour, const CellShape& cell);
 /// For a line that shows the background, in a field as wide as `colour`.
 PacketWord background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell);
+
+/// Bits that the ALU goes through in a clock; of an ideal one `bits`.
+constexpr std::uint32_t alu_width(const CellShape& cell, std::uint32_t bits) {
+  if (cell.alu_bits == 0) return bits;
+  return cell.alu_bits < cell.word_bits ? cell.alu_bits : cell.word_bits;
+}
 
 /// The beat after one that is not the last.
 PacketWord next_beat(PacketWord beat, const CellShape& cell);

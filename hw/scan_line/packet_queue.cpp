@@ -12,7 +12,7 @@ PacketQueue::PacketQueue(sc_core::sc_module_name name, const machines::Machine& 
     : systemc::ClockedModule(name),
       machine_(machine),
       figures_(machines::own<Figures>(machine)),
-      cell_{.word_bits = figures_.word_bits, .ports = figures_.ports},
+      cell_(cell_shape(figures_)),
       chain_(chain),
       receiver_(machine.link.width) {}
 

@@ -58,7 +58,7 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
   const std::uint32_t chains = figures_of(machine).chains;
-  const CellShape cell{.word_bits = figures_of(machine).word_bits, .ports = figures_of(machine).ports};
+  const CellShape cell = cell_shape(figures_of(machine));
   lines_.init(chains, [](const char* part, std::size_t) { return new sc_core::sc_fifo<std::uint32_t>(part, 1); });
   words_.init(chains, [&machine](const char* part, std::size_t) {
     return new sc_core::sc_fifo<isa::LinkWord>(part, static_cast<int>(machine.link.fifo_depth));

@@ -31,21 +31,76 @@ std::uint64_t memory_words(isa::Field field, const Figures& figures) {
   return quotient_up(field.end(), word) - field.base / word;
 }
 
-/// Words of all trials of a root: each takes two bits of the field more to the remainder, which has one more than the
+/// Clocks of all trials of a root: each takes two bits of the field more to the remainder, which has one more than the
 /// root found so far and a sign.
-std::uint64_t trial_words(isa::Field field, const Figures& figures) {
-  std::uint64_t words = 0;
-  for (std::uint32_t found = 0; 2 * found + 1 < field.width; ++found)
-    words += quotient_up(found + 3, std::max(figures.word_bits, 1U));
-  return words;
+std::uint64_t trial_clocks(isa::Field field, const Figures& figures) {
+  const std::uint32_t word = std::max(figures.word_bits, 1U);
+  const std::uint32_t width = figures.alu_bits == 0 ? word : std::min(figures.alu_bits, word);
+  std::uint64_t clocks = 0;
+  for (std::uint32_t found = 0; 2 * found + 1 < field.width; ++found) clocks += quotient_up(found + 3, width);
+  return clocks;
 }
 
-/// Clocks of a packet of so many words that reads and writes so many words of memory.
-std::uint64_t occupied(std::uint64_t words, std::uint64_t read, std::uint64_t written, const Figures& figures) {
-  if (figures.ports == 0) return words;
-  const std::uint64_t reads = quotient_up(read, figures.ports);
-  if (written == 0) return std::max(words, reads);
-  return std::max(words, reads + 1) + quotient_up(written, figures.ports) - 1;
+/// Clocks of a packet of so many words that reads so many words of memory, works for so many clocks on all of these,
+/// and writes so many.
+std::uint64_t occupied(std::uint64_t words, std::uint64_t read, std::uint64_t work, std::uint64_t written,
+                       const Figures& figures) {
+  const std::uint64_t reads = figures.ports == 0 ? 0 : quotient_up(read, figures.ports);
+  const std::uint64_t worked = std::max(words, reads) + (work > 0 ? work - 1 : 0);
+  if (figures.ports == 0 || written == 0) return worked;
+  return std::max(worked, reads + 1) + quotient_up(written, figures.ports) - 1;
+}
+
+/// Clocks that the shifter takes for an operand of so many bits, of which the lowest is at that place of its memory, or
+/// of F, to come to the place of the field in its words.
+std::uint64_t shift_clocks(std::uint64_t from, std::uint64_t bits, isa::Field field, const Figures& figures) {
+  if (figures.shift_bits == 0) return 0;
+  const std::uint64_t word = std::max(figures.word_bits, 1U);
+  const std::uint64_t place = field.base % word;
+  const std::uint64_t other = from % word;
+  const std::uint64_t distance = std::max(place, other) - std::min(place, other);
+  return quotient_up(distance, figures.shift_bits) * quotient_up(place + bits, word);
+}
+
+std::uint64_t alu_clocks(std::uint64_t bits, const Figures& figures) {
+  if (bits == 0) return 0;
+  const std::uint64_t width = std::min(figures.alu_bits, std::max(figures.word_bits, 1U));
+  return width == 0 ? 1 : quotient_up(bits, width);
+}
+
+/// Clocks of shifter and ALU with the value of a linear expression: it is held against a field, or against the width of
+/// one that it is written to; or a field is added to it, from which on its upper bits are of no use.
+std::uint64_t linear_work(const isa::Instruction& instruction, const Figures& figures) {
+  const isa::Field& field = instruction.fields[0];
+  if (field.width == 0) return 0;
+  const isa::Linear& linear = instruction.linear;
+  const std::uint64_t value = linear.width - std::uint64_t{linear.shift};
+  const bool is_sum = isa::info(instruction.opcode).enable_effect == isa::EnableEffect::keeps;
+  const std::uint64_t used = is_sum ? std::min<std::uint64_t>(value, field.width) : value;
+  return shift_clocks(linear.shift, used, field, figures) + alu_clocks(is_sum ? field.width : value, figures);
+}
+
+/// The same with fields alone: the others are moved to the first.
+std::uint64_t field_work(const isa::Instruction& instruction, const Figures& figures) {
+  const auto& [first, second, third] = instruction.fields;
+  std::uint64_t clocks = 0;
+  if (second.width > 0) clocks += shift_clocks(second.base, second.width, first, figures);
+  if (third.width > 0) clocks += shift_clocks(third.base, third.width, first, figures);
+  const bool as_it_is = instruction.opcode == isa::Opcode::copy || instruction.opcode == isa::Opcode::set_constant;
+  return clocks + (as_it_is ? 0 : alu_clocks(first.width, figures));
+}
+
+std::uint64_t work_clocks(const isa::Instruction& instruction, const Figures& figures) {
+  switch (isa::info(instruction.opcode).clock_class) {
+    case isa::ClockClass::one:
+    case isa::ClockClass::answer: return 0;
+    case isa::ClockClass::linear_once:
+    case isa::ClockClass::linear_twice: return linear_work(instruction, figures);
+    case isa::ClockClass::field:
+    case isa::ClockClass::two_fields: return field_work(instruction, figures);
+    case isa::ClockClass::root: return trial_clocks(instruction.fields[0], figures);
+  }
+  return 0;
 }
 
 /// How many primitives the host looks at for each line.
@@ -102,7 +157,7 @@ class ChainTiming {
     }
     const bool empty = line.instructions.empty();
     const std::uint64_t colour_words = std::max<std::uint64_t>(quotient_up(colour_.width, figures_.word_bits), 1);
-    const std::uint64_t mark = empty ? colour_words : occupied(1, memory_words(colour_, figures_), 0, figures_);
+    const std::uint64_t mark = empty ? colour_words : occupied(1, memory_words(colour_, figures_), 0, 0, figures_);
     send(isa::SegmentEnd{}, mark, true);
     if (told != nullptr && machine_.clear_clocks == 0)
       told->cleared[number] = first_beat(empty ? entering(mark) : told->issued[number].front());
@@ -229,10 +284,11 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& m
     if (row.operands.at(i) == isa::OperandKind::target) written += words;
     if (row.operands.at(i) == isa::OperandKind::source || changes) read += words;
   }
+  const std::uint64_t work = work_clocks(instruction, figures);
   if (instruction.opcode != isa::Opcode::root)
-    return occupied(packet_words(instruction, machine), read, written, figures);
+    return occupied(packet_words(instruction, machine), read, work, written, figures);
   const std::uint64_t reads = figures.ports == 0 ? 0 : quotient_up(read, figures.ports);
-  return occupied(reads + trial_words(instruction.fields[0], figures), read, written, figures);
+  return occupied(reads + work, read, 0, written, figures);
 }
 
 std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) {

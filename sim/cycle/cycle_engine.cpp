@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <deque>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -64,9 +65,11 @@ class CycleEngine final : public engine::Engine {
 
 }  // namespace
 
-systemc::ClockedMachine& clocked_hardware(const machines::Machine& machine) {
+systemc::ClockedMachine& clocked_hardware(const machines::Machine& machine, systemc::EvaluatorForm form) {
   claim_elaboration(machine);
-  static const std::unique_ptr<systemc::ClockedMachine> hardware = kinds::make_clocked_machine(machine);
+  static const std::unique_ptr<systemc::ClockedMachine> hardware = kinds::make_clocked_machine(machine, form);
+  static const systemc::EvaluatorForm built = form;
+  if (built != form) throw std::logic_error("the machine of this process has trees of another form");
   return *hardware;
 }
 
@@ -76,13 +79,13 @@ std::unique_ptr<engine::Engine> make_clocked_engine(const machines::Machine& mac
 }
 
 std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
-                                            std::span<engine::Observer* const> observers) {
+                                            std::span<engine::Observer* const> observers, systemc::EvaluatorForm form) {
   for (const isa::Program& program : programs) machines::check_runs_on(program, machine);
   std::deque<Relay> relays;
   std::vector<systemc::RunListener*> listeners;
   for (std::size_t i = 0; i < programs.size(); ++i)
     listeners.push_back(&relays.emplace_back(programs[i], observers.subspan(i, 1)));
-  std::vector<systemc::RunReport> reports = clocked_hardware(machine).run_sequence(programs, listeners);
+  std::vector<systemc::RunReport> reports = clocked_hardware(machine, form).run_sequence(programs, listeners);
   std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < reports.size(); ++i) results.push_back(result_of(std::move(reports[i]), relays[i]));
   return results;

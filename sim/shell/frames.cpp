@@ -59,7 +59,8 @@ std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turnta
 std::vector<engine::RunResult> run_frames(const machines::Machine& machine, const RunOptions& run,
                                           const std::vector<isa::Program>& programs,
                                           const std::vector<engine::Observer*>& observers) {
-  if (run.level == "cycle") return cycle::run_sequence(machine, programs, observers);
+  const systemc::EvaluatorForm form = evaluator_form(run.evaluator, run.level);
+  if (run.level == "cycle") return cycle::run_sequence(machine, programs, observers, form);
   const auto engine = make_engine(machine, run.level, run.threads);
   std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < programs.size(); ++i) results.push_back(engine->run(programs[i], {&observers[i], 1}));

@@ -105,6 +105,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "rounds"},
     {varied, "seconds"},
     {run, "level"},
+    {run, "evaluator"},
     {run, "threads"},
     {run, "whole"},
     {run, "commands", "FILE", FileRole::input},

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "sim/cycle/clocked_engine.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
@@ -24,6 +25,7 @@
 #include "sim/shell/run_outputs.h"
 #include "sim/shell/settings/configuration.h"
 #include "sim/shell/summary.h"
+#include "sim/shell/usage.h"
 
 namespace csgsim::shell {
 
@@ -55,6 +57,14 @@ std::vector<std::string> level_names() {
   return names;
 }
 
+std::vector<std::string> evaluator_names() { return {"worked-out", "stepped"}; }
+
+systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::string& level) {
+  if (evaluator == "worked-out") return systemc::EvaluatorForm::worked_out;
+  if (level != "cycle") throw UsageError("--evaluator", "is for the cycle level; add --level cycle");
+  return systemc::EvaluatorForm::stepped;
+}
+
 observe::LongWork long_run(const std::string& level) {
   return {"the run at the " + level + " level",
           level == "functional" ? "more --threads and a smaller --size take less"
@@ -62,10 +72,10 @@ observe::LongWork long_run(const std::string& level) {
 }
 
 std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
-                                            unsigned threads) {
+                                            unsigned threads, systemc::EvaluatorForm form) {
   switch (levels.at(level)) {
     case Level::functional: return engine::make_functional_engine(machine, threads);
-    case Level::cycle: return engine::make_cycle_engine(machine);
+    case Level::cycle: return cycle::make_clocked_engine(machine, cycle::clocked_hardware(machine, form));
     case Level::reference: return engine::make_reference_engine(machine);
   }
   throw std::logic_error("a level without an engine");
@@ -95,6 +105,11 @@ void RunOptions::add_to(Command& command) {
       .option("--level", level,
               "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
       .one_of(levels);
+  command
+      .option("--evaluator", evaluator,
+              "Of --level cycle, the multiplier trees of a frame buffer: worked-out of the coefficients, or stepped "
+              "adder by adder, which takes longer")
+      .one_of(evaluator_names(), "evaluator");
   command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
       .between(1U, most_threads);
   command.flag("--advice", advice,
@@ -150,7 +165,8 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   const bool shows = shows_progress(options.progress);
   observe::LongWork work = long_run(options.level);
   if (shows || options.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
-  const std::unique_ptr<engine::Engine> engine = make_engine(machine, options.level, options.threads);
+  const std::unique_ptr<engine::Engine> engine =
+      make_engine(machine, options.level, options.threads, evaluator_form(options.evaluator, options.level));
   const auto begin = std::chrono::steady_clock::now();
   const engine::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
@@ -178,6 +194,7 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
 
 void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
                  const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
+  evaluator_form(options.evaluator, options.level);
   announce_memory(subject.machine, subject.program.shape, options.level);
   with_memory_for_run({&subject.program, 1}, subject.machine.array,
                       [&] { simulate(command, subject, options, outputs, advice, judge, checkpoints); });

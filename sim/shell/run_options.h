@@ -8,6 +8,7 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "hw/systemc/evaluator_form.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/long_work.h"
@@ -29,6 +30,7 @@ struct RunOptions {
   std::string stats;
   ReportOption report;  ///< only commands that have a model add it
   std::string level = "functional";
+  std::string evaluator = "worked-out";  ///< of the cycle level: one of evaluator_names
   std::string progress = "auto";
   unsigned threads = 1;
   bool advice = false;  ///< try all that could be turned, to see what it is worth
@@ -42,12 +44,19 @@ struct RunOptions {
 /// The names of the levels of fidelity.
 std::vector<std::string> level_names();
 
+/// The names of the forms that multiplier trees are built in.
+std::vector<std::string> evaluator_names();
+
+/// Throws UsageError for one that is no form at that level.
+systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::string& level = "cycle");
+
 /// Of a run that may take long: what to say of it.
 observe::LongWork long_run(const std::string& level);
 
 /// An engine of the level of that name.
 std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
-                                            unsigned threads);
+                                            unsigned threads,
+                                            systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
 /// A Program drawn without files.
 struct Drawn {

@@ -41,14 +41,19 @@ bool can_be_probed(const isa::Program& program, const machines::Machine& machine
 
 }  // namespace
 
+systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wave::Request& request) {
+  const bool looks_into_trees = !request.tree_levels.empty() && kinds::can_be_stepped(machine);
+  return looks_into_trees ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::worked_out;
+}
+
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
-                 const wave::Request& request, Fidelity fidelity) {
+                 const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form) {
   cycle::claim_elaboration(machine);
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);  // that it has been stopped
   const bool probes = fidelity == Fidelity::probed && can_be_probed(program, machine, request);
   const std::unique_ptr<systemc::ClockedMachine> hardware =
-      probes ? kinds::make_probed_machine(machine, foretold_of(program, known, request))
-             : kinds::make_clocked_machine(machine);
+      probes ? kinds::make_probed_machine(machine, foretold_of(program, known, request), form)
+             : kinds::make_clocked_machine(machine, form);
   const sc_core::sc_time period = systemc::period_of(machine);
   systemc::WaveRecorder recorder("wave", period);
 

@@ -2,6 +2,7 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "hw/systemc/evaluator_form.h"
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 #include "sim/waves/foreknowledge.h"
@@ -14,6 +15,9 @@ enum class Fidelity : std::uint8_t {
   whole,   ///< all of it, from the frame's first clock on
 };
 
+/// Of the trees: stepped where the request looks into them and they can be, else worked out.
+systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wave::Request& request);
+
 /// What a file has been written of.
 struct Recording {
   double writing_seconds = 0;   ///< wall time to sample the taps and to write what they show
@@ -24,8 +28,8 @@ struct Recording {
 
 /// Runs the Program on the clocked machine until the last window is over, and writes the windows as a value change dump
 /// to request.write. One run a process: SystemC elaborates once. Throws InputError for a machine without waves, and for
-/// a pixel or tree level that the machine has not.
+/// a pixel or tree level that the machine has not, or for trees that it cannot have in that form.
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
-                 const wave::Request& request, Fidelity fidelity);
+                 const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form);
 
 }  // namespace csgsim::waves

@@ -51,6 +51,28 @@ void check_same_at_cycle_level(const std::string& path) {
 
 }  // namespace
 
+TEST_CASE("with stepped trees a golden Program has the picture and counts of trees that are worked out") {
+  const Folder folder;
+  const std::string words = trace("thesis_fig_2_3") + " --level cycle -o " + (folder / "p.png");
+  nlohmann::json worked_out = stats_of(folder, words);
+  const std::string picture = content(folder / "p.png");
+  nlohmann::json stepped = stats_of(folder, words + " --evaluator stepped");
+  CHECK(content(folder / "p.png") == picture);
+  for (nlohmann::json* const stats : {&worked_out, &stepped}) {
+    stats->erase("wall_seconds");
+    stats->erase("configuration");
+  }
+  CHECK(stepped == worked_out);
+}
+
+TEST_CASE("stepped trees are refused at other levels and on machines without any") {
+  misused("run " + trace("thesis_fig_2_3") + " --evaluator stepped", "add --level cycle");
+  const Outcome outcome = run("run " + trace("thesis_fig_2_3_squares") + " --level cycle --evaluator stepped");
+  CHECK(outcome.code == 1);
+  CHECK(outcome.err.find("a machine of kind pixel-square has no multiplier trees that can be stepped") !=
+        std::string::npos);
+}
+
 TEST_CASE("at the cycle level too a golden Program without facts and comments is the same to its machine") {
   for (const char* name : {"thesis_fig_2_3", "carburettor", "terrain_vehicle", "old_example002", "old_example002_lines",
                            "thesis_fig_2_3_squares", "thesis_fig_2_3_nodes"})

@@ -119,6 +119,9 @@ TEST_CASE("a run at the cycle level runs again at the cycle level") {
   const Folder folder;
   runs_again(folder, {"render", model("thesis_fig_2_3"), "--size", "24x24", "--level", "cycle"});
   CHECK(json(folder / "b.json")["level"] == "cycle");
+  runs_again(folder,
+             {"render", model("thesis_fig_2_3"), "--size", "24x24", "--level", "cycle", "--evaluator", "stepped"});
+  CHECK(json(folder / "b.json")["configuration"]["options"]["evaluator"] == "stepped");
 }
 
 TEST_CASE("relative names are those of the folder that the run was asked for in") {

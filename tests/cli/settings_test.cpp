@@ -74,6 +74,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"colour-scheme", "\"Metallic\""},
                                                  {"colouring", "\"field\""},
                                                  {"level", "\"reference\""},
+                                                 {"evaluator", "\"stepped\""},
                                                  {"level-a", "\"reference\""},
                                                  {"level-b", "\"reference\""},
                                                  {"pruning", "\"none\""},

@@ -67,7 +67,8 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
 
 }  // namespace
 
-bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions,
+                               systemc::EvaluatorForm evaluator, const Allowed& allowed) {
   const auto reference = engine::make_reference_engine(machine);
   return rc::check("frames that follow each other are drawn and shown when it is worked out", [&] {
     const std::vector<isa::Program> programs = arbitrary_frames(machine, instructions, allowed);
@@ -82,7 +83,7 @@ bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instru
       frames.push_back({&program, drawings.back().skips});
       nobody.push_back(&unmoved);
     }
-    const auto counted = cycle::run_sequence(machine, programs, nobody);
+    const auto counted = cycle::run_sequence(machine, programs, nobody, evaluator);
     const auto expected = pixel_planes::time_sequence(frames, machine);
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (counted[i].clocks != expected[i].clocks || counted[i].account != expected[i].account)
@@ -95,9 +96,10 @@ bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instru
   });
 }
 
-bool agree_planes(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+bool agree_planes(const machines::Machine& machine, unsigned instructions, systemc::EvaluatorForm evaluator,
+                  const Allowed& allowed) {
   const auto reference = engine::make_reference_engine(machine);
-  TimedMachine hardware(machine);
+  TimedMachine hardware(machine, evaluator);
   const auto cycle = cycle::make_clocked_engine(machine, hardware);
   return rc::check("the clocked frame-buffer machine leaves the bits, clocks, account and timeline worked out", [&] {
     const isa::ArrayShape shape = drawn_in(machine, isa::max_field_width);

@@ -19,6 +19,10 @@ foreach(row IN ITEMS
     "shared=1" "shared=1 pixels=3 width=21 height=3" "pixels=8 width=9 height=2" "shared=1 pixels=100 width=1 height=1"
     "shared=1 pixels=2 width=130 height=4 bits=64 programs=40" "pixels=2 width=50 height=1" "link=32 width=70 height=5 bits=33 fan_in=7 clear=20 depth=16 latency=4"
     "link=24 width=130 height=3 bits=64 fan_in=64 clear=9 depth=2 word=3 programs=40"
+    "stepped=1" "stepped=1 degree=1" "stepped=1 width=1 height=1 bits=8 link=32" "stepped=1 width=70 height=5 bits=33 degree=1 link=64"
+    "stepped=1 width=5 height=70 bits=48 alu=4 reads=2 link=64" "stepped=1 width=1 height=37 link=32" "stepped=1 width=130 height=1 degree=1"
+    "stepped=1 buffers=2 shared=1 bits=64 width=21 height=40 pixels=4 clear=9 link=32 latency=4 fan_in=8 programs=40"
+    "stepped=1 width=64 height=64 bits=72 alu=2 programs=25"
     "link=32 width=64 height=64 bits=72 fan_in=64 clear=72 depth=16 latency=4 programs=25")
   csgsim_lockstep_row(lockstep_planes "planes ${row}" "${row}")
 endforeach()

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "hw/pixel_planes/figures.h"
+#include "hw/systemc/evaluator_form.h"
 #include "tests/lockstep/agree.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/lockstep/row.h"
@@ -22,6 +23,7 @@ struct Settings {
   machines::Machine machine = machine_of({8, 8, 40}, 1);
   unsigned programs = 100;
   unsigned instructions = 30;  ///< of a segment at most
+  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
 };
 
 Settings read_settings(int count, char** arguments) {
@@ -29,6 +31,7 @@ Settings read_settings(int count, char** arguments) {
   machines::Machine& machine = settings.machine;
   auto& figures = machines::own<pixel_planes::Figures>(machine);
   std::uint32_t shared_port = 0;
+  std::uint32_t stepped = 0;
   const std::map<std::string, std::uint32_t*> known{{"width", &machine.array.width},
                                                     {"height", &machine.array.height},
                                                     {"bits", &machine.array.memory_bits},
@@ -43,10 +46,12 @@ Settings read_settings(int count, char** arguments) {
                                                     {"fan_in", &figures.or_fan_in},
                                                     {"pixels", &figures.scan_out_pixels},
                                                     {"shared", &shared_port},
+                                                    {"stepped", &stepped},
                                                     {"buffers", &figures.scan_out_buffers},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);
+  if (stepped != 0) settings.evaluator = systemc::EvaluatorForm::stepped;
   if (shared_port != 0) figures.scan_out_port = pixel_planes::ScanOutPort::shared;
   return settings;
 }
@@ -59,8 +64,8 @@ int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
     return csgsim::test::exit_code_of(settings.programs, [&] {
-      return csgsim::test::agree_planes(settings.machine, settings.instructions) &&
-             csgsim::test::agree_planes_in_sequences(settings.machine, settings.instructions);
+      return csgsim::test::agree_planes(settings.machine, settings.instructions, settings.evaluator) &&
+             csgsim::test::agree_planes_in_sequences(settings.machine, settings.instructions, settings.evaluator);
     });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

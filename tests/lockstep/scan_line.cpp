@@ -1,8 +1,8 @@
 // lockstep_scan_line CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH WORD_CLOCKS
-// FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS PROGRAMS INSTRUCTIONS: holds that many random
-// Programs, of at most so many instructions a line, clocked in SystemC against the reference engine, and the picture
-// against that of the functional engine. PORTS 0 are ideal. One machine a process, as SystemC elaborates once.
-// RC_PARAMS overrides the seed and the number of Programs.
+// FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS ALU_BITS SHIFT_BITS PROGRAMS INSTRUCTIONS: holds
+// that many random Programs, of at most so many instructions a line, clocked in SystemC against the reference engine,
+// and the picture against that of the functional engine. PORTS, ALU_BITS and SHIFT_BITS 0 are ideal. One machine a
+// process, as SystemC elaborates once. RC_PARAMS overrides the seed and the number of Programs.
 
 #include <fmt/format.h>
 
@@ -29,6 +29,8 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
   machine.clock_hz = 20'000;  // some lines are late, some are not
   machine.own = scan_line::Figures{.words = figures[3],
                                    .word_bits = figures[4],
+                                   .alu_bits = figures[16],
+                                   .shift_bits = figures[17],
                                    .ports = figures[5],
                                    .chains = figures[7],
                                    .bucket_clocks = figures[13],
@@ -44,8 +46,8 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
 
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[16]).c_str(), 0);
-  const bool agree = agree_scan_line(machine, figures[17]);
+  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[18]).c_str(), 0);
+  const bool agree = agree_scan_line(machine, figures[19]);
   return agree ? 0 : 1;
 }
 
@@ -57,10 +59,11 @@ int main(int argc, char** argv) {
   try {
     std::vector<std::uint32_t> figures;
     for (int i = 1; i < argc; ++i) figures.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
-    if (figures.size() == 18) return csgsim::test::run(figures);
+    if (figures.size() == 20) return csgsim::test::run(figures);
     fmt::print(stderr,
                "usage: {} CELLS WIDTH HEIGHT WORDS WORD_BITS PORTS CLEAR_CLOCKS CHAINS INTERLACED LINK_WIDTH "
-               "WORD_CLOCKS FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS PROGRAMS INSTRUCTIONS\n",
+               "WORD_CLOCKS FIFO_DEPTH LATENCY BUCKET_CLOCKS ACTIVE_CLOCKS INSTRUCTION_CLOCKS ALU_BITS SHIFT_BITS "
+               "PROGRAMS INSTRUCTIONS\n",
                argv[0]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

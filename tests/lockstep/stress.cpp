@@ -41,7 +41,11 @@ using Property = bool (*)(const machines::Machine&, const Allowed&);
 const std::map<std::string, Property> properties{
     {"frame-buffer",
      [](const machines::Machine& machine, const Allowed& allowed) {
-       return agree_planes(machine, instructions, allowed) && agree_planes_in_sequences(machine, instructions, allowed);
+       using enum systemc::EvaluatorForm;
+       // The trees are stepped for small arrays, whose steps are few.
+       const auto form = machine.array.width < 4 ? stepped : worked_out;
+       return agree_planes(machine, instructions, form, allowed) &&
+              agree_planes_in_sequences(machine, instructions, form, allowed);
      }},
     {"scan-line", [](const machines::Machine& machine,
                      const Allowed& allowed) { return agree_scan_line(machine, instructions, allowed); }},

@@ -344,6 +344,8 @@ TEST_CASE("a second array in one process is refused, the same array is not") {
   CHECK(first->level() == "cycle");
   CHECK_NOTHROW(csgsim::engine::make_cycle_engine(machine_8x8()));
   CHECK_THROWS_AS(csgsim::engine::make_cycle_engine(csgsim::test::machine_of({16, 8, 32}, 1)), std::logic_error);
+  CHECK_THROWS_AS(csgsim::cycle::clocked_hardware(machine_8x8(), csgsim::systemc::EvaluatorForm::stepped),
+                  std::logic_error);
 }
 
 TEST_CASE("the engine scans out the colour field after the program") {

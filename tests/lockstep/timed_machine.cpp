@@ -36,8 +36,10 @@ class TimedMachine::Listener final : public systemc::RunListener {
   systemc::RunListener& next_;
 };
 
-TimedMachine::TimedMachine(const machines::Machine& machine)
-    : machine_(machine), hardware_(cycle::clocked_hardware(machine)), recorder_("wave", systemc::period_of(machine)) {}
+TimedMachine::TimedMachine(const machines::Machine& machine, systemc::EvaluatorForm form)
+    : machine_(machine),
+      hardware_(cycle::clocked_hardware(machine, form)),
+      recorder_("wave", systemc::period_of(machine)) {}
 
 std::uint64_t TimedMachine::edges() const {
   return sc_core::sc_time_stamp().value() / systemc::period_of(machine_).value();

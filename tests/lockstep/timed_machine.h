@@ -6,6 +6,7 @@
 #include "hw/machines/machine.h"
 #include "hw/machines/timing.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/evaluator_form.h"
 #include "hw/systemc/wave_recorder.h"
 #include "sim/engine/engine.h"
 
@@ -14,7 +15,8 @@ namespace csgsim::test {
 /// The clocked machine of the process, and when it told of what its pixels had carried out.
 class TimedMachine final : public systemc::ClockedMachine {
  public:
-  explicit TimedMachine(const machines::Machine& machine);
+  explicit TimedMachine(const machines::Machine& machine,
+                        systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 

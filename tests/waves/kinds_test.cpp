@@ -97,6 +97,11 @@ TEST_CASE("levels of trees are refused where there are no trees") {
       run("wave " + file + " --machine scan-line --pixel 1,1 --probe tree.x:1 -o " + (folder / "w.vcd"));
   CHECK(outcome.code == 1);
   CHECK(outcome.err.find("this machine has no multiplier trees; leave tree levels out") != std::string::npos);
+  const Outcome stepped =
+      run("wave " + file + " --machine scan-line --pixel 1,1 --evaluator stepped -o " + (folder / "w.vcd"));
+  CHECK(stepped.code == 1);
+  CHECK(stepped.err.find("a machine of kind scan-line has no multiplier trees that can be stepped") !=
+        std::string::npos);
 }
 
 TEST_CASE("the wave of a multi-processor may end before the model has come") {

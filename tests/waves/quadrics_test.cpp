@@ -138,6 +138,8 @@ TEST_CASE("probed alone from the instruction after squares on, a pixel does what
     recorded(one, name, words, folder / "probed.vcd");
     recorded(one, name, words + " --whole", folder / "whole.vcd");
     CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
+    recorded(one, name, words + " --evaluator worked-out", folder / "worked_out.vcd");
+    CHECK(content(folder / "probed.vcd") == content(folder / "worked_out.vcd"));
   }
 }
 

@@ -145,6 +145,22 @@ TEST_CASE("what the probed pixels do alone is what they do in the whole machine"
   }
 }
 
+TEST_CASE("the wave of stepped trees, which levels of trees ask for, is that of trees that are worked out") {
+  const Case one{"pixel-planes-4", "--size 37x21", {{35, 20}, {35, 3}}, ""};
+  const Folder folder;
+  compiled(one, folder / "p.csgt");
+  const std::string tree = " --probe tree.x:0 --probe tree.x:4 --probe tree.x:6 --probe tree.y:2 --probe tree.y:5";
+  for (const std::string more : {"--window 0:90", "--window purpose:merge", "--at owner --whole"}) {
+    CAPTURE(more);
+    const std::string words = "wave " + (folder / "p.csgt") + " --pixel 35,20 --pixel 35,3 " + more + tree;
+    REQUIRE(run(words + " -o " + (folder / "stepped.vcd")).code == 0);
+    REQUIRE(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")).code == 0);
+    REQUIRE(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")).code == 0);
+    CHECK(content(folder / "stepped.vcd") == content(folder / "worked_out.vcd"));
+    CHECK(content(folder / "asked.vcd") == content(folder / "worked_out.vcd"));
+  }
+}
+
 /// 2^bits - 1.
 std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
 

@@ -42,6 +42,7 @@ struct Options {
   std::vector<std::string> probes;
   std::string window = "0:2000";
   std::string at;
+  std::string evaluator;
   bool whole = false;
   bool timing = false;
   std::string output;
@@ -116,7 +117,8 @@ void record(const Options& options, const Command& command) {
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && !is_stream)
     throw UsageError("--output", "the waveform's name has to end in .vcd or .fst");
   if (!is_model(options.model.model))
-    refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "at", "whole", "timing", "output"});
+    refuse_model_options(
+        command, {"machine", "set", "pixel", "probe", "window", "at", "evaluator", "whole", "timing", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   const auto asked = options.at.empty()
@@ -142,8 +144,10 @@ void record(const Options& options, const Command& command) {
   waves::WaveFile waveform(file, ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
+  const auto form =
+      options.evaluator.empty() ? waves::evaluator_for(machine, request) : evaluator_form(options.evaluator);
   const waves::Recording recording = with_memory_for_run(
-      {&program, 1}, machine.array, [&] { return waves::record(program, machine, known, request, fidelity); });
+      {&program, 1}, machine.array, [&] { return waves::record(program, machine, known, request, fidelity, form); });
   const double recording_seconds = seconds_since(begin) - functional_seconds;
   if (!recording.reached) {
     throw UsageError(
@@ -183,6 +187,11 @@ void add_wave(CommandLine& line) {
                  "is not included");
   command.option("--at", options->at,
                  "In place of a window: the instruction that last wrote the first pixel's owner, depth or FIELD");
+  command
+      .option("--evaluator", options->evaluator,
+              "The multiplier trees of a frame buffer: worked-out of the coefficients, or stepped adder by adder; "
+              "without it stepped where --probe looks into them")
+      .one_of(evaluator_names(), "evaluator");
   command.flag("--whole", options->whole,
                "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
   command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");

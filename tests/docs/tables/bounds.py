@@ -32,8 +32,11 @@ def scan_line(figures):
               ("`link.width` ideal", "link.width=ideal"), ("`cells.ports` 2", "cells.ports=2"),
               ("`link.width` 128, `cells.ports` 2", "link.width=128", "cells.ports=2"),
               ("`link.width`, `cells.ports` ideal", "link.width=ideal", "cells.ports=ideal"),
+              ("`cells.shift_bits` ideal", "cells.shift_bits=ideal"), ("`cells.shift_bits` 1", "cells.shift_bits=1"),
+              ("`cells.alu_bits` 8", "cells.alu_bits=8"),
+              ("`link.width`, `cells.shift_bits` ideal", "link.width=ideal", "cells.shift_bits=ideal"),
               ("all that may be ideal", *(f"{key}=ideal" for key in (
-                  "link.width", "cells.ports", "memory.clear_clocks", "link.fifo_depth", "link.latency", "host.bucket_clocks",
+                  "link.width", "cells.ports", "cells.alu_bits", "cells.shift_bits", "memory.clear_clocks", "link.fifo_depth", "link.latency", "host.bucket_clocks",
                   "host.active_clocks"))),
               ("`host.bucket_clocks` 400, `host.active_clocks` 160", "host.bucket_clocks=400", "host.active_clocks=160"),
               ("`link.fifo_depth` 1", "link.fifo_depth=1"), ("`link.fifo_depth` 256", "link.fifo_depth=256"),

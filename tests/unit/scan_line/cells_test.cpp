@@ -88,6 +88,7 @@ void carry_out(Cells& cell, const Instruction& instruction, const CellShape& sha
   PacketWord beat = instruction_packet(instruction, shape);
   for (std::uint32_t i = 0; i < beats; ++i) {
     cell.fetch(0, beat);
+    if (beat.number >= beat.accesses.work_from) cell.work(0, beat);
     if (beat.number == beat.accesses.result) cell.act(0, beat);
     if (beat.number >= beat.accesses.result) cell.store(0, beat);
     beat = next_beat(beat, shape);
@@ -201,5 +202,82 @@ TEST_CASE("a packet occupies a cell for its words, or for the reads and then the
     CAPTURE(isa::name_of(row.instruction.opcode));
     CAPTURE(row.shape.ports);
     CHECK(instruction_packet(row.instruction, row.shape).beats == row.beats);
+  }
+}
+
+TEST_CASE("an operand that lies elsewhere is moved word by word, and the ALU goes through the bits as wide as it is") {
+  struct Row {
+    Instruction instruction;
+    CellShape shape;
+    std::uint32_t beats;
+  };
+  const Field low{0, 20};
+  const Field across{24, 20};  // words 0 and 1
+  const Field beyond{68, 20};  // word 2, from its bit 4
+  const isa::Linear plain{.width = 28};
+  const isa::Linear fine{.width = 36, .shift = 8};
+  const std::vector<Row> rows{
+      // Nothing to move, and all bits at once, by halves, and one by one.
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = plain}, {32, 1, 32, 32}, 1},
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = plain}, {32, 1, 16, 32}, 2},
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = plain}, {32, 1, 1, 32}, 28},
+      // Two words come in; the 28 bits above the fraction are moved down by 8 and compared.
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 32, 32}, 1 + 2},
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 32, 3}, 1 + 3 + 1},
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 0, 0}, 2},
+      {{.opcode = Opcode::linear_ge, .fields = {low}, .linear = fine}, {32, 1, 0, 1}, 1 + 8 + 1},
+      // They come to lie in two words, from bit 24 on, 16 bits up.
+      {{.opcode = Opcode::linear_ge, .fields = {across}, .linear = fine}, {32, 1, 32, 32}, 1 + 2 + 1},
+      {{.opcode = Opcode::linear_ge, .fields = {across}, .linear = fine}, {32, 1, 32, 8}, 1 + 4 + 1},
+      // What is moved while the port is not free to write costs nothing.
+      {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 1}}, {32, 1, 32, 32}, 2},
+      {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 1}}, {32, 0, 32, 32}, 2},
+      {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 1}}, {32, 0, 0, 0}, 1},
+      {{.opcode = Opcode::keep_max, .fields = {low}, .linear = {.width = 30, .shift = 5}}, {32, 1, 32, 1}, 6},
+      // The sign of F is its highest bit.
+      {{.opcode = Opcode::edge_negative, .linear = fine}, {32, 1, 1, 1}, 2},
+      {{.opcode = Opcode::stripe, .linear = fine}, {32, 1, 1, 1}, 2},
+      // F + t has as many bits as t, and no more of F are of use.
+      {{.opcode = Opcode::linear_plus, .fields = {Field{0, 8}}, .linear = fine}, {32, 1, 4, 8}, 1 + 1 + 2},
+      // To where the first field lies; two words are read, or three, one after the other.
+      {{.opcode = Opcode::field_lt, .fields = {low, across}}, {32, 1, 32, 32}, 3 + 1},
+      {{.opcode = Opcode::field_lt, .fields = {across, low}}, {32, 1, 32, 32}, 3 + 2},
+      {{.opcode = Opcode::field_lt, .fields = {low, beyond}}, {32, 1, 10, 2}, 2 + 2 + 2 - 1},
+      // All are read, then the second is moved by 4 bits and the third by 24.
+      {{.opcode = Opcode::bit_and, .fields = {low, beyond, across}}, {32, 1, 20, 12}, 3 + 1 + 2 + 1 - 1},
+      {{.opcode = Opcode::copy, .fields = {low, across}}, {32, 1, 1, 12}, 2 + 1},
+      {{.opcode = Opcode::copy, .fields = {low, beyond}}, {32, 1, 1, 1}, 1 + 4 - 1},
+      {{.opcode = Opcode::copy, .fields = {low, Field{64, 20}}}, {32, 1, 1, 1}, 2},
+      // Constants and bits for E lie where they are wanted.
+      {{.opcode = Opcode::set_constant, .fields = {across}, .constant = 1}, {32, 1, 1, 1}, 2},
+      {{.opcode = Opcode::xor_constant, .fields = {across}, .constant = 1}, {32, 1, 10, 1}, 2 + 2},
+      {{.opcode = Opcode::xor_constant, .fields = {across}, .constant = 1}, {32, 1, 5, 1}, 2 + 4 + 2 - 2},
+      {{.opcode = Opcode::enable_load, .fields = {Field{13, 1}}}, {32, 1, 1, 1}, 1},
+      // Trials of 3 to 17 bits, ten of them in a clock.
+      {{.opcode = Opcode::root, .fields = {Field{0, 31}}}, {32, 1, 10, 1}, 1 + 8 + 2 * 7},
+  };
+  for (const Row& row : rows) {
+    CAPTURE(isa::name_of(row.instruction.opcode));
+    CAPTURE(row.shape.alu_bits);
+    CAPTURE(row.shape.shift_bits);
+    CHECK(instruction_packet(row.instruction, row.shape).beats == row.beats);
+  }
+}
+
+TEST_CASE("a cell that acts before its operands have been moved and gone through says so") {
+  const Instruction compare{.opcode = Opcode::linear_ge, .fields = {Field{0, 8}}, .linear = {.width = 12, .shift = 2}};
+  for (const CellShape& shape : {CellShape{.word_bits = 16, .ports = 1, .alu_bits = 4, .shift_bits = 1},
+                                 CellShape{.word_bits = 16, .ports = 1, .alu_bits = 0, .shift_bits = 2},
+                                 CellShape{.word_bits = 16, .ports = 1, .alu_bits = 5, .shift_bits = 0}}) {
+    Cells cell(1, 16, shape);
+    PacketWord beat = instruction_packet(compare, shape);
+    REQUIRE(beat.beats > 1);
+    for (; !beat.last(); beat = next_beat(beat, shape)) {
+      cell.fetch(0, beat);
+      cell.work(0, beat);
+      CHECK_THROWS_AS(cell.act(0, beat), std::logic_error);
+    }
+    cell.work(0, beat);
+    CHECK_NOTHROW(cell.act(0, beat));
   }
 }

@@ -76,7 +76,10 @@ TEST_CASE("a packet of two words acts in cell x one clock after cell x - 1, and 
 TEST_CASE("after random packets, some many words long, every cell holds what the reference holds") {
   CHECK(rc::check([] {
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 70U), 1, *rc::gen::inRange(1U, 100U)};
-    const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U), .ports = *rc::gen::inRange(0U, 6U)};
+    const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U),
+                         .ports = *rc::gen::inRange(0U, 6U),
+                         .alu_bits = *rc::gen::inRange(0U, 40U),
+                         .shift_bits = *rc::gen::inRange(0U, 40U)};
     const auto instructions = *rc::gen::resize(
         20, rc::gen::container<std::vector<Instruction>>(test::arbitrary_instruction(shape, shape.memory_bits, 0)));
     Chain chain(shape.width + 3, shape.memory_bits, cell);

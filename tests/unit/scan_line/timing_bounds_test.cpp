@@ -28,6 +28,8 @@ machines::Machine random_machine() {
   const std::uint32_t width = pick(1, 20);
   const Figures figures{.words = pick(1, 64),
                         .word_bits = pick(1, 62),
+                        .alu_bits = pick(0, 64),
+                        .shift_bits = pick(0, 64),
                         .ports = pick(0, 4),
                         .chains = pick(1, 4),
                         .bucket_clocks = pick(0, 9),
@@ -73,6 +75,7 @@ struct Busy {
   std::vector<std::uint64_t> refreshes;
   std::uint64_t commands = 0;
   std::uint64_t words = 0;
+  std::uint64_t work = 0;  ///< of shifters and ALUs, at most
 };
 
 /// Of an instruction in each cell, at least.
@@ -83,6 +86,15 @@ std::uint64_t least_clocks(const Instruction& instruction, const Figures& figure
   if (figures.ports == 0) return words;
   const MemoryWords memory = memory_words(instruction, figures.word_bits);
   return std::max(words, (memory.read + memory.written + figures.ports - 1) / figures.ports);
+}
+
+/// Of shifter and ALU, at most: two operands, with the words at their ends, by a bit after the other; a bit of the sum
+/// after the other, or a trial for each bit of a root.
+std::uint64_t most_work(const Instruction& instruction, const Figures& figures) {
+  std::uint64_t bits = instruction.linear.width;
+  for (const isa::Field& field : instruction.fields) bits = std::max<std::uint64_t>(bits, field.width);
+  const std::uint64_t words = bits / figures.word_bits + 2;
+  return 2 * words * figures.word_bits + (instruction.opcode == Opcode::root ? bits * bits : bits);
 }
 
 Busy least(const isa::Program& program, const machines::Machine& machine) {
@@ -106,6 +118,7 @@ Busy least(const isa::Program& program, const machines::Machine& machine) {
     for (const Instruction& instruction : segment.instructions) {
       send(instruction);
       busy.entries[chain] += least_clocks(instruction, figures);
+      busy.work += most_work(instruction, figures);
     }
     send(isa::SegmentEnd{});
     busy.refreshes[chain] += program.shape.width;
@@ -144,8 +157,8 @@ TEST_CASE("a frame takes no less than its busiest part, and no more than all of 
     // Reads and then writes, each in whole clocks, are a clock more than both together at most; a word is a clock in a
     // FIFO of one place and one in the receiver; a command is taken in a clock of its own; a mark's colour is read.
     const std::uint64_t handling = 3 * busy.commands + 2 * busy.words + 32 * lines + 10;
-    RC_ASSERT(clocks <= host + sum(busy.links) + machine.link.latency * figures.chains + sum(busy.entries) + handling +
-                            (lines + 2) * width);
+    RC_ASSERT(clocks <= host + sum(busy.links) + machine.link.latency * figures.chains + sum(busy.entries) + busy.work +
+                            handling + (lines + 2) * width);
   }));
 }
 
@@ -176,7 +189,7 @@ TEST_CASE("every part accounts for every clock of the frame") {
   }));
 }
 
-TEST_CASE("a better link, more ports and a faster host never cost clocks") {
+TEST_CASE("a better link, more ports, wider ALUs and shifters and a faster host never cost clocks") {
   CHECK(rc::check([] {
     const machines::Machine machine = random_machine();
     const isa::Program program = *test::arbitrary_program_in_parts(machine, 12);
@@ -197,6 +210,14 @@ TEST_CASE("a better link, more ports and a faster host never cost clocks") {
       figures.ports = figures.ports == 0 ? 0 : more(figures.ports, 70);
     });
     improve([&](machines::Machine&, Figures& figures) { figures.ports = 0; });
+    improve([&](machines::Machine&, Figures& figures) {
+      figures.alu_bits = figures.alu_bits == 0 ? 0 : more(figures.alu_bits, 64);
+    });
+    improve([&](machines::Machine&, Figures& figures) { figures.alu_bits = 0; });
+    improve([&](machines::Machine&, Figures& figures) {
+      figures.shift_bits = figures.shift_bits == 0 ? 0 : more(figures.shift_bits, 64);
+    });
+    improve([&](machines::Machine&, Figures& figures) { figures.shift_bits = 0; });
     improve([&](machines::Machine&, Figures& figures) { figures.bucket_clocks = fewer(0, figures.bucket_clocks); });
     improve([&](machines::Machine&, Figures& figures) { figures.active_clocks = fewer(0, figures.active_clocks); });
     improve([&](machines::Machine&, Figures& figures) {

@@ -1,0 +1,210 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <deque>
+#include <numeric>
+#include <random>
+#include <vector>
+
+#include "hw/array/linear_evaluator.h"
+#include "hw/array/pixel_array.h"
+#include "hw/array/sequencer.h"
+#include "hw/array/stepped_evaluator.h"
+#include "hw/isa/instruction.h"
+#include "tests/support/random_program.h"
+
+namespace {
+
+using namespace csgsim;
+using array::LevelProbe;
+using array::Place;
+using array::PlaneShape;
+using array::RootBits;
+
+constexpr std::uint16_t widest = isa::max_linear_width;
+
+/// Streams of those widths, their bits at random, one after the other or with clocks between.
+class Streams {
+ public:
+  Streams(const std::vector<std::uint16_t>& widths, unsigned degree, std::uint64_t seed)
+      : widths_(widths.begin(), widths.end()), degree_(degree), random_(seed) {}
+
+  [[nodiscard]] bool over() const { return left_ == 0 && widths_.empty(); }
+
+  RootBits next() {
+    if (left_ == 0 && widths_.empty()) return {};
+    if (left_ == 0) {
+      if (random_() % 3 == 0) return {};
+      left_ = widths_.front();
+      widths_.pop_front();
+      bit_ = 0;
+      squares_ = degree_ > 1 && random_() % 3 > 0;
+    }
+    --left_;
+    const std::uint64_t random = random_();
+    const auto is_set = [&](unsigned i) { return (random >> i & 1U) != 0; };
+    return {
+        {bit_++}, is_set(0), is_set(1), is_set(2), squares_ && is_set(3), squares_ && is_set(4), squares_ && is_set(5)};
+  }
+
+ private:
+  std::deque<std::uint16_t> widths_;
+  unsigned degree_;
+  std::mt19937_64 random_;
+  unsigned left_ = 0;
+  bool squares_ = false;
+  std::int16_t bit_ = 0;
+};
+
+bool same(const LevelProbe& stepped, const LevelProbe& worked_out, unsigned degree) {
+  if (stepped.token != worked_out.token) return false;
+  if (!stepped.token.active()) return true;
+  if (stepped.stream != worked_out.stream || stepped.carry != worked_out.carry) return false;
+  return degree < 2 || (stepped.slope == worked_out.slope && stepped.slope_carry == worked_out.slope_carry &&
+                        stepped.step_carry == worked_out.step_carry && stepped.row_slope == worked_out.row_slope &&
+                        stepped.row_slope_carry == worked_out.row_slope_carry);
+}
+
+/// Whether both have the same until the last bit has reached the pixels. `pixels`: those that are built; none: all.
+bool agree(PlaneShape shape, unsigned degree, const std::vector<Place>& pixels, const std::vector<Place>& probed,
+           Streams streams) {
+  array::LinearEvaluator worked_out(shape);
+  array::SteppedEvaluator stepped(shape, degree, pixels);
+  array::Words bits(stepped.leaf_words());
+  array::StreamBit expected;
+  const PlaneShape built = pixels.empty() ? shape : PlaneShape{static_cast<std::uint32_t>(pixels.size()), 1};
+  bool same_so_far = true;
+  while (same_so_far && (!streams.over() || worked_out.any_active())) {
+    const RootBits root = streams.next();
+    for (const Place place : probed) {
+      for (unsigned k = 0; k <= worked_out.x_levels(); ++k)
+        same_so_far &= same(stepped.x_level(k, place.x, root), worked_out.x_level(k, place.x, root), degree);
+      for (unsigned k = 0; k <= worked_out.y_levels(); ++k)
+        same_so_far &= same(stepped.y_level(k, place, root), worked_out.y_level(k, place, root), degree);
+    }
+    const bool reached = worked_out.clock(root, expected);
+    const array::Token token = stepped.clock(root, bits);
+    same_so_far &= token.active() == reached && stepped.any_active() == worked_out.any_active();
+    if (!reached) continue;
+    same_so_far &= token == expected.token;
+    for (std::uint32_t y = 0; y < built.height; ++y) {
+      for (std::uint32_t x = 0; x < built.width; ++x)
+        same_so_far &= array::bit_of(bits, built, x, y) == expected.at(pixels.empty() ? Place{x, y} : pixels[x]);
+    }
+  }
+  return same_so_far;
+}
+
+std::vector<Place> any_places(PlaneShape shape, std::size_t most) {
+  std::vector<Place> places(*rc::gen::inRange<std::size_t>(1, most + 1));
+  for (Place& place : places) place = {*rc::gen::inRange(0U, shape.width), *rc::gen::inRange(0U, shape.height)};
+  return places;
+}
+
+std::vector<std::uint16_t> any_widths(std::size_t count) {
+  std::vector<std::uint16_t> widths(count);
+  for (std::uint16_t& width : widths) width = *rc::gen::inRange<std::uint16_t>(1, widest + 1);
+  return widths;
+}
+
+PlaneShape any_shape() { return {*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)}; }
+
+}  // namespace
+
+TEST_CASE("stepped trees bring every pixel what is worked out, in the same clocks, and hold it at every level") {
+  for (const unsigned degree : {1U, 2U}) {
+    CAPTURE(degree);
+    CHECK(rc::check([degree] {
+      const PlaneShape shape = any_shape();
+      RC_ASSERT(agree(shape, degree, {}, any_places(shape, 3),
+                      Streams(any_widths(3), degree, *rc::gen::arbitrary<std::uint64_t>())));
+    }));
+  }
+}
+
+TEST_CASE("stepped trees of some pixels bring these, side by side, what they bring them in the whole array") {
+  for (const unsigned degree : {1U, 2U}) {
+    CAPTURE(degree);
+    CHECK(rc::check([degree] {
+      const PlaneShape shape = any_shape();
+      const std::vector<Place> pixels = any_places(shape, 70);
+      RC_ASSERT(agree(shape, degree, pixels, {pixels.front(), pixels.back()},
+                      Streams(any_widths(3), degree, *rc::gen::arbitrary<std::uint64_t>())));
+    }));
+  }
+}
+
+TEST_CASE("streams of every width go through trees of every depth, with neither, one and both of them") {
+  std::vector<std::uint16_t> every(widest);
+  std::iota(every.begin(), every.end(), std::uint16_t{1});
+  for (const unsigned degree : {1U, 2U}) {
+    for (const PlaneShape shape : {PlaneShape{1, 1}, PlaneShape{1, 2}, PlaneShape{2, 1}, PlaneShape{5, 3},
+                                   PlaneShape{1, 33}, PlaneShape{64, 1}, PlaneShape{65, 9}}) {
+      CAPTURE(degree);
+      CAPTURE(shape.width);
+      CAPTURE(shape.height);
+      const Place last{shape.width - 1, shape.height - 1};
+      CHECK(agree(shape, degree, {}, {last}, Streams(every, degree, 1)));
+    }
+  }
+}
+
+TEST_CASE("pixels that are brought bits do what those do that are brought coefficients, whether enabled or not") {
+  CHECK(rc::check([] {
+    constexpr std::uint32_t memory_bits = 40;
+    const isa::ArrayShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 30U), memory_bits};
+    const auto alu_bits = *rc::gen::inRange(1U, 4U);
+    const PlaneShape plane{shape.width, shape.height};
+    array::PixelArray by_coefficients(shape, alu_bits);
+    array::PixelArray by_bits(shape, alu_bits);
+    array::Sequencer sequencer(*rc::gen::inRange(1U, 3U), alu_bits);
+    array::Words bits(plane.padded_words());
+    array::StreamBit tree;
+    for (int n = 0; n < 15; ++n) {
+      const isa::Instruction one = *test::arbitrary_instruction(shape, memory_bits, 0);
+      sequencer.begin(one);
+      while (sequencer.busy()) {
+        const array::BitStep step = sequencer.issue();
+        if (step.root.token.active()) {
+          tree = {.token = step.root.token,
+                  .a = static_cast<std::uint64_t>(one.linear.a),
+                  .b = static_cast<std::uint64_t>(one.linear.b),
+                  .c = static_cast<std::uint64_t>(one.linear.c)};
+          std::fill(bits.begin(), bits.end(), 0);
+          for (std::uint32_t y = 0; y < shape.height; ++y) {
+            for (std::uint32_t x = 0; x < shape.width; ++x)
+              bits[plane.word_of(x, y)] |= std::uint64_t{tree.at({x, y})} << (x % array::word_bits);
+          }
+        }
+        by_coefficients.step(step.pixels, tree);
+        by_bits.step_with(bits, step.pixels);
+      }
+      if (*rc::gen::inRange(0, 2) > 0) continue;
+      for (std::uint32_t y = 0; y < shape.height; ++y) {
+        for (std::uint32_t x = 0; x < shape.width; ++x) {
+          const array::PixelProbe expected = by_coefficients.probe(x, y, tree);
+          const array::PixelProbe found = by_bits.probe(x, y, tree);
+          RC_ASSERT(found.carry == expected.carry);
+          RC_ASSERT(found.enable == expected.enable);
+          RC_ASSERT(found.flag == expected.flag);
+          RC_ASSERT(found.latch == expected.latch);
+        }
+      }
+      for (std::uint32_t bit = 0; bit < memory_bits; ++bit)
+        RC_ASSERT(by_bits.memory(bit) == by_coefficients.memory(bit));
+    }
+  }));
+}
+
+TEST_CASE("trees as deep as those of the largest arrays are stepped alike") {
+  for (const unsigned degree : {1U, 2U}) {
+    CHECK(rc::check([degree] {
+      const PlaneShape shape{*rc::gen::inRange(1000U, isa::max_array_side + 1),
+                             *rc::gen::inRange(1000U, isa::max_array_side + 1)};
+      const std::vector<Place> pixels = any_places(shape, 2);
+      RC_ASSERT(agree(shape, degree, pixels, pixels, Streams({widest}, degree, *rc::gen::arbitrary<std::uint64_t>())));
+    }));
+  }
+}
