@@ -282,10 +282,11 @@ extern const StudyRow explore_row{
         "front that is nearest to the best of each axis at once: on each the logarithm is stretched from 0, the least "
         "of\n"
         "the front, to 1, its greatest, and the sum of squares is least. Unless somebody says how many memory bits a\n"
-        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv at once; "
+        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv soon; "
         "the\n"
         "same command goes on after an interruption, and with other values measures what is new.",
     .plots = "plots (.png, .svg) of each model's front and of that of all",
+    .is_quick = true,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Explore>()); }};
 
 }  // namespace csgsim::studies
