@@ -194,6 +194,8 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
   misused(command + " --vary strategy=auto", "strategy");
   misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is set besides");
   misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "said twice");
+  misused(command + " --vary array.width=48,64", "an option says otherwise than array.width=64");
+  misused(command + " --vary array.memory_bits=72,96 --vary memory-bits=80", "an option says otherwise");
   misused(command + " --vary alu.bits=1,2 --axes tim", "did you mean time");
   misused(command + " --vary alu.bits=1,2 --points 100000", "--points");
   CHECK(folder.files() == 0);
