@@ -134,8 +134,8 @@ TEST_CASE("the shards of explore are joined to what one process makes") {
   const std::string command =
       "explore " + model("old_example011") + " " + model("sphere") + small + vary + " --no-plots";
   REQUIRE(run(command + " -o " + (folder / "whole")).code == 0);
-  for (const std::string shard : {"1/3", "2/3", "3/3"})
-    REQUIRE(run(command + " --shard " + shard + " -o " + (folder / "parts")).code == 0);
+  const std::string in_parts = command + " -o " + (folder / "parts") + " --shard ";
+  for (const char* const shard : {"1/3", "2/3", "3/3"}) REQUIRE(run(in_parts + shard).code == 0);
   REQUIRE(run("gather " + (folder / "parts") + " --no-plots").code == 0);
   for (const char* const file : {"explore.csv", "explore.json"})
     CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));

@@ -80,12 +80,13 @@ report::Table front_table(const report::Json& data, std::size_t number) {
   for (const report::Json& axis : group["axes"]) table.columns.push_back(axis.get<std::string>());
   for (std::size_t i = 0; i < group["front"].size(); ++i) {
     const report::Json& one = group["front"][i];
-    const std::string place = at + "/front/" + std::to_string(i);
+    const std::string design = fmt::format("{}/front/{}/design", at, i);
+    const std::string values = fmt::format("{}/front/{}/values", at, i);
     const bool is_knee = one["design"] == group["knee"]["design"];
     report::Row row{report::Cell{is_knee ? "knee" : ""}};
-    for (const std::string& key : keys) row.push_back(report::cell(data, place + "/design/" + key));
+    for (const std::string& key : keys) row.push_back(report::cell(data, report::child(design, key)));
     for (const report::Json& axis : group["axes"])
-      row.push_back(report::cell(data, place + "/values/" + axis.get<std::string>()));
+      row.push_back(report::cell(data, report::child(values, axis.get<std::string>())));
     table.rows.push_back(std::move(row));
   }
   return table;
