@@ -132,7 +132,7 @@ class Explore : public StudyOf<ExploreRow> {
     return explore_json(title, rows(), groups_);
   }
 
-  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(rows(), groups_); }
+  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(groups_); }
 
   [[nodiscard]] std::string page_title() const override { return "The design space"; }
 

@@ -7,9 +7,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "hw/base/error.h"
+#include "sim/plots/plot.h"
 #include "sim/shell/usage.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/front.h"
@@ -268,4 +271,33 @@ TEST_CASE("designs are called by what varies among them") {
   const studies::DesignNames names(rows);
   CHECK(names.keys() == std::vector<std::string>{"alu.bits", "z-bits"});
   CHECK(names.text(rows[1].point) == "alu.bits=4, z-bits=12");
+}
+
+TEST_CASE("a plot has every design once a panel, on the front or not, the front of its two axes, and the knee") {
+  const std::vector<ExploreRow> rows{row("a/m.csg", "a", 10, 100, 0), row("a/m.csg", "b", 20, 200, 4),
+                                     row("a/m.csg", "c", 5, 300, 0), row("a/m.csg", "d", 40, 150, 9)};
+  std::vector<studies::ShownGroup> shown;
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::axes_in("time,memory,wrong")))
+    shown.push_back({std::move(group), {}});
+  const std::vector<plots::Plot> plots = studies::plots_of_explore(shown);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots[0].name == "m_front");
+  const auto& chart = std::get<plots::Chart>(plots[0].content);
+  REQUIRE(chart.panels.size() == 2);
+  const auto points = [&](const std::string& name, std::size_t panel) {
+    std::vector<std::pair<double, double>> found;
+    for (const plots::Series& series : chart.series) {
+      if (series.name != name || series.panel != panel) continue;
+      for (const plots::Point& point : series.points) found.emplace_back(point.x, point.y);
+    }
+    return found;
+  };
+  using Points = std::vector<std::pair<double, double>>;
+  // d is faster and smaller than b, but more wrong; c is beaten by a.
+  CHECK(points("Pareto front", 0) == Points{{100, 100}, {50, 200}, {25, 150}});
+  CHECK(points("another is better", 0) == Points{{200, 300}});
+  CHECK(points("front of the two axes", 0) == Points{{25, 150}, {100, 100}});
+  CHECK(points("front of the two axes", 1) == Points{{25, 9}, {50, 4}, {100, 0}});
+  CHECK(points("knee", 0).size() == 1);
+  CHECK(points("knee", 1).size() == 1);
 }
