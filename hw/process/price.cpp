@@ -79,8 +79,8 @@ double pixel_path(const Machine& machine, const Process& process) {
 /// Flip-flops of a pixel and its node (docs/area.md, "Logic").
 double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
-  const double node = machine.evaluator_degree == 1 ? 3 : 8;
-  return 3 + operand_latch + node;
+  const double flag_and_node = machine.evaluator_degree == 1 ? 3 : 1 + 8;
+  return 3 + operand_latch + flag_and_node;
 }
 
 /// Joules of a pixel in a clock.

@@ -134,8 +134,8 @@ TEST_CASE("the shards of explore are joined to what one process makes") {
   const std::string command =
       "explore " + model("old_example011") + " " + model("sphere") + small + vary + " --no-plots";
   REQUIRE(run(command + " -o " + (folder / "whole")).code == 0);
-  for (const std::string shard : {"1/3", "2/3", "3/3"})
-    REQUIRE(run(command + " --shard " + shard + " -o " + (folder / "parts")).code == 0);
+  const std::string in_parts = command + " -o " + (folder / "parts") + " --shard ";
+  for (const char* const shard : {"1/3", "2/3", "3/3"}) REQUIRE(run(in_parts + shard).code == 0);
   REQUIRE(run("gather " + (folder / "parts") + " --no-plots").code == 0);
   for (const char* const file : {"explore.csv", "explore.json"})
     CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));
@@ -194,6 +194,8 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
   misused(command + " --vary strategy=auto", "strategy");
   misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is set besides");
   misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "said twice");
+  misused(command + " --vary array.width=48,64", "an option says otherwise than array.width=64");
+  misused(command + " --vary array.memory_bits=72,96 --vary memory-bits=80", "an option says otherwise");
   misused(command + " --vary alu.bits=1,2 --axes tim", "did you mean time");
   misused(command + " --vary alu.bits=1,2 --points 100000", "--points");
   CHECK(folder.files() == 0);

@@ -41,7 +41,7 @@ void show(const std::vector<studies::ExploreRow>& rows) {
   std::vector<studies::ShownGroup> groups;
   for (studies::ExploreGroup& group : studies::groups_of(rows, studies::explore_axes()))
     groups.push_back({std::move(group), {}});
-  lay_out(studies::plots_of_explore(rows, groups));
+  lay_out(studies::plots_of_explore(groups));
   static_cast<void>(studies::explore_json("", rows, groups));
 }
 

@@ -113,26 +113,56 @@ std::vector<std::string> values_in(const std::string& word) {
                                          fmt::join(varied_options(), ", "), nearest(dimension.key, known)));
 }
 
-/// Each key has to be known, once, and each value possible by itself.
-void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
-  const machines::Machine machine = machine_of(base);
+const machines::FigureSchema* figure_of(const machines::Machine& machine, std::string_view key) {
+  const auto found = std::ranges::find(machine.kind->schema, key, &machines::FigureSchema::key);
+  return found == machine.kind->schema.end() ? nullptr : &*found;
+}
+
+/// The design has that value, whatever the others are; what is wrong with it is wrong with --vary.
+ModelOptions varied_once(const ModelOptions& base, const std::string& key, const std::string& value) {
+  ModelOptions one = base;
+  const auto fail = [&](const char* why) { throw UsageError("--vary " + printable(key), why); };
+  try {
+    vary(one, key, value);
+    static_cast<void>(machine_of(one));
+  } catch (const InputError& error) {
+    fail(error.what());
+  } catch (const UsageError& error) {
+    fail(error.what());
+  }
+  return one;
+}
+
+/// Each key has to be known, once.
+void check_keys(const machines::Machine& machine, std::span<const Dimension> dimensions) {
   std::set<std::string> keys;
   for (const Dimension& dimension : dimensions) {
-    const std::string& key = dimension.key;
-    const bool is_figure = std::ranges::any_of(machine.kind->schema,
-                                               [&](const machines::FigureSchema& figure) { return figure.key == key; });
-    if (!is_figure && varied_option(key) == nullptr) fail_key(dimension, machine);
-    if (!keys.insert(key).second) throw UsageError("--vary", "'" + key + "' is said twice; give all values at once");
+    if (figure_of(machine, dimension.key) == nullptr && varied_option(dimension.key) == nullptr)
+      fail_key(dimension, machine);
+    if (!keys.insert(dimension.key).second)
+      throw UsageError("--vary", "'" + dimension.key + "' is said twice; give all values at once");
+  }
+}
+
+/// Each value has to be possible by itself, and a figure's may not be what an option says otherwise: --size, or
+/// --memory-bits.
+void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
+  const machines::Machine machine = machine_of(base);
+  check_keys(machine, dimensions);
+  ModelOptions with_options = base;
+  for (const Dimension& dimension : dimensions) {
+    if (varied_option(dimension.key) == nullptr) continue;
+    for (const std::string& value : dimension.values) varied_once(base, dimension.key, value);
+    vary(with_options, dimension.key, dimension.values.front());
+  }
+  for (const Dimension& dimension : dimensions) {
+    const machines::FigureSchema* const figure = figure_of(machine, dimension.key);
+    if (figure == nullptr) continue;
     for (const std::string& value : dimension.values) {
-      ModelOptions one = base;
-      try {
-        vary(one, key, value);
-        static_cast<void>(machine_of(one));
-      } catch (const InputError& error) {
-        throw UsageError("--vary " + printable(key), error.what());
-      } catch (const UsageError& error) {
-        throw UsageError("--vary " + printable(key), error.what());
-      }
+      const ModelOptions one = varied_once(with_options, dimension.key, value);
+      if (figure->load(machine_of(one)) != figure->load(kinds::load(one.machine)))
+        throw UsageError("--vary", fmt::format("an option says otherwise than {}={}; leave out --size, --memory-bits",
+                                               dimension.key, value));
     }
   }
 }

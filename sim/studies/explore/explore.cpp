@@ -80,12 +80,13 @@ report::Table front_table(const report::Json& data, std::size_t number) {
   for (const report::Json& axis : group["axes"]) table.columns.push_back(axis.get<std::string>());
   for (std::size_t i = 0; i < group["front"].size(); ++i) {
     const report::Json& one = group["front"][i];
-    const std::string place = at + "/front/" + std::to_string(i);
+    const std::string design = fmt::format("{}/front/{}/design", at, i);
+    const std::string values = fmt::format("{}/front/{}/values", at, i);
     const bool is_knee = one["design"] == group["knee"]["design"];
     report::Row row{report::Cell{is_knee ? "knee" : ""}};
-    for (const std::string& key : keys) row.push_back(report::cell(data, place + "/design/" + key));
+    for (const std::string& key : keys) row.push_back(report::cell(data, report::child(design, key)));
     for (const report::Json& axis : group["axes"])
-      row.push_back(report::cell(data, place + "/values/" + axis.get<std::string>()));
+      row.push_back(report::cell(data, report::child(values, axis.get<std::string>())));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -131,7 +132,7 @@ class Explore : public StudyOf<ExploreRow> {
     return explore_json(title, rows(), groups_);
   }
 
-  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(rows(), groups_); }
+  [[nodiscard]] std::vector<plots::Plot> plots() const override { return plots_of_explore(groups_); }
 
   [[nodiscard]] std::string page_title() const override { return "The design space"; }
 
@@ -282,10 +283,11 @@ extern const StudyRow explore_row{
         "front that is nearest to the best of each axis at once: on each the logarithm is stretched from 0, the least "
         "of\n"
         "the front, to 1, its greatest, and the sum of squares is least. Unless somebody says how many memory bits a\n"
-        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv at once; "
+        "pixel has, each design has as many as its Program takes. What has been measured is in explore.csv soon; "
         "the\n"
         "same command goes on after an interruption, and with other values measures what is new.",
     .plots = "plots (.png, .svg) of each model's front and of that of all",
+    .is_quick = true,
     .make = [] { return std::unique_ptr<Study>(std::make_unique<Explore>()); }};
 
 }  // namespace csgsim::studies

@@ -155,7 +155,7 @@ std::string render_command(const ExploreOptions& options, const Command& command
                            std::uint32_t memory_bits, const std::string& picture) {
   const ExplorePoint& point = row.point;
   std::string text = "csgsim render " + shell_word(named(options.models, point.model)) + given_words(options, command);
-  const std::string clock = point.process.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
+  const std::string clock = row.clock_path.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
   text += shell_words("machine", point.machine + clock);
   text += fmt::format(" --size {}x{} --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {}",
                       point.width, point.height, memory_bits, point.z_bits, point.fraction_bits, point.colour_bits,

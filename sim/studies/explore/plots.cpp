@@ -52,7 +52,7 @@ void add_panel(const Panel& panel, plots::Chart& chart) {
 
 }  // namespace
 
-std::vector<plots::Plot> plots_of_explore(std::span<const ExploreRow> /*rows*/, std::span<const ShownGroup> groups) {
+std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups) {
   std::vector<plots::Plot> all;
   std::map<std::string, unsigned> uses;
   for (const ShownGroup& shown : groups) {

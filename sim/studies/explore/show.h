@@ -42,6 +42,6 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
 
 /// Of each group of two axes or more the first of them against each other one: all designs, those of the front, the
 /// front of these two axes alone, and the knee.
-std::vector<plots::Plot> plots_of_explore(std::span<const ExploreRow> rows, std::span<const ShownGroup> groups);
+std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups);
 
 }  // namespace csgsim::studies

@@ -161,6 +161,13 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
   const machines::Resources buffered{4096, 4096 * 64 + 1000};
   CHECK(process::machine_mm2(machine, buffered, one) == doctest::Approx(4096 * 1060e-6 + shared + 1000 * 3e-6));
+  const auto squares = [&](const std::string& changes) {
+    const machines::Machine several = kinds::load("pixel-planes-5" + changes);
+    return *process::machine_mm2(several, {4096, 4096 * several.array.memory_bits}, one);
+  };
+  const machines::Link link = kinds::load("pixel-planes-5").link;
+  const double of_one = (35'966 + link.fifo_depth * link.width * 18'666.0 / 512) * 2e-6;
+  CHECK(squares("+renderers.count=4") - squares("+renderers.count=1") == doctest::Approx(3 * of_one));
 }
 
 TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw while it lasts") {
@@ -169,10 +176,24 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   // Two ports of a bit, each 40 aJ times the tenth that the memory's side is; two adder bits; 3 + 1 + 3 registers; two
   // streams over the pixel's pitch.
   const double clock = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + 7 * 2 + 2 * 7 * std::sqrt(1060e-6));
+  // Of numbers as small as these Approx compares no ratio.
+  const auto part_of = [&](const std::string& changes, const process::FrameWork& work, double joules) {
+    return *process::frame_joules(small_machine(changes), pixels, work, one) / joules;
+  };
+  CHECK(part_of("", {1000, 0}, 1000 * clock) == doctest::Approx(1));
+  // Two reads: a port more, two transistors more a bit, 298 + 90 of logic, and no operand latch.
+  const double two_reads = 1e-18 * (3 * 40 * 0.1 + 2 * 5 + 6 * 2 + 2 * 7 * std::sqrt(388 * 2e-6 + 64 * 5e-6));
+  CHECK(part_of("+memory.reads=2", {1000, 0}, 1000 * two_reads) == doctest::Approx(1));
+  // Four bits: each port and the ALU are as wide, and so is the operand latch.
+  const double four_bits =
+      1e-18 * (2 * 4 * 40 * 0.1 + 5 * 5 + 10 * 2 + 2 * 7 * std::sqrt((1068 + 90) * 2e-6 + 64 * 3e-6));
+  CHECK(part_of("+alu.bits=4", {1000, 0}, 1000 * four_bits) == doctest::Approx(1));
+  // Degree 2: three adders, eight flip-flops and four streams a node, and a flag at the pixel.
+  const double squares = 1e-18 * (2 * 40 * 0.1 + 4 * 5 + 13 * 2 + 4 * 7 * std::sqrt((392 + 258) * 2e-6 + 64 * 3e-6));
+  CHECK(part_of("+evaluator.degree=2", {1000, 0}, 1000 * squares) == doctest::Approx(1));
   const double gates = (4096 * 434 + 35'966 + 18'666) / 4.0;
-  CHECK(process::frame_joules(small_machine(), pixels, {1000, 0}, one) == doctest::Approx(1000 * clock));
-  CHECK(process::frame_joules(small_machine(), pixels, {1000, 2}, one) ==
-        doctest::Approx(1000 * clock + gates * 4e-12 * 2));
+  CHECK(part_of("", {1000, 2}, 1000 * clock + gates * 4e-12 * 2) == doctest::Approx(1));
+  CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));
 }
 
 TEST_CASE("pixel clocks are those of what is carried out, at each pixel of its region") {

@@ -7,9 +7,12 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "hw/base/error.h"
+#include "sim/plots/plot.h"
 #include "sim/shell/usage.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/front.h"
@@ -75,14 +78,14 @@ std::string key_wrong(const std::vector<studies::Dimension>& dimensions, const s
 }  // namespace
 
 TEST_CASE("the front is what no other beats, as holding each against each finds it") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const auto axes = *rc::gen::inRange<std::size_t>(1, 5);
     const auto candidates = *rc::gen::container<std::vector<Values>>(
         rc::gen::container<Values>(axes, rc::gen::map(rc::gen::inRange(0, 6), [](int i) { return double(i); })));
     const std::vector<bool> front = studies::pareto_of(candidates);
     RC_ASSERT(front.size() == candidates.size());
     for (std::size_t i = 0; i < candidates.size(); ++i) RC_ASSERT(front[i] != is_beaten(candidates, i));
-  });
+  }));
 }
 
 TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms stretched over the front") {
@@ -98,11 +101,15 @@ TEST_CASE("the knee is the one nearest to the best of each axis, in logarithms s
   CHECK(studies::knee_of(alike, studies::pareto_of(alike), time_memory) == 0);
   // 0 wrong pixels: log(1 + n) is 0, log 10, log 100.
   const std::vector<Values> pixels{{1, 99}, {10, 9}, {100, 0}};
-  CHECK(studies::knee_of(pixels, studies::pareto_of(pixels), studies::axes_in("time,wrong")) == 1);
+  const std::vector<studies::ExploreAxis> time_wrong = studies::axes_in("time,wrong");
+  CHECK(studies::knee_of(pixels, studies::pareto_of(pixels), time_wrong) == 1);
+  // log 2 / log 100 is 0.15, log 22.7 / log 100 is 0.68: 0.483, less than 0.5 of (10, 9).
+  const std::vector<Values> near{{1, 99}, {10, 9}, {22.7, 1}, {100, 0}};
+  CHECK(studies::knee_of(near, studies::pareto_of(near), time_wrong) == 2);
 }
 
 TEST_CASE("the knee is on the front, wherever it is, and units do not matter to it") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const auto axes = studies::axes_in("time,memory,area");
     const auto candidates = *rc::gen::nonEmpty(rc::gen::container<std::vector<Values>>(
         rc::gen::container<Values>(3, rc::gen::map(rc::gen::inRange(1, 50), [](int i) { return double(i); }))));
@@ -131,13 +138,13 @@ TEST_CASE("the knee is on the front, wherever it is, and units do not matter to 
     RC_ASSERT(std::abs(distance(*knee) - distance(*again)) < 1e-9);
     for (std::size_t i = 0; i < candidates.size(); ++i)
       if (front[i]) RC_ASSERT(distance(*knee) < distance(i) + 1e-9);
-  });
+  }));
 }
 
 TEST_CASE("a sample has no cell twice, a longer one begins with it, and the longest has all") {
-  rc::check([] {
-    const auto sizes = *rc::gen::nonEmpty(
-        rc::gen::resize(5, rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(1, 6))));
+  CHECK(rc::check([] {
+    const auto axes = *rc::gen::inRange<std::size_t>(1, 6);
+    const auto sizes = *rc::gen::container<std::vector<std::size_t>>(axes, rc::gen::inRange<std::size_t>(1, 6));
     const auto seed = *rc::gen::arbitrary<std::uint32_t>();
     std::size_t all = 1;
     for (const std::size_t size : sizes) all *= size;
@@ -151,7 +158,7 @@ TEST_CASE("a sample has no cell twice, a longer one begins with it, and the long
     }
     const std::vector<Cell> fewer = cells_of(sizes, seed, all / 2);
     RC_ASSERT(std::equal(fewer.begin(), fewer.end(), cells.begin()));
-  });
+  }));
 }
 
 TEST_CASE("a sample has each value of each axis about as often, and another seed has other cells") {
@@ -264,4 +271,33 @@ TEST_CASE("designs are called by what varies among them") {
   const studies::DesignNames names(rows);
   CHECK(names.keys() == std::vector<std::string>{"alu.bits", "z-bits"});
   CHECK(names.text(rows[1].point) == "alu.bits=4, z-bits=12");
+}
+
+TEST_CASE("a plot has every design once a panel, on the front or not, the front of its two axes, and the knee") {
+  const std::vector<ExploreRow> rows{row("a/m.csg", "a", 10, 100, 0), row("a/m.csg", "b", 20, 200, 4),
+                                     row("a/m.csg", "c", 5, 300, 0), row("a/m.csg", "d", 40, 150, 9)};
+  std::vector<studies::ShownGroup> shown;
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::axes_in("time,memory,wrong")))
+    shown.push_back({std::move(group), {}});
+  const std::vector<plots::Plot> plots = studies::plots_of_explore(shown);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots[0].name == "m_front");
+  const auto& chart = std::get<plots::Chart>(plots[0].content);
+  REQUIRE(chart.panels.size() == 2);
+  const auto points = [&](const std::string& name, std::size_t panel) {
+    std::vector<std::pair<double, double>> found;
+    for (const plots::Series& series : chart.series) {
+      if (series.name != name || series.panel != panel) continue;
+      for (const plots::Point& point : series.points) found.emplace_back(point.x, point.y);
+    }
+    return found;
+  };
+  using Points = std::vector<std::pair<double, double>>;
+  // d is faster and smaller than b, but more wrong; c is beaten by a.
+  CHECK(points("Pareto front", 0) == Points{{100, 100}, {50, 200}, {25, 150}});
+  CHECK(points("another is better", 0) == Points{{200, 300}});
+  CHECK(points("front of the two axes", 0) == Points{{25, 150}, {100, 100}});
+  CHECK(points("front of the two axes", 1) == Points{{25, 9}, {50, 4}, {100, 0}});
+  CHECK(points("knee", 0).size() == 1);
+  CHECK(points("knee", 1).size() == 1);
 }
