@@ -230,7 +230,7 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::linear_plus:
     case Opcode::linear_minus: return write(alu.value());
     case Opcode::global_or:
-    case Opcode::skip_if_none: return enable(e);
+    case Opcode::skip_if_none:
     case Opcode::squares: return enable(e);
     case Opcode::root: return write(first);
   }

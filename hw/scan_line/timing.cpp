@@ -19,7 +19,6 @@ namespace csgsim::scan_line {
 
 namespace {
 
-using machines::FrameTiming;
 using machines::Machine;
 
 /// Number of a clock edge, from 1.
