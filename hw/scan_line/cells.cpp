@@ -59,6 +59,20 @@ void Cells::add(std::uint32_t cell, PacketWord& word) {
   if (word.square != 0) word.a = add_words(word.a, word.aa, difference_carry_[cell]);
 }
 
+/// The bits of C + A*x + S*x*x, which the tree's adders form: they follow from the coefficients.
+void Cells::take(std::uint32_t cell, const PacketWord& beat) {
+  const isa::Linear& linear = beat.instruction.linear;
+  const std::uint64_t x = cell;
+  const std::uint64_t value = (static_cast<std::uint64_t>(beat.square) * x + static_cast<std::uint64_t>(linear.a)) * x +
+                              static_cast<std::uint64_t>(linear.c);
+  const std::uint32_t bits = f_bits(shape_);
+  const std::uint32_t first = beat.number * bits;
+  if (beat.number == 0) sum_[cell] = 0;
+  if (first >= storage_bits) return;
+  const std::uint64_t mask = ~std::uint64_t{0} >> (storage_bits - bits);
+  sum_[cell] |= (value >> first & mask) << first;
+}
+
 void Cells::work(std::uint32_t cell, const PacketWord& beat) {
   CellAlu& alu = alus_[cell];
   if (beat.number == beat.accesses.work_from) alu.begin();
@@ -216,7 +230,7 @@ Cells::Result Cells::result_of(std::uint32_t cell, const isa::Instruction& instr
     case Opcode::linear_plus:
     case Opcode::linear_minus: return write(alu.value());
     case Opcode::global_or:
-    case Opcode::skip_if_none: return enable(e);
+    case Opcode::skip_if_none:
     case Opcode::squares: return enable(e);
     case Opcode::root: return write(first);
   }

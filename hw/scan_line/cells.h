@@ -14,7 +14,8 @@ namespace csgsim::scan_line {
 /// The cells of a chain. Each has a memory of words with so many ports, an enable bit, an adder of a word with its
 /// carry, a shifter, an ALU, and registers: the words of F that have come in, two fields that have been read, and a
 /// field to be written. The memory writes single bits of a word. For squares there is a second adder, which brings the
-/// difference up to date, with its carry. A root is taken by the ALU, in the register of the first field read.
+/// difference up to date, with its carry. Below a tree there are none of these adders. A root is taken by the ALU, in
+/// the register of the first field read.
 class Cells {
  public:
   Cells(std::uint32_t count, std::uint32_t memory_bits, const CellShape& shape);
@@ -24,6 +25,9 @@ class Cells {
 
   /// Takes a word of F in, and makes of it and of the difference what the next cell gets.
   void add(std::uint32_t cell, PacketWord& word);
+
+  /// Takes in the bits of F that a tree brings the cell with the beat.
+  void take(std::uint32_t cell, const PacketWord& beat);
 
   /// The words of the packet's F that have come in so far.
   [[nodiscard]] std::uint64_t sum(std::uint32_t cell) const { return sum_[cell]; }

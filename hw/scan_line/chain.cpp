@@ -14,7 +14,12 @@ constexpr std::uint32_t plane_bits = 64;
 }  // namespace
 
 Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape)
-    : cells_(cells, memory_bits, shape), flights_(cells), segment_of_(cells), hold_(cells), shift_(cells) {}
+    : network_(shape.tree_bits > 0 ? Network::trees : Network::chain),
+      cells_(cells, memory_bits, shape),
+      flights_(cells),
+      segment_of_(cells),
+      hold_(cells),
+      shift_(cells) {}
 
 void Chain::begin(std::uint32_t pixels) {
   pixels_ = pixels;
@@ -37,8 +42,8 @@ void Chain::step(const PacketWord& entering) {
   transfer();
   enter(entering);
   const std::size_t until_wrap = std::min(count_, flights_.size() - oldest_);
-  for (std::size_t i = 0; i < until_wrap; ++i) work(flights_[oldest_ + i]);
-  for (std::size_t i = 0; i < count_ - until_wrap; ++i) work(flights_[i]);
+  for (std::size_t i = 0; i < until_wrap; ++i) move(flights_[oldest_ + i]);
+  for (std::size_t i = 0; i < count_ - until_wrap; ++i) move(flights_[i]);
   depart();
 }
 
@@ -51,7 +56,7 @@ const PacketWord* Chain::beat_in(std::uint32_t cell) const {
   for (std::size_t i = 0; i < count_; ++i) {
     const std::size_t place = oldest_ + i;
     const Flight& flight = flights_[place < flights_.size() ? place : place - flights_.size()];
-    if (flight.cell == cell) return &flight.word;
+    if (flight.moved == clocks_to(cell)) return &flight.word;
   }
   return nullptr;
 }
@@ -74,69 +79,85 @@ void Chain::enter(const PacketWord& word) {
   if (word.number != due_) throw std::logic_error("a packet does not enter beat by beat");
   if (word.kind == WordKind::none) return;
   due_ = word.last() ? 0 : word.number + 1;
-  if (word.kind == WordKind::mark && word.last()) {
-    if (held_) throw std::logic_error("a mark came to hold registers that the refresh path had not read");
-    held_ = true;
-  }
   const std::size_t place = oldest_ + count_;
   flights_[place < flights_.size() ? place : place - flights_.size()] = {
       .word = word, .snapshot = word.last() && word.keep != Keep::nothing ? take_snapshot(word.keep) : no_snapshot};
   ++count_;
 }
 
-void Chain::work(Flight& flight) {
+void Chain::move(Flight& flight) {
+  if (flight.moved == clocks_to(0) && flight.word.kind == WordKind::mark && flight.word.last()) hold();
+  if (network_ == Network::chain) {
+    work(flight, flight.moved);
+  } else if (flight.moved == clocks_to(0)) {
+    for (std::uint32_t cell = 0; cell < pixels_; ++cell) work(flight, cell);
+  }
+  ++flight.moved;
+}
+
+/// A mark comes to the first cell.
+void Chain::hold() {
+  if (held_) throw std::logic_error("a mark came to hold registers that the refresh path had not read");
+  held_ = true;
+}
+
+void Chain::work(Flight& flight, std::uint32_t cell) {
   const PacketWord& beat = flight.word;
-  if (beat.begins_line && beat.number == 0) clear(flight);
+  if (beat.begins_line && beat.number == 0) clear(flight, cell);
   switch (beat.kind) {
     case WordKind::none: break;
     case WordKind::clear:
-      if (beat.last()) clear(flight);
+      if (beat.last()) clear(flight, cell);
       break;
-    case WordKind::instruction: work_on_instruction(flight); break;
-    case WordKind::mark: work_on_mark(flight); break;
+    case WordKind::instruction: work_on_instruction(flight, cell); break;
+    case WordKind::mark: work_on_mark(flight, cell); break;
   }
-  if (flight.snapshot != no_snapshot) take_down(flight);
-  ++flight.cell;
+  if (flight.snapshot != no_snapshot) take_down(flight, cell);
 }
 
-void Chain::clear(const Flight& flight) {
-  cells_.clear(flight.cell);
-  segment_of_[flight.cell] = flight.word.segment;
+void Chain::clear(const Flight& flight, std::uint32_t cell) {
+  cells_.clear(cell);
+  segment_of_[cell] = flight.word.segment;
 }
 
-void Chain::work_on_instruction(Flight& flight) {
+void Chain::work_on_instruction(Flight& flight, std::uint32_t cell) {
   PacketWord& beat = flight.word;
   ++busy_cells_;
-  if (beat.number < beat.words && beat.instruction.linear.width > 0) cells_.add(flight.cell, beat);
-  cells_.fetch(flight.cell, beat);
+  if (beat.number < beat.words && beat.instruction.linear.width > 0) {
+    if (network_ == Network::chain) {
+      cells_.add(cell, beat);
+    } else {
+      cells_.take(cell, beat);
+    }
+  }
+  cells_.fetch(cell, beat);
   const bool is_root = beat.instruction.opcode == isa::Opcode::root;
   if (beat.number >= beat.accesses.work_from && beat.number <= beat.accesses.result) {
-    if (is_root) cells_.try_root(flight.cell, beat);
-    cells_.work(flight.cell, beat);
+    if (is_root) cells_.try_root(cell, beat);
+    cells_.work(cell, beat);
   }
   if (beat.number == beat.accesses.result) {
-    flight.enabled += cells_.enabled(flight.cell) ? 1U : 0U;
-    cells_.act(flight.cell, beat);
+    flight.enabled += cells_.enabled(cell) ? 1U : 0U;
+    cells_.act(cell, beat);
   }
-  if (beat.number >= beat.accesses.result) cells_.store(flight.cell, beat);
+  if (beat.number >= beat.accesses.result) cells_.store(cell, beat);
 }
 
-void Chain::work_on_mark(const Flight& flight) {
+void Chain::work_on_mark(const Flight& flight, std::uint32_t cell) {
   const PacketWord& mark = flight.word;
-  cells_.fetch(flight.cell, mark);
+  cells_.fetch(cell, mark);
   if (!mark.last()) return;
-  hold_[flight.cell] =
-      static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : cells_.fetched(flight.cell));
+  hold_[cell] = static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : cells_.fetched(cell));
 }
 
-void Chain::take_down(const Flight& flight) {
+void Chain::take_down(const Flight& flight, std::uint32_t cell) {
   Snapshot& snapshot = snapshots_[flight.snapshot];
-  if (cells_.enabled(flight.cell)) {
-    snapshot.enable[flight.cell / plane_bits] |= std::uint64_t{1} << flight.cell % plane_bits;
+  if (cells_.enabled(cell)) {
+    snapshot.enable[cell / plane_bits] |= std::uint64_t{1} << cell % plane_bits;
   }
   if (flight.word.keep != Keep::all) return;
-  const std::span<const std::uint64_t> memory = cells_.memory(flight.cell);
-  std::copy(memory.begin(), memory.end(), &snapshot.memory[flight.cell * snapshot.cell_words]);
+  const std::span<const std::uint64_t> memory = cells_.memory(cell);
+  std::copy(memory.begin(), memory.end(), &snapshot.memory[cell * snapshot.cell_words]);
 }
 
 /// The oldest word is the one that has come farthest.
@@ -144,7 +165,7 @@ void Chain::depart() {
   if (departed_snapshot_ != no_snapshot) unused_.push_back(departed_snapshot_);
   departed_snapshot_ = no_snapshot;
   departure_ = {};
-  if (count_ == 0 || flights_[oldest_].cell < pixels_) return;
+  if (count_ == 0 || flights_[oldest_].moved <= clocks_to(pixels_ - 1)) return;
   const Flight& flight = flights_[oldest_];
   if (flight.word.number == flight.word.accesses.result) enabled_ = flight.enabled;
   if (flight.word.last()) {

@@ -33,6 +33,11 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                             "of a cell's memory, read or written in a clock"),
                        0),
     shared::evaluator_degree,
+    own_figure<Figures, &Figures::network>(
+        "evaluator.network", "", 0, 1, "chain: each cell adds for the next; trees: adders bring all cells their value",
+        network_names),
+    own_figure<Figures, &Figures::tree_bits>("evaluator.tree_bits", "bits", 1, 64,
+                                             "of trees: that they bring each cell in a clock, of a word at most"),
     shared::clear_clocks,
     shared::picture_width,
     shared::picture_height,

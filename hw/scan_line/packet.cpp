@@ -13,7 +13,7 @@ namespace {
 constexpr std::uint32_t most_word_bits = 64;
 
 std::uint64_t word_of(std::int64_t coefficient, std::uint32_t number, std::uint32_t word_bits) {
-  const std::uint32_t low = number * word_bits;
+  const std::uint32_t low = number * word_bits;  // of words, or of what a tree brings
   const auto shifted = static_cast<std::uint64_t>(coefficient >> std::min(low, most_word_bits - 1));
   return word_bits == most_word_bits ? shifted : shifted & ((std::uint64_t{1} << word_bits) - 1);
 }
@@ -159,9 +159,9 @@ void schedule(PacketWord& packet, const CellShape& cell) {
 void load_words(PacketWord& beat, const CellShape& cell) {
   const bool comes_in = beat.number < beat.words;
   const isa::Linear& linear = beat.instruction.linear;
-  beat.f = comes_in ? word_of(linear.c, beat.number, cell.word_bits) : 0;
-  beat.a = comes_in ? word_of(linear.a + beat.square, beat.number, cell.word_bits) : 0;
-  beat.aa = comes_in ? word_of(2 * beat.square, beat.number, cell.word_bits) : 0;
+  beat.f = comes_in ? word_of(linear.c, beat.number, f_bits(cell)) : 0;
+  beat.a = comes_in ? word_of(linear.a + beat.square, beat.number, f_bits(cell)) : 0;
+  beat.aa = comes_in ? word_of(2 * beat.square, beat.number, f_bits(cell)) : 0;
 }
 
 }  // namespace
@@ -173,9 +173,9 @@ PacketWord instruction_packet(const isa::Instruction& instruction, const CellSha
                     .work = work_of(instruction, cell),
                     .instruction = instruction};
   if (instruction.opcode == isa::Opcode::squares) packet.instruction.linear = {};
-  std::uint32_t bits = std::max<std::uint32_t>(packet.instruction.linear.width, 1);
-  for (const isa::Field& field : instruction.fields) bits = std::max<std::uint32_t>(bits, field.width);
-  packet.words = quotient_up(bits, cell.word_bits);
+  packet.words = quotient_up(std::max<std::uint32_t>(packet.instruction.linear.width, 1), f_bits(cell));
+  for (const isa::Field& field : instruction.fields)
+    packet.words = std::max<std::uint32_t>(packet.words, quotient_up(field.width, cell.word_bits));
   schedule(packet, cell);
   load_words(packet, cell);
   return packet;

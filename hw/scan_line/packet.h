@@ -17,6 +17,7 @@ struct CellShape {
   std::uint32_t ports = 0;       ///< words of memory that are read or written in a clock; 0 for any number
   std::uint32_t alu_bits = 0;    ///< that the ALU goes through in a clock, of a word at most; 0 for any number
   std::uint32_t shift_bits = 0;  ///< by which the shifter moves a word in a clock; 0 if all lie where they are wanted
+  std::uint32_t tree_bits = 0;   ///< of F that a tree brings in a clock, a word at most; 0 without trees: a word
 
   constexpr bool operator==(const CellShape&) const = default;
 };
@@ -25,7 +26,13 @@ constexpr CellShape cell_shape(const Figures& figures) {
   return {.word_bits = figures.word_bits,
           .ports = figures.ports,
           .alu_bits = figures.alu_bits,
-          .shift_bits = figures.shift_bits};
+          .shift_bits = figures.shift_bits,
+          .tree_bits = figures.network == Network::trees ? figures.tree_bits : 0};
+}
+
+/// Bits of F that come in with a beat.
+constexpr std::uint32_t f_bits(const CellShape& cell) {
+  return cell.tree_bits == 0 || cell.tree_bits > cell.word_bits ? cell.word_bits : cell.tree_bits;
 }
 
 enum class WordKind : std::uint8_t {
@@ -81,9 +88,10 @@ struct CellWork {
   constexpr bool operator==(const CellWork&) const = default;
 };
 
-/// What moves from cell to cell, one a clock. A packet occupies each cell for `beats` clocks: in the first `words` of
-/// them a word of F and of its difference to the next cell comes in, and with squares one of the second difference;
-/// then the cell goes on with what it has. The packet's other fields stand with each beat here.
+/// What moves from cell to cell, or from level to level of a tree, one a clock. A packet occupies each cell for `beats`
+/// clocks: in the first `words` of them a word of F and of its difference to the next cell comes in, and with squares
+/// one of the second difference; then the cell goes on with what it has. The packet's other fields stand with each beat
+/// here.
 struct PacketWord {
   WordKind kind = WordKind::none;
   bool begins_line = false;   ///< clears the cell's memory and enable before the cell acts
@@ -94,7 +102,7 @@ struct PacketWord {
   std::uint32_t beats = 1;
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< of the instruction in the segment
-  std::uint64_t f = 0;      ///< word of F in the cell that the word is in
+  std::uint64_t f = 0;      ///< word of F in the cell that the word is in; of C where it enters a tree
   std::uint64_t a = 0;      ///< word of F's difference to the next cell: without squares A
   std::uint64_t aa = 0;     ///< word of the second difference: twice the factor of x*x
   std::int64_t square = 0;  ///< that factor

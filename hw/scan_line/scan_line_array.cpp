@@ -175,7 +175,8 @@ std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wa
   wave::check_no_trees(request);
   std::vector<wave::Tap> taps = host_taps(host_, program);
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
-  const WordShape shape{figures_of(machine_).word_bits, machine_.evaluator_degree};
+  const WordShape shape{f_bits(cell_shape(figures_of(machine_))), machine_.evaluator_degree,
+                        figures_of(machine_).network == Network::chain};
   std::vector<ChainParts> chains;
   for (std::size_t i = 0; i < chains_.size(); ++i) {
     chains.push_back({links_[i], words_[i], queues_[i], entry_[i], chains_[i], refresh_[i], collector_, i});

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -43,8 +44,9 @@ bool brings_words(const PacketWord* beat) {
 }
 
 /// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come in, `.a`, `.f`;
-/// of degree 2 also `.aa`.
-std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const isa::Program& program, WordShape shape) {
+/// of degree 2 also `.aa`; without a shape no words.
+std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const isa::Program& program,
+                             std::optional<WordShape> shape) {
   std::vector<Tap> taps =
       wave::instruction_taps(part, program, [beat, firsts = isa::first_numbers(program)]() -> Number {
         const PacketWord* const at = beat();
@@ -56,15 +58,16 @@ std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const is
     const PacketWord* const at = beat();
     return kind_of(at).empty() ? std::nullopt : Number(at->number);
   }));
+  if (!shape) return taps;
   const auto word = [&](const char* name, auto read) {
-    taps.push_back(wave::hexadecimal(part + name, shape.bits, [beat, read] {
+    taps.push_back(wave::hexadecimal(part + name, shape->bits, [beat, read] {
       const PacketWord* const at = beat();
       return brings_words(at) ? Number(read(*at)) : std::nullopt;
     }));
   };
   word(".a", [](const PacketWord& at) { return at.a; });
   word(".f", [](const PacketWord& at) { return at.f; });
-  if (shape.degree > 1) word(".aa", [](const PacketWord& at) { return at.aa; });
+  if (shape->degree > 1) word(".aa", [](const PacketWord& at) { return at.aa; });
   return taps;
 }
 
@@ -115,10 +118,11 @@ std::vector<Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains
   const ChainParts parts = chains[line % chains.size()];
   const std::uint32_t cell = pixel.x - program.segments[line].region.x;
   const Beat beat = [parts, cell, line]() -> const PacketWord* {
-    const PacketWord* const at = cell == 0 ? &parts.entry.read() : parts.chain.chain().beat_in(cell);
+    const Chain& chain = parts.chain.chain();
+    const PacketWord* const at = chain.clocks_to(cell) == 0 ? &parts.entry.read() : chain.beat_in(cell);
     return at != nullptr && at->segment == line ? at : nullptr;
   };
-  std::vector<Tap> taps = packet_taps(part, beat, program, shape);
+  std::vector<Tap> taps = packet_taps(part, beat, program, shape.in_cells ? std::optional(shape) : std::nullopt);
   const auto held = [parts, cell, line](auto read) {
     return [parts, cell, line, read]() -> Number {
       const Chain& chain = parts.chain.chain();

@@ -34,7 +34,8 @@ struct ChainParts {
 /// What the words of a packet are like.
 struct WordShape {
   std::uint32_t bits = 1;
-  unsigned degree = 1;  ///< of the expressions
+  unsigned degree = 1;   ///< of the expressions
+  bool in_cells = true;  ///< words of difference and sum come to the cells; else a tree makes of them what comes
 };
 
 /// `host.activity`, `.line`: the row of the picture.

@@ -1,6 +1,7 @@
 #include "hw/scan_line/timing.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -18,7 +19,6 @@ namespace csgsim::scan_line {
 
 namespace {
 
-using machines::FrameTiming;
 using machines::Machine;
 
 /// Number of a clock edge, from 1.
@@ -127,6 +127,13 @@ std::vector<std::uint64_t> active_looks(const isa::Program& program) {
   return looks;
 }
 
+/// Clocks from the entry until a beat is in the last cell of a line: a chain's cells one after the other, or as many
+/// levels as all cells have bits in their numbers.
+std::uint64_t last_cell(const Machine& machine, std::uint32_t pixels) {
+  if (machines::own<Figures>(machine).network == Network::chain) return pixels - 1;
+  return static_cast<std::uint64_t>(std::bit_width(machine.array.width - 1));
+}
+
 /// A link and the entry of its chain, as the lines that they have been given leave them.
 class ChainTiming {
  public:
@@ -134,6 +141,7 @@ class ChainTiming {
       : machine_(machine),
         figures_(machines::own<Figures>(machine)),
         pixels_(picture.width),
+        through_cells_(last_cell(machine, picture.width) + 1ULL),
         budget_(line_budget(machine, picture.height)),
         colour_(colour) {}
 
@@ -168,6 +176,8 @@ class ChainTiming {
   [[nodiscard]] std::uint64_t words() const { return words_; }
   [[nodiscard]] std::uint64_t late_lines() const { return late_lines_; }
   [[nodiscard]] Edge mark() const { return mark_; }  ///< its last beat is at the entry
+  /// From then on through the cells, and through the shift chain.
+  [[nodiscard]] std::uint64_t drain() const { return through_cells_ + pixels_; }
   /// From this frame to the next.
   [[nodiscard]] std::uint64_t interval() const {
     const std::uint64_t spacing = mark_spacing(pixels_);
@@ -190,7 +200,7 @@ class ChainTiming {
   [[nodiscard]] LineClocks whole_refresh(std::uint64_t clocks) const {
     LineClocks whole;
     const std::uint64_t shown = lines_ * pixels_;
-    const std::uint64_t end = lines_ == 0 ? 0 : mark_ + 2ULL * pixels_;
+    const std::uint64_t end = lines_ == 0 ? 0 : mark_ + drain();
     whole.add(LineActivity::showing, shown);
     whole.add(LineActivity::waiting_for_line, end - shown);
     whole.add(LineActivity::done, clocks - end);
@@ -245,6 +255,7 @@ class ChainTiming {
   const Machine& machine_;
   const Figures& figures_;
   std::uint32_t pixels_;
+  std::uint64_t through_cells_;  ///< clocks in which a beat comes to, and is in, the line's last cell
   std::uint64_t budget_;
   isa::Field colour_;
 
@@ -269,8 +280,11 @@ class ChainTiming {
 std::uint64_t packet_words(const isa::Instruction& instruction, const Machine& machine) {
   const std::uint64_t word = std::max(machines::own<Figures>(machine).word_bits, 1U);
   if (instruction.opcode == isa::Opcode::squares) return 1;
-  const std::uint64_t bits = std::max<std::uint64_t>({instruction.linear.width, machines::field_width(instruction), 1});
-  return quotient_up(bits, word);
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t brought =
+      figures.network == Network::trees ? std::min<std::uint64_t>(figures.tree_bits, word) : word;
+  return std::max<std::uint64_t>(
+      {quotient_up(instruction.linear.width, brought), quotient_up(machines::field_width(instruction), word), 1});
 }
 
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
@@ -329,8 +343,7 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
 
   const auto last = std::max_element(chains.begin(), chains.end(),
                                      [](const auto& one, const auto& other) { return one.mark() < other.mark(); });
-  // Through the cells, and through the shift chain.
-  counted.drain_clocks = 2 * pixels;
+  counted.drain_clocks = last->drain();
   const std::uint64_t clocks = last->mark() + counted.drain_clocks;
   counted.host.add(LineActivity::done, clocks - host);
   counted.link = last->whole_link(clocks);
@@ -344,7 +357,7 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
     counted.entry_clocks += chain.entry().of(LineActivity::entering);
     counted.refresh_clocks += chain.entry().of(LineActivity::waiting_for_refresh);
     if (chain.lines() == 0) continue;
-    const std::uint64_t fill = chain.first_packet() + pixels - 1;
+    const std::uint64_t fill = chain.first_packet() + last_cell(machine, program.shape.width);
     counted.fill_clocks = counted.fill_clocks == 0 ? fill : std::min(counted.fill_clocks, fill);
   }
   return {clocks, interval, counted};
@@ -367,9 +380,11 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
 }
 
 std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
-                                                const Machine& /*machine*/, std::uint32_t segment, std::uint32_t x,
+                                                const Machine& machine, std::uint32_t segment, std::uint32_t x,
                                                 std::uint32_t /*y*/) const {
-  return machines::later(timeline.issued[segment], x - program.segments[segment].region.x);
+  const std::uint32_t cell = x - program.segments[segment].region.x;
+  return machines::later(timeline.issued[segment],
+                         clocks_to_cell(figures_of(machine).network, machine.array.width, cell));
 }
 
 }  // namespace csgsim::scan_line

@@ -8,7 +8,8 @@
 
 namespace csgsim::scan_line {
 
-/// Words of an instruction's packet: as many as its widest operand has, one at least.
+/// Words of an instruction's packet: as many as its widest operand has, one at least; of an expression that comes
+/// through trees as many as it has of what these bring in a clock.
 std::uint64_t packet_words(const isa::Instruction& instruction, const machines::Machine& machine);
 
 /// Least clocks from the entry of a mark's last beat into a chain to that of the next mark's. A line's cells hold their

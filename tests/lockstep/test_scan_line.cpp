@@ -92,6 +92,21 @@ TEST_CASE(
   CHECK(result.account == scan_line::account(expected, machine, result.clocks));
 }
 
+TEST_CASE("with trees all cells work in one clock, as many after the entry as the tree has levels") {
+  machines::Machine machine = machine_of(6, {4, 2});
+  machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
+  machines::own<scan_line::Figures>(machine).tree_bits = 8;
+  const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});
+  CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 1, 4, 7, 10});
+  constexpr std::uint64_t levels = 3;
+  // F of 10 bits comes in two clocks; the second line begins with a word, and its mark has the distance of a line.
+  constexpr std::uint64_t first_mark = first_entry + 3 + 1;
+  CHECK(result.clocks == first_mark + 5 + levels + 1 + 4);
+  CHECK(result.account.count("fill_clocks") == first_entry + 1 + levels);
+  CHECK(result.account.count("drain_clocks") == levels + 1 + 4);
+  CHECK(result.account.count("busy_cells") == 2 * 3 * 4);
+}
+
 TEST_CASE("lines with few packets follow one another as the refresh path takes them") {
   const machines::Machine machine = machine_of(16, {16, 3});
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program_of(machine, ramp()), {});

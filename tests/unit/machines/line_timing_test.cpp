@@ -114,6 +114,23 @@ TEST_CASE("what instructions are for is nothing to the host: it goes by the rows
   CHECK(time(machine, {2, 2, 0}, plain, {{0, 1}, {1, 2}}).clocks > time(machine, {2, 2, 0}, plain, {{0, 1}}).clocks);
 }
 
+TEST_CASE(
+    "with trees a frame ends when its last mark has come through the levels and its pixels through the shift chain") {
+  machines::Machine machine = machine_of({20, 3}, 1);
+  const std::uint64_t chained = time(machine, {30, 20, 30}).clocks;
+  machines::own<scan_line::Figures>(machine).network = scan_line::Network::trees;
+  machines::own<scan_line::Figures>(machine).tree_bits = 32;
+  const scan_line::LineTiming timing = time(machine, {30, 20, 30});
+  CHECK(timing.clocks == first_entry + 31 + 22 + 32 + (5 + 1) + 20);  // 20 cells below 5 levels
+  CHECK(timing.clocks == chained - (19 - 5));
+  CHECK(account_of(timing).fill_clocks == first_entry + 1 + 5);
+  const Instruction wide{.opcode = Opcode::edge_negative, .linear = {.width = 24}};
+  machines::own<scan_line::Figures>(machine).tree_bits = 1;
+  CHECK(time(machine, {1, 1, 1}, wide).account.busy_cells == 3 * 24 * 20);
+  machines::own<scan_line::Figures>(machine).tree_bits = 5;
+  CHECK(time(machine, {1, 1, 1}, wide).account.busy_cells == 3 * 5 * 20);
+}
+
 TEST_CASE("a narrow link brings a command in many words") {
   machines::Machine machine = machine_of({4, 1}, 1);
   machine.link = {.width = 8, .word_clocks = 3, .fifo_depth = 16, .latency = 10};

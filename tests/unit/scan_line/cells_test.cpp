@@ -264,6 +264,36 @@ TEST_CASE("an operand that lies elsewhere is moved word by word, and the ALU goe
   }
 }
 
+TEST_CASE("a tree brings F by so many bits a clock, and fields still come word by word") {
+  const auto beats_with = [](std::uint32_t tree_bits, const Instruction& instruction) {
+    return instruction_packet(instruction, {.word_bits = 16, .tree_bits = tree_bits}).beats;
+  };
+  const Instruction edge{.opcode = Opcode::edge_negative, .linear = {.width = 40}};
+  CHECK(beats_with(0, edge) == 3);
+  CHECK(beats_with(16, edge) == 3);
+  CHECK(beats_with(64, edge) == 3);
+  CHECK(beats_with(8, edge) == 5);
+  CHECK(beats_with(1, edge) == 40);
+  CHECK(beats_with(1, {.opcode = Opcode::copy, .fields = {Field{0, 20}, Field{32, 20}}}) == 2);
+}
+
+TEST_CASE("a cell below a tree has the bits of C + A*x + S*x*x, whatever the tree brings in a clock") {
+  CHECK(rc::check([] {
+    const auto any = [](unsigned bits) {
+      return *rc::gen::inRange(-(std::int64_t{1} << bits), std::int64_t{1} << bits);
+    };
+    const isa::Linear linear{.a = any(40), .c = any(50), .width = *rc::gen::inRange<std::uint16_t>(1, 63)};
+    const std::int64_t square = any(30);
+    const CellShape shape{.word_bits = *rc::gen::inRange(1U, 65U), .tree_bits = *rc::gen::inRange(1U, 65U)};
+    Cells below(cells, 8, shape);
+    PacketWord beat = instruction_packet({.opcode = Opcode::edge_negative, .linear = linear}, shape, {.a = square});
+    for (std::uint32_t n = 0; n < beat.words; ++n, beat = next_beat(beat, shape))
+      for (std::uint32_t cell = 0; cell < cells; ++cell) below.take(cell, beat);
+    for (std::uint32_t x = 0; x < cells; ++x)
+      RC_ASSERT((below.sum(x) & ((std::uint64_t{1} << linear.width) - 1)) == low_bits(linear, x, square));
+  }));
+}
+
 TEST_CASE("a cell that acts before its operands have been moved and gone through says so") {
   const Instruction compare{.opcode = Opcode::linear_ge, .fields = {Field{0, 8}}, .linear = {.width = 12, .shift = 2}};
   for (const CellShape& shape : {CellShape{.word_bits = 16, .ports = 1, .alu_bits = 4, .shift_bits = 1},

@@ -31,6 +31,8 @@ machines::Machine random_machine() {
                         .alu_bits = pick(0, 64),
                         .shift_bits = pick(0, 64),
                         .ports = pick(0, 4),
+                        .network = pick(0, 1) == 1 ? scan_line::Network::trees : scan_line::Network::chain,
+                        .tree_bits = pick(1, 64),
                         .chains = pick(1, 4),
                         .bucket_clocks = pick(0, 9),
                         .active_clocks = pick(0, 9),
@@ -38,7 +40,7 @@ machines::Machine random_machine() {
                         .refresh_hz = 60,
                         .interlaced = pick(0, 1) == 1};
   machine.own = figures;
-  machine.array = {width, 1, figures.words * figures.word_bits};
+  machine.array = {width + pick(0, 3), 1, figures.words * figures.word_bits};
   machine.picture = {width, pick(1, 9)};
   machine.clock_hz = 20'000;
   machine.clear_clocks = pick(0, 9);
@@ -82,7 +84,9 @@ struct Busy {
 std::uint64_t least_clocks(const Instruction& instruction, const Figures& figures) {
   std::uint64_t bits = std::max<std::uint64_t>(instruction.linear.width, 1);
   for (const isa::Field& field : instruction.fields) bits = std::max<std::uint64_t>(bits, field.width);
-  const std::uint64_t words = (bits + figures.word_bits - 1) / figures.word_bits;
+  std::uint64_t words = (bits + figures.word_bits - 1) / figures.word_bits;
+  if (figures.network == scan_line::Network::trees && instruction.opcode != Opcode::squares)
+    words = std::max<std::uint64_t>(words, (instruction.linear.width + figures.tree_bits - 1) / figures.tree_bits);
   if (figures.ports == 0) return words;
   const MemoryWords memory = memory_words(instruction, figures.word_bits);
   return std::max(words, (memory.read + memory.written + figures.ports - 1) / figures.ports);
@@ -144,10 +148,13 @@ TEST_CASE("a frame takes no less than its busiest part, and no more than all of 
     const std::uint64_t clocks = clocks_on(program, machine);
     const Busy busy = least(program, machine);
     const std::uint64_t width = program.shape.width;
-    RC_ASSERT(clocks >= busy.host + 2 * width);
+    // To the last cell, and a pixel after the other from there: a tree of up to 32 leaves has 5 levels.
+    const bool has_trees = figures.network == scan_line::Network::trees;
+    const std::uint64_t way = has_trees ? width + 1 : 2 * width;
+    RC_ASSERT(clocks >= busy.host + way);
     for (std::size_t chain = 0; chain < figures.chains; ++chain) {
-      RC_ASSERT(clocks >= busy.links[chain] + (busy.links[chain] > 0 ? machine.link.latency + 2 * width : 0));
-      RC_ASSERT(clocks >= busy.entries[chain] + (busy.entries[chain] > 0 ? 2 * width : 0));
+      RC_ASSERT(clocks >= busy.links[chain] + (busy.links[chain] > 0 ? machine.link.latency + way : 0));
+      RC_ASSERT(clocks >= busy.entries[chain] + (busy.entries[chain] > 0 ? way : 0));
       RC_ASSERT(clocks >= busy.refreshes[chain] + (busy.refreshes[chain] > 0 ? width : 0));
     }
     const std::uint64_t primitives = program.extents.size();
@@ -158,7 +165,7 @@ TEST_CASE("a frame takes no less than its busiest part, and no more than all of 
     // FIFO of one place and one in the receiver; a command is taken in a clock of its own; a mark's colour is read.
     const std::uint64_t handling = 3 * busy.commands + 2 * busy.words + 32 * lines + 10;
     RC_ASSERT(clocks <= host + sum(busy.links) + machine.link.latency * figures.chains + sum(busy.entries) + busy.work +
-                            handling + (lines + 2) * width);
+                            handling + (lines + 2) * width + (has_trees ? 6 : 0));
   }));
 }
 
