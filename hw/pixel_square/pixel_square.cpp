@@ -32,7 +32,8 @@ int port_depth(const machines::Machine& machine) {
 
 }  // namespace
 
-PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine)
+PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine,
+                                       systemc::EvaluatorForm form)
     : sc_core::sc_module(name),
       machine_(machine),
       clock_("clock", systemc::period_of(machine)),
@@ -42,7 +43,7 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
       clears_("clears", port_depth(machine)),
       finished_("finished", machines::own<Figures>(machine).renderers),
       renderers_("renderers", machines::own<Figures>(machine).renderers,
-                 [&](const char* renderer, std::size_t /*index*/) { return new Renderer(renderer, machine); }),
+                 [&](const char* renderer, std::size_t /*index*/) { return new Renderer(renderer, machine, form); }),
       frame_buffer_("frame_buffer", machine) {
   SC_HAS_PROCESS(PixelSquareMachine);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
@@ -219,7 +220,11 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
 }
 
 std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
-  return std::make_unique<PixelSquareMachine>("pixel_square", machine);
+  return std::make_unique<PixelSquareMachine>("pixel_square", machine, systemc::EvaluatorForm::worked_out);
+}
+
+std::unique_ptr<systemc::ClockedMachine> make_stepped_machine(const machines::Machine& machine) {
+  return std::make_unique<PixelSquareMachine>("pixel_square", machine, systemc::EvaluatorForm::stepped);
 }
 
 }  // namespace csgsim::pixel_square

@@ -18,6 +18,7 @@
 #include "hw/pixel_square/store_sender.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
+#include "hw/systemc/evaluator_form.h"
 #include "hw/systemc/retirement.h"
 #include "hw/systemc/segment_names.h"
 
@@ -36,7 +37,7 @@ namespace csgsim::pixel_square {
 /// an edge can be filled at the next.
 class PixelSquareMachine final : public sc_core::sc_module, public systemc::ClockedMachine {
  public:
-  PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine);
+  PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form);
 
   /// Draws a frame, until the frame buffer has stored the last word or cleared the last square. Without segments it
   /// takes no clock.

@@ -1,5 +1,8 @@
 #include "hw/pixel_square/renderer.h"
 
+#include <optional>
+
+#include "hw/array/stepped_evaluator.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_square/figures.h"
 
@@ -9,16 +12,21 @@ namespace {
 
 array::PlaneShape plane_shape(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
+std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form) {
+  if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
+  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree);
+}
+
 }  // namespace
 
 /// The accounts are those of the commands that are on their way to the pixels, one a clock, and of the one before.
-Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine)
+Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form)
     : sc_core::sc_module(name),
       degree_(machine.evaluator_degree),
       accounts_("accounts", static_cast<int>(machines::evaluator_latency(machine.array)) + 2),
       controller_("controller", machine),
       control_delay_("control_delay", machines::evaluator_latency(machine.array)),
-      evaluator_("evaluator", plane_shape(machine)),
+      evaluator_("evaluator", plane_shape(machine), adders(machine, form)),
       processors_("processors", machine.array, machine.alu_bits),
       output_("output", machines::own<Figures>(machine)) {
   controller_.clock(clock);

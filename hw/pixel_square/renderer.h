@@ -13,6 +13,7 @@
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/square_completion.h"
 #include "hw/pixel_square/square_controller.h"
+#include "hw/systemc/evaluator_form.h"
 #include "hw/systemc/retirement.h"
 #include "hw/systemc/segment_names.h"
 
@@ -47,7 +48,8 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_out<std::uint64_t> finished{"finished"};  ///< squares that have left, or are in the output buffer
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
-  Renderer(sc_core::sc_module_name name, const machines::Machine& machine);
+  Renderer(sc_core::sc_module_name name, const machines::Machine& machine,
+           systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
   /// `colour`: what of a pixel's memory goes to the frame buffer. The names have to live until the frame is drawn.
   void begin(isa::Field colour, const systemc::SegmentNames& names);

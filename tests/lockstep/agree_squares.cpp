@@ -8,7 +8,8 @@
 
 namespace csgsim::test {
 
-bool agree_squares(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+bool agree_squares(const machines::Machine& machine, unsigned instructions, systemc::EvaluatorForm evaluator,
+                   const Allowed& allowed) {
   const auto any_program = [&] {
     return machines::division(machine) ? any_divided_program(machine)
                                        : *arbitrary_program_in_parts(machine, instructions, machine.evaluator_degree);
@@ -16,7 +17,7 @@ bool agree_squares(const machines::Machine& machine, unsigned instructions, cons
   return agree_in_parts(
       "the clocked pixel-square machine leaves the bits, picture, clocks, account and timeline worked out", machine,
       [&] { return first_allowed(any_program, allowed); },
-      [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); });
+      [](const isa::Program& program, const TimedMachine& hardware) { hardware.check_timeline(program); }, evaluator);
 }
 
 }  // namespace csgsim::test

@@ -41,10 +41,11 @@ class Picture final : public engine::Observer {
 
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
                     const std::function<isa::Program()>& any_program,
-                    const std::function<void(const isa::Program&, const TimedMachine&)>& check) {
+                    const std::function<void(const isa::Program&, const TimedMachine&)>& check,
+                    systemc::EvaluatorForm evaluator) {
   const auto reference = engine::make_reference_engine(machine);
   const auto functional = engine::make_functional_engine(machine);
-  TimedMachine hardware(machine);
+  TimedMachine hardware(machine, evaluator);
   const auto cycle = cycle::make_clocked_engine(machine, hardware);
   return rc::check(what, [&] {
     const isa::Program program = any_program();

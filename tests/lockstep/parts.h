@@ -13,6 +13,7 @@ namespace csgsim::test {
 /// the functional engine's picture, clocks and account. `check`: of when they were carried out, after each.
 bool agree_in_parts(const std::string& what, const machines::Machine& machine,
                     const std::function<isa::Program()>& any_program,
-                    const std::function<void(const isa::Program&, const TimedMachine&)>& check);
+                    const std::function<void(const isa::Program&, const TimedMachine&)>& check,
+                    systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out);
 
 }  // namespace csgsim::test

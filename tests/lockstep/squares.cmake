@@ -36,6 +36,9 @@ foreach(row IN ITEMS
     "depth=64 renderers=4 buffers=2 port=5 banks=2 port_depth=9" "depth=9 renderers=2 port=13 banks=9 hz=9973 refresh=1 refresh_bits=7"
     "depth=64 renderers=3 buffers=2 port=24 pictures=2 hz=100 refresh=60"
     "divider=1 bits=200 depth=64 levels=2 group=2 list=1000 record=32 port=24 renderers=3 latch=1 banks=4 hz=90000 refresh=30 refresh_bits=64 refresh_clocks=2 programs=15"
+    "stepped=1 degree=1 depth=9 port=24" "stepped=1 depth=64 renderers=3 buffers=2 port=24 move=1 programs=20"
+    "stepped=1 width=5 height=3 picture_width=33 picture_height=11 renderers=2 depth=2 port=24 port_depth=2"
+    "stepped=1 divider=1 bits=200 depth=64 levels=2 group=2 list=1000 record=32 port=24 renderers=2 programs=10"
     "latency=300 word=7 depth=4 renderers=2 buffers=2 port=24 move=4 clear=3" "word=2 depth=1 port=24"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1000 link_width=6 latency=7 clear=2 port=13 programs=200"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1 link_width=6 clear=2 port=7 move=1 programs=200")

@@ -12,6 +12,7 @@
 
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
+#include "hw/systemc/evaluator_form.h"
 #include "tests/lockstep/agree.h"
 #include "tests/lockstep/row.h"
 
@@ -23,6 +24,7 @@ struct Settings {
   machines::Machine machine = machines::blank(pixel_square::kind);
   unsigned programs = 40;
   unsigned instructions = 12;  ///< of a square at most
+  systemc::EvaluatorForm evaluator = systemc::EvaluatorForm::worked_out;
 };
 
 Settings read_settings(int count, char** arguments) {
@@ -40,6 +42,7 @@ Settings read_settings(int count, char** arguments) {
   figures.nodes = 1'000'000;
   figures.store_words = 10'000'000;
   std::uint32_t clock_hz = 10'000'000;
+  std::uint32_t stepped = 0;
   std::uint32_t order = 0;
   std::uint32_t divider = 0;
   const std::map<std::string, std::uint32_t*> known{{"picture_width", &machine.picture.width},
@@ -66,6 +69,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"refresh_bits", &figures.refresh_bits},
                                                     {"refresh_clocks", &figures.refresh_clocks},
                                                     {"hz", &clock_hz},
+                                                    {"stepped", &stepped},
                                                     {"order", &order},
                                                     {"divider", &divider},
                                                     {"levels", &figures.levels},
@@ -86,6 +90,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);
   machine.clock_hz = clock_hz;
+  if (stepped != 0) settings.evaluator = systemc::EvaluatorForm::stepped;
   figures.divider = static_cast<pixel_square::DividerKind>(divider);
   figures.order = static_cast<pixel_square::SquareOrder>(order);
   return settings;
@@ -98,8 +103,9 @@ Settings read_settings(int count, char** arguments) {
 int main(int argc, char** argv) {
   try {
     const csgsim::test::Settings settings = csgsim::test::read_settings(argc, argv);
-    return csgsim::test::exit_code_of(
-        settings.programs, [&] { return csgsim::test::agree_squares(settings.machine, settings.instructions); });
+    return csgsim::test::exit_code_of(settings.programs, [&] {
+      return csgsim::test::agree_squares(settings.machine, settings.instructions, settings.evaluator);
+    });
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
   }

@@ -38,22 +38,29 @@ constexpr int refused = 77;
 
 using Property = bool (*)(const machines::Machine&, const Allowed&);
 
-const std::map<std::string, Property> properties{
-    {"frame-buffer",
-     [](const machines::Machine& machine, const Allowed& allowed) {
-       using enum systemc::EvaluatorForm;
-       // The trees are stepped for small arrays, whose steps are few.
-       const auto form = machine.array.width < 4 ? stepped : worked_out;
-       return agree_planes(machine, instructions, form, allowed) &&
-              agree_planes_in_sequences(machine, instructions, form, allowed);
-     }},
-    {"scan-line", [](const machines::Machine& machine,
-                     const Allowed& allowed) { return agree_scan_line(machine, instructions, allowed); }},
-    {"pixel-square", [](const machines::Machine& machine,
-                        const Allowed& allowed) { return agree_squares(machine, instructions, allowed); }},
-    {"multi-processor",
-     [](const machines::Machine& machine, const Allowed& allowed) { return agree_nodes(machine, allowed); }},
-};
+/// The trees of small arrays, whose steps are few, are stepped.
+systemc::EvaluatorForm form_for(const machines::Machine& machine) {
+  return machine.array.width < 4 ? systemc::EvaluatorForm::stepped : systemc::EvaluatorForm::worked_out;
+}
+
+bool whole_pictures(const machines::Machine& machine, const Allowed& allowed) {
+  const systemc::EvaluatorForm form = form_for(machine);
+  return agree_planes(machine, instructions, form, allowed) &&
+         agree_planes_in_sequences(machine, instructions, form, allowed);
+}
+
+bool lines(const machines::Machine& machine, const Allowed& allowed) {
+  return agree_scan_line(machine, instructions, allowed);
+}
+
+bool squares(const machines::Machine& machine, const Allowed& allowed) {
+  return agree_squares(machine, instructions, form_for(machine), allowed);
+}
+
+const std::map<std::string, Property> properties{{"frame-buffer", whole_pictures},
+                                                 {"scan-line", lines},
+                                                 {"pixel-square", squares},
+                                                 {"multi-processor", agree_nodes}};
 
 const machines::Kind& kind_of(const std::string& name) {
   for (const machines::Kind* const kind : kinds::all())
