@@ -107,7 +107,8 @@ void RunOptions::add_to(Command& command) {
       .one_of(levels);
   command
       .option("--evaluator", evaluator,
-              "Of --level cycle, the multiplier trees of a frame buffer: worked-out of the coefficients, or stepped "
+              "Of --level cycle, the multiplier trees of frame-buffer and pixel-square: worked-out of the "
+              "coefficients, or stepped "
               "adder by adder, which takes longer")
       .one_of(evaluator_names(), "evaluator");
   command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
