@@ -148,12 +148,12 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
   const Look look = make_look(options.scene, tree, positive, view.camera);
   const Context context{tree, geometry, view, positive, segment, layout, options, machine, look};
   SentPlanes planes(view);
-  division::DisplayModel made{{sampling.width, sampling.height, sampling.z_bits, sampling.fraction_bits,
-                               options.colour_bits, packed_background(options.scene, options.colour_bits),
-                               fields_of(layout, memory_bits)},
-                              {},
-                              primitives_of(context, planes),
-                              nodes_of(positive)};
+  division::DisplayModel made{
+      {sampling.width, sampling.height, sampling.z_bits, sampling.fraction_bits, options.colour_bits,
+       packed_background(options.scene, options.colour_bits), fields_of(layout, memory_bits)},
+      {},
+      primitives_of(context, planes),
+      nodes_of(positive)};
   made.planes = planes.take();
   return made;
 }

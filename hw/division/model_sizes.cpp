@@ -36,8 +36,8 @@ std::uint32_t number_at(Place place, std::span<const std::uint8_t> bytes) {
 ModelSizes sizes_of(std::span<const std::uint8_t> display_model) {
   if (8 * display_model.size() < header_bits) return {};
   const auto number = [&](Place place) { return number_at(place, display_model); };
-  return {number(at_planes),   number(at_primitives), number(at_nodes),      number(at_depth),    number(at_colour),
-          number(at_slope),    number(at_constant),   number(at_halfspaces), number(at_operands), number(at_plane)};
+  return {number(at_planes), number(at_primitives), number(at_nodes),      number(at_depth),    number(at_colour),
+          number(at_slope),  number(at_constant),   number(at_halfspaces), number(at_operands), number(at_plane)};
 }
 
 }  // namespace csgsim::division

@@ -16,8 +16,8 @@ struct Surface {
   std::uint32_t count = 0;
   bool complemented = false;
   std::uint32_t near_colour = 0;  ///< of the first primitive
-  Box box;                     ///< the pixels and depths of the square that the surface can be in
-  std::vector<Tested> tested;  ///< the half-spaces of all of them, at the corners of the box's pixels
+  Box box;                        ///< the pixels and depths of the square that the surface can be in
+  std::vector<Tested> tested;     ///< the half-spaces of all of them, at the corners of the box's pixels
 
   [[nodiscard]] bool holds(std::uint32_t primitive) const { return primitive >= first && primitive - first < count; }
 };

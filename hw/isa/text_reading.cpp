@@ -55,8 +55,8 @@ std::size_t index_in(const Table& table, std::string_view what, std::string_view
 }
 
 std::vector<std::string_view> directive_names(Program& program) {
-  std::vector<std::string_view> names{field_directive, primitive_directive, extent_directive, model_directive,
-                                      segment_directive, step_directive};
+  std::vector<std::string_view> names{field_directive, primitive_directive, extent_directive,
+                                      model_directive, segment_directive,   step_directive};
   describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
   return names;
 }
@@ -158,7 +158,8 @@ void Reading::begin_directive(const std::string& name) {
 }
 
 void Reading::begin_step() {
-  if (program_.display_model.empty()) refuse(".step is for Programs with a .display_model; put that before the segments");
+  if (program_.display_model.empty())
+    refuse(".step is for Programs with a .display_model; put that before the segments");
   if (program_.segments.empty()) refuse(".step is in no segment; put a .segment before it");
   Segment& segment = program_.segments.back();
   if (!segment.instructions.empty()) refuse(".step comes after an instruction; put it after its .segment line");

@@ -61,9 +61,9 @@ class DisplayProcessor final : public sc_core::sc_module {
   const Figures figures_;
   const isa::ArrayShape nodes_;
   const std::uint32_t bus_width_;
-  std::uint64_t bits_taken_ = 0;              ///< from the host
-  std::uint64_t model_bytes_ = 0;             ///< as the host says
-  std::vector<std::uint8_t> memory_;          ///< the model's bytes that have come
+  std::uint64_t bits_taken_ = 0;      ///< from the host
+  std::uint64_t model_bytes_ = 0;     ///< as the host says
+  std::vector<std::uint8_t> memory_;  ///< the model's bytes that have come
   division::DisplayModel model_;
   std::optional<division::Divider> divider_;  ///< once the model is in
   std::uint64_t words_ = 0;                   ///< sent, of all frames

@@ -168,7 +168,8 @@ TEST_CASE("half-spaces, nodes and planes that a divider's memories do not hold c
   CHECK(clocks([](Figures& own) { own.halfspaces = 2; }) == fits + (1 + 5) * 4);
   // Two nodes of 98 bits are written and read, in two words each.
   CHECK(clocks([](Figures& own) { own.nodes = 5; }) == fits + 2 * 2 * 2);
-  // A plane comes over the link in 6 + 1 clocks: with the half-space's own that is 8 in place of 4, and 4 in place of 2.
+  // A plane comes over the link in 6 + 1 clocks: with the half-space's own that is 8 in place of 4, and 4 in place
+  // of 2.
   CHECK(clocks([](Figures& own) { own.model_bits = 8; }) == fits + 3 * (8 - 4) + (4 - 2));
 }
 
