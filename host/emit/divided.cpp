@@ -48,9 +48,8 @@ std::map<std::uint32_t, std::uint64_t> instructions_of(const isa::Segment& segme
 void put(const SquareCounts& square, isa::Segment& segment) {
   std::map<std::uint32_t, std::uint64_t> instructions = instructions_of(segment);
   for (const SurfaceCounts& surface : square) {
-    const division::Counts& counts = surface.counts;
-    const isa::DivisionStep step{counts.boxes, counts.lists, counts.halfspaces,
-                                 counts.cells, counts.nodes, instructions[surface.primitive]};
+    isa::DivisionStep step = surface.counts;
+    step.instructions = instructions[surface.primitive];
     if (surface.primitive != model::no_index || step != isa::DivisionStep{}) segment.division.steps.push_back(step);
   }
 }

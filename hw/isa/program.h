@@ -26,13 +26,13 @@ struct Region {
 };
 
 /// What a machine that divides the model itself does for one surface in a region, or for several of which only boxes
-/// are looked at (docs/division.md); each of up to 64 bits. First it tests, then it writes.
+/// are looked at; docs/division.md has the rules. Each of up to 64 bits. First it tests, then it writes.
 struct DivisionStep {
-  std::uint64_t boxes = 0;
-  std::uint64_t lists = 0;       ///< of half-spaces, that are not empty
-  std::uint64_t halfspaces = 0;  ///< in them
-  std::uint64_t cells = 0;
-  std::uint64_t nodes = 0;
+  std::uint64_t boxes = 0;         ///< of primitives, held against the region's
+  std::uint64_t lists = 0;         ///< of half-spaces that are read, empty ones left out
+  std::uint64_t halfspaces = 0;    ///< in them, each tested at the four corners of a rectangle
+  std::uint64_t cells = 0;         ///< times that a half-space of a side is held against the leaders of a cell
+  std::uint64_t nodes = 0;         ///< of the tree, looked at
   std::uint64_t instructions = 0;  ///< of the region, those that come next
 
   DivisionStep& operator+=(const DivisionStep& more) {
