@@ -66,8 +66,8 @@ std::vector<std::uint8_t> model_bytes() {
   model.fields = {.depth = {0, 4}, .candidate = {4, 4}, .colour = {8, 3}, .candidate_colour = {}, .mask = {11, 1}};
   model.planes = {{false, 1, 0, 3}, {false, 0, 1, 3}, {false, 1, 1, 3}};
   const division::Box box{{0, 0, 3, 3}, 0, 15};
-  model.primitives = {{box, false, false, 1, {{0, true, 1}, {1, true, 2}, {2, false, 0}}},
-                      {box, false, false, 1, {{0, true, 3}, {1, false, 0}}}};
+  model.primitives = {{{box, false, false, 1}, {{0, true, 1}, {1, true, 2}, {2, false, 0}}},
+                      {{box, false, false, 1}, {{0, true, 3}, {1, false, 0}}}};
   model.nodes = {{}, {}, {2, division::Operator::unite}};
   const division::Bits bits = division::encode(model);
   std::vector<std::uint8_t> bytes((bits.count + 7) / 8);
