@@ -84,6 +84,14 @@ struct Board {
     retirement.begin(listener);
   }
 
+  /// A thread that ended in the middle of a square would not give back what is on its stack.
+  ~Board() {
+    for (int waits = 0; waits < 100 && divider.status().state != "done"; ++waits) bench.edges(1000);
+  }
+
+  Board(const Board&) = delete;
+  Board& operator=(const Board&) = delete;
+
   static machines::Machine machine_of(std::uint32_t levels, std::uint32_t group_side, std::uint32_t list_entries) {
     machines::Machine machine = testing::square_machine(figures(levels, group_side, list_entries));
     machine.array = {8, 8, 16};
