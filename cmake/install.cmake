@@ -25,7 +25,7 @@ install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCL
 # The machines and processors are in the program; these files are to be read, and to begin one's own with.
 install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY hw/process/ DESTINATION ${data_dir}/processes FILES_MATCHING PATTERN "*.toml")
-install(DIRECTORY sim/software/processors/ DESTINATION ${data_dir}/processors FILES_MATCHING PATTERN "*.toml")
+install(DIRECTORY hw/processors/ DESTINATION ${data_dir}/processors FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FILES_MATCHING
   PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)
 install(DIRECTORY tests/corpus/parts DESTINATION ${data_dir}/examples)

@@ -26,10 +26,11 @@ void keep(ActiveTree& tree, std::uint32_t index, PositiveOperator op, std::vecto
 }
 
 /// Narrows the depths to those between the solid's fronts and backs over the block's pixels.
-void tighten(Block& block, const view::View& view, const facet::Convex& solid) {
+void tighten(Block& block, const view::View& view, const facet::Convex& solid, const Counted& counted) {
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     const view::ScreenPlane& plane = view.planes[halfspace.plane];
     if (!plane.representable) continue;
+    counted.add(&isa::Preparation::halfspaces);
     const view::Side side = view::side_of(plane, halfspace);
     if (side == view::Side::front) {
       block.z_low = std::max(block.z_low, depth_range(plane, view.sampling.fraction_bits, block.pixels).low);
@@ -95,14 +96,15 @@ BoxIndex index_of(const view::View& view) {
 }  // namespace
 
 Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
-               const Pruning& pruning)
-    : geometry_(geometry), view_(view), tree_(tree), pruning_(pruning), paths_(tree) {
+               const Pruning& pruning, const Counted& counted)
+    : geometry_(geometry), view_(view), tree_(tree), pruning_(pruning), counted_(counted), paths_(tree) {
   if (pruning.picture && view.extents.size() > few_primitives) boxes_ = index_of(view);
 }
 
 Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
   Block block{region, 0, std::numeric_limits<std::int64_t>::max()};
   for (const std::uint32_t primitive : set) {
+    counted_.add(&isa::Preparation::boxes);
     const view::Extent& extent = view_.extents[primitive];
     if (extent.empty()) return {};
     block.pixels = common(block.pixels, extent.pixels);
@@ -111,7 +113,7 @@ Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect
   }
   if (block.pixels.empty() || block.z_low > block.z_high) return {};
   if (pruning_.halfspaces) {
-    for (const std::uint32_t primitive : set) tighten(block, view_, geometry_.solids[primitive]);
+    for (const std::uint32_t primitive : set) tighten(block, view_, geometry_.solids[primitive], counted_);
   }
   return block.z_low > block.z_high ? Block{} : block;
 }
@@ -121,8 +123,10 @@ bool Pruner::disjoint(std::uint32_t primitive, const Place& place) const {
   const view::Extent& extent = view_.extents[primitive];
   const bool picture =
       common(extent.pixels, block.pixels).empty() || extent.z_low > block.z_high || extent.z_high < block.z_low;
+  if (pruning_.picture) counted_.add(&isa::Preparation::boxes);
   return (pruning_.picture && picture) ||
          (pruning_.space && std::any_of(place.set.begin(), place.set.end(), [&](std::uint32_t other) {
+            counted_.add(&isa::Preparation::boxes);
             return csg::disjoint(extent.box, view_.extents[other].box);
           }));
 }
@@ -134,6 +138,7 @@ void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& place, st
     for (std::uint32_t i = first; i < end; ++i) found.push_back(i);
   } else {
     const Block& block = place.block;
+    counted_.add(&isa::Preparation::boxes, boxes_->boxes_of_way());
     boxes_->meeting(picture_box(block.pixels, block.z_low, block.z_high, first, end - 1), found);
   }
   const auto is_elsewhere = [&](std::uint32_t one) { return one < first || one >= end || disjoint(one, place); };
@@ -151,6 +156,7 @@ std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, c
   std::uint32_t first = set.front();
   std::uint32_t last = first;
   for (unsigned i = 0; operand != model::no_index; ++i) {
+    counted_.add(&isa::Preparation::nodes);
     const bool all_others = i == few_intersections;
     const std::uint32_t node = all_others ? paths_.top_intersection(leaf) : tree_.nodes[operand].parent;
     if (!all_others) {
@@ -167,14 +173,19 @@ std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, c
   return found;
 }
 
+bool Pruner::separated(std::uint32_t one, std::uint32_t other) const {
+  constexpr unsigned index_bits = 32;
+  const auto [pair, is_new] = separated_.try_emplace(std::uint64_t{one} << index_bits | other, false);
+  if (is_new) pair->second = csg::separated(view_.extents[one].corners, view_.extents[other].corners, counted_);
+  return pair->second;
+}
+
 /// What is known of a leaf, complemented or not.
 Known Pruner::leaf_known(const PositiveNode& leaf, const Place& place) const {
   const Known known = [&] {
-    const auto is_separate = [&](std::uint32_t primitive) {
-      return separated(view_.extents[leaf.primitive].corners, view_.extents[primitive].corners);
-    };
+    const auto is_separate = [&](std::uint32_t primitive) { return separated(leaf.primitive, primitive); };
     if (pruning_.separation && std::any_of(place.set.begin(), place.set.end(), is_separate)) return Known::out;
-    return pruning_.halfspaces ? locate(view_, geometry_, leaf.primitive, place.block) : Known::depends;
+    return pruning_.halfspaces ? locate(view_, geometry_, leaf.primitive, place.block, counted_) : Known::depends;
   }();
   if (known == Known::depends || !leaf.complemented) return known;
   return known == Known::in ? Known::out : Known::in;
@@ -196,6 +207,7 @@ Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
 bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const {
   std::uint32_t deciding = paths_.deciding_children(node);
   while (deciding > 0 && !meeting.empty()) {
+    counted_.add(&isa::Preparation::nodes);
     const std::uint32_t child = paths_.child_towards(node, meeting.front());
     if (paths_.decides_elsewhere(child)) --deciding;
     meeting = meeting.subspan(below(child, meeting).size());
@@ -239,6 +251,7 @@ class Pruner::Walk {
 
   /// False if it has the result at once; else its operands have to be visited.
   bool begin(std::uint32_t top, Primitives some) {
+    pruner_.counted_.add(&isa::Preparation::nodes);
     const TreePaths& paths = pruner_.paths_;
     const std::vector<std::uint32_t>& leaf_of = pruner_.tree_.leaf_of;
     const std::uint32_t index = paths.above(leaf_of[some.front()], leaf_of[some.back()]);
@@ -340,6 +353,7 @@ ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& 
   std::uint32_t at = leaf;
   // Upwards, from one node to the next that has more of what was found.
   while (begin != found.begin() || end != found.end()) {
+    counted_.add(&isa::Preparation::nodes);
     std::uint32_t node = model::no_index;
     if (begin != found.begin()) node = paths_.above(leaf, tree_.leaf_of[*(begin - 1)]);
     if (end != found.end()) node = std::min(node, paths_.above(leaf, tree_.leaf_of[*end]));

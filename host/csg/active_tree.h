@@ -3,10 +3,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "host/csg/box_index.h"
 #include "host/csg/convex_sets.h"
+#include "host/csg/counted.h"
 #include "host/csg/locate.h"
 #include "host/csg/positive_tree.h"
 #include "host/csg/pruning.h"
@@ -45,14 +47,14 @@ struct ActiveTree {
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// Prunes I-trees for regions of the picture. Keeps references to its arguments.
+/// Prunes I-trees for regions of the picture. Keeps references to its arguments; for one thread.
 ///
 /// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that have some of these
 /// are visited; the other parts are known, as they are the same wherever none of their primitives is.
 class Pruner {
  public:
-  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
-         const Pruning& pruning = {});
+  Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {},
+         const Counted& counted = {});
 
   /// The part of the region and the depths that the surface of a set can be in; its pixels are empty if there are none.
   [[nodiscard]] Block block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
@@ -74,6 +76,7 @@ class Pruner {
   };
   using Primitives = std::span<const std::uint32_t>;
   [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
+  [[nodiscard]] bool separated(std::uint32_t one, std::uint32_t other) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Primitives below(std::uint32_t node, Primitives from) const;
@@ -86,7 +89,10 @@ class Pruner {
   const view::View& view_;
   const PositiveTree& tree_;
   Pruning pruning_;
+  Counted counted_;
   TreePaths paths_;
+  /// Which pairs are, as far as they have been asked for: every region would find the same.
+  mutable std::unordered_map<std::uint64_t, bool> separated_;
   std::optional<BoxIndex> boxes_;  ///< of the primitives, by pixels, depths and number; if picture pruning is asked for
 };
 

@@ -33,14 +33,23 @@ std::vector<Item> items_of(std::span<const BoxIndex::Entry> entries) {
   return items;
 }
 
+constexpr std::size_t fan_out = 16;
+
 }  // namespace
 
 struct BoxIndex::Tree {
-  bg::index::rtree<Item, bg::index::quadratic<16>> items;
+  bg::index::rtree<Item, bg::index::quadratic<fan_out>> items;
 };
 
 BoxIndex::BoxIndex(std::span<const Entry> entries)
     : tree_(std::make_shared<const Tree>(Tree{decltype(Tree::items)(items_of(entries))})) {}
+
+std::uint64_t BoxIndex::boxes_of_way() const {
+  std::uint64_t boxes = 0;
+  for (std::size_t left = tree_->items.size(); left > 0; left = left > fan_out ? (left + fan_out - 1) / fan_out : 0)
+    boxes += std::min(left, fan_out);
+  return boxes;
+}
 
 void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) const {
   const auto append = [&](const Item& item) { numbers.push_back(item.second); };

@@ -27,6 +27,10 @@ class BoxIndex {
 
   explicit BoxIndex(std::span<const Entry> entries);
 
+  /// Boxes that a way from the root down to the entries looks at, where nodes are full: what a question takes besides
+  /// what it finds.
+  [[nodiscard]] std::uint64_t boxes_of_way() const;
+
   /// Appends the numbers of the entries that have a point in common with the box, in no order.
   void meeting(const Box& box, std::vector<std::uint32_t>& numbers) const;
 

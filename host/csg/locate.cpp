@@ -10,6 +10,14 @@ namespace {
 /// A bound beyond every value the machine uses, for planes whose coefficients fit no width.
 constexpr double beyond = 1e15;
 
+void count_test(const facet::Halfspace& /*bound*/, const Counted& counted) {
+  counted.add(&isa::Preparation::halfspaces);
+}
+
+void count_test(const facet::QuadricSide& /*bound*/, const Counted& counted) {
+  counted.add(&isa::Preparation::halfspaces, tests_of_quadric);
+}
+
 std::int64_t clamp_to_integer(double value) { return static_cast<std::int64_t>(std::clamp(value, -beyond, beyond)); }
 
 /// The range of an unrounded plane, a step wider at both ends than it can be after any rounding.
@@ -82,13 +90,16 @@ Known locate(const view::View& view, facet::QuadricSide side, const Block& block
   return Known::depends;
 }
 
-Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block) {
+Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
+             const Counted& counted) {
+  counted.add(&isa::Preparation::boxes);
   const view::Extent& extent = view.extents[primitive];
   const view::PixelRect shared = common(extent.pixels, block.pixels);
   if (extent.empty() || shared.empty() || extent.z_low > block.z_high || extent.z_high < block.z_low) return Known::out;
   bool inside = shared == block.pixels;
   const Block part{shared, block.z_low, block.z_high};
   const auto is_out = [&](const auto& bound) {
+    count_test(bound, counted);
     const Known known = locate(view, bound, part);
     inside = inside && known == Known::in;
     return known == Known::out;
@@ -98,12 +109,17 @@ Known locate(const view::View& view, const facet::Geometry& geometry, std::uint3
   return inside ? Known::in : Known::depends;
 }
 
-bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block) {
+bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
+           const Counted& counted) {
+  counted.add(&isa::Preparation::boxes);
   const view::Extent& extent = view.extents[primitive];
   const bool is_inside = !block.pixels.empty() && !extent.empty() &&
                          common(extent.pixels, block.pixels) == block.pixels && extent.z_low <= block.z_high &&
                          extent.z_high >= block.z_low;
-  const auto holds_block = [&](const auto& bound) { return locate(view, bound, block) == Known::in; };
+  const auto holds_block = [&](const auto& bound) {
+    count_test(bound, counted);
+    return locate(view, bound, block) == Known::in;
+  };
   const facet::Convex& solid = geometry.solids[primitive];
   return is_inside && std::ranges::all_of(solid.halfspaces, holds_block) &&
          std::ranges::all_of(solid.quadrics, holds_block);

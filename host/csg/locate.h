@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "host/csg/counted.h"
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
 
@@ -32,9 +33,11 @@ Known locate(const view::View& view, facet::QuadricSide side, const Block& block
 
 /// The same for a convex primitive: out if one half-space or quadric is out, in if all are in and the block is inside
 /// its extent.
-Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block);
+Known locate(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
+             const Counted& counted = {});
 
 /// Whether that is known to be in, found with no more half-spaces and quadrics than that takes.
-bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block);
+bool holds(const view::View& view, const facet::Geometry& geometry, std::uint32_t primitive, const Block& block,
+           const Counted& counted = {});
 
 }  // namespace csgsim::csg

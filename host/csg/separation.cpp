@@ -40,7 +40,7 @@ void widen(glm::dvec3& low, glm::dvec3& high, const glm::dvec3& point) {
 
 }  // namespace
 
-bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second) {
+bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted) {
   if (first.empty() || second.empty()) return false;
   glm::dvec3 low = first.front();
   glm::dvec3 high = low;
@@ -56,6 +56,7 @@ bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> se
   for (int step = 0; step < most_steps; ++step) {
     // The point of the difference that lies farthest back along `nearest`; directions transform the other way.
     const glm::dvec3 direction = nearest / size;
+    counted.add(&isa::Preparation::supports, first.size() + second.size());
     const glm::dvec3 farthest = difference(support(first, -direction), support(second, direction));
     const double length = glm::length(nearest);
     if (!(length > certainty)) return false;
@@ -75,13 +76,15 @@ bool disjoint(const facet::Box& a, const facet::Box& b) {
   return false;
 }
 
-bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning) {
+bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning,
+              const Counted& counted) {
   const view::Extent& first = view.extents[a];
   const view::Extent& second = view.extents[b];
+  counted.add(&isa::Preparation::boxes, (pruning.picture ? 1U : 0U) + (pruning.space ? 1U : 0U));
   const bool in_picture =
       common(first.pixels, second.pixels).empty() || first.z_low > second.z_high || first.z_high < second.z_low;
   return (pruning.picture && in_picture) || (pruning.space && disjoint(first.box, second.box)) ||
-         (pruning.separation && separated(first.corners, second.corners));
+         (pruning.separation && separated(first.corners, second.corners, counted));
 }
 
 }  // namespace csgsim::csg

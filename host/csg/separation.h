@@ -3,6 +3,7 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "host/csg/counted.h"
 #include "host/csg/pruning.h"
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
@@ -15,12 +16,13 @@ namespace csgsim::csg {
 ///
 /// Gilbert's algorithm (1966) walks towards the point of the Minkowski difference that is nearest to the origin; a
 /// support plane that leaves the origin out proves separation.
-bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second);
+bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted = {});
 
 /// Whether the boxes have no point in common.
 bool disjoint(const facet::Box& a, const facet::Box& b);
 
 /// Whether two primitives surely have no point of the picture and depth range in common, by the prunings asked for.
-bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning);
+bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning,
+              const Counted& counted = {});
 
 }  // namespace csgsim::csg

@@ -17,6 +17,7 @@
 #include "host/emit/effect.h"
 #include "host/emit/evaluation.h"
 #include "host/emit/fast_spheres.h"
+#include "host/emit/preparation.h"
 #include "host/emit/quadric_depths.h"
 #include "hw/base/error.h"
 #include "hw/isa/extents.h"
@@ -111,8 +112,7 @@ auto placed(const model::Tree& tree, const Broadcast& out, const Function& funct
 }
 
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
-isa::Segment compile_segment(const Context& context, std::span<const Drawing* const> drawings,
-                             ScanConversions& counts) {
+isa::Segment compile_segment(Context context, std::span<const Drawing* const> drawings, ScanConversions& counts) {
   const SegmentPlan& plan = context.plan;
   isa::Segment segment{plan.region, {}, {plan.active_primitives, plan.active_halfspaces, 0, 0, 0}};
   const view::Sampling& sampling = context.view.sampling;
@@ -120,7 +120,9 @@ isa::Segment compile_segment(const Context& context, std::span<const Drawing* co
   const bool is_empty = std::all_of(drawings.begin(), drawings.end(), [&](const Drawing* one) {
     return one->plan.segments[context.segment].surfaces.empty();
   });
+  for (const Drawing* const one : drawings) segment.preparation += one->plan.segments[context.segment].preparation;
   if (is_empty && !is_whole) return segment;
+  context.counted = csg::Counted(segment.preparation);
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
   Broadcast out(segment, sampling, context.options.work);
@@ -172,6 +174,16 @@ unsigned owner_bits(const std::vector<const Drawing*>& drawings) {
   return static_cast<unsigned>(std::bit_width(most));
 }
 
+/// Before the first segment: what the drawings are seen as, and their plans.
+isa::Preparation preparation_of(const std::vector<const Drawing*>& drawings) {
+  isa::Preparation all;
+  for (const Drawing* const one : drawings) {
+    all += emit::preparation_of(*one->geometry, one->view);
+    all += one->plan.preparation;
+  }
+  return all;
+}
+
 /// With a strategy and a colouring chosen.
 isa::Program compile_as(const Input& input, const Options& options) {
   const Drawing& drawing = input.drawing;
@@ -203,6 +215,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.facts.fields = named_fields(layout);
   program.background = packed_background(options.scene, options.colour_bits);
 
+  program.preparation = preparation_of(drawings);
   ScanConversions counts;
   for (std::size_t i = 0; i < drawing.plan.segments.size(); ++i) {
     Context context{input.tree, input.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],

@@ -82,6 +82,7 @@ struct Context {
   const lighting::Lighting* lights = nullptr;  ///< in place of the look's
   const Paint* paint = nullptr;                ///< in place of colours
   const StoredDepths* stored = nullptr;        ///< depths that are kept while surfaces are drawn; null: none
+  csg::Counted counted{};                      ///< where what the host does is counted
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << view.sampling.z_bits) - 1; }
   [[nodiscard]] bool complemented(std::uint32_t primitive) const {

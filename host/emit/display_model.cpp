@@ -136,7 +136,8 @@ Options divider_options(Options options) {
 }
 
 division::DisplayModel make_display_model(const model::Tree& tree, const facet::Geometry& geometry,
-                                          const view::View& view, const Options& options, std::uint32_t memory_bits) {
+                                          const view::View& view, const Options& options, std::uint32_t memory_bits,
+                                          const csg::Counted& counted) {
   if (options.colouring == Colouring::automatic)
     throw InputError("the divider has to be told how colours are found; take --colouring rebroadcast or field");
   const view::Sampling& sampling = view.sampling;
@@ -146,7 +147,8 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
   const SegmentPlan segment;
   const machines::Machine machine;
   const Look look = make_look(options.scene, tree, positive, view.camera);
-  const Context context{tree, geometry, view, positive, segment, layout, options, machine, look};
+  Context context{tree, geometry, view, positive, segment, layout, options, machine, look};
+  context.counted = counted;
   SentPlanes planes(view);
   division::DisplayModel made{
       {sampling.width, sampling.height, sampling.z_bits, sampling.fraction_bits, options.colour_bits,

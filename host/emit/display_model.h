@@ -1,5 +1,6 @@
 #pragma once
 
+#include "host/csg/counted.h"
 #include "host/emit/options.h"
 #include "host/facet/geometry.h"
 #include "host/model/tree.h"
@@ -17,6 +18,7 @@ Options divider_options(Options options);
 /// is left to be chosen, or, naming the primitive, where coefficients of a face do not fit and the face may matter
 /// somewhere in the primitive's rectangle of pixels.
 division::DisplayModel make_display_model(const model::Tree& tree, const facet::Geometry& geometry,
-                                          const view::View& view, const Options& options, std::uint32_t memory_bits);
+                                          const view::View& view, const Options& options, std::uint32_t memory_bits,
+                                          const csg::Counted& counted = {});
 
 }  // namespace csgsim::emit

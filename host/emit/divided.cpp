@@ -9,6 +9,7 @@
 
 #include "host/emit/display_model.h"
 #include "host/emit/division_counts.h"
+#include "host/emit/preparation.h"
 #include "hw/base/error.h"
 #include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
@@ -83,7 +84,7 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
                     "or a machine for which the host divides",
                     name_of(options.strategy)));
   }
-  const Options divided = divider_options(options);
+  Options divided = divider_options(options);
   if (options.pruning != csg::Pruning{} && options.pruning != divided.pruning) {
     throw InputError(
         "the machine divides the model itself, with prunings of its own; leave out none of them, or take a "
@@ -95,9 +96,12 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
                   const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options) {
-  program.display_model =
-      bytes_of(division::encode(make_display_model(tree, geometry, view, options, program.shape.memory_bits)));
+  program.preparation = preparation_of(geometry, view);
+  program.display_model = bytes_of(division::encode(
+      make_display_model(tree, geometry, view, options, program.shape.memory_bits, csg::Counted(program.preparation))));
   const std::span<isa::Segment> segments = program.segments;
+  // Which the machine divides the model into: for its host that is no work.
+  for (isa::Segment& segment : segments) segment.preparation = {};
   if (division.group_side == 0 && division.groups.empty()) {
     const auto counts = count_division(tree, geometry, view, options, regions_of(segments));
     for (std::size_t i = 0; i < segments.size(); ++i) put(counts[i], segments[i]);

@@ -114,6 +114,7 @@ Context context_of(const Drawing& drawing, const Context& outer) {
   inner.left_out = outer.left_out;
   inner.nesting = drawing.nesting;
   inner.base = outer.base;
+  inner.counted = outer.counted;
   return inner;
 }
 
@@ -131,6 +132,7 @@ Context with_layout(const Context& context, const Layout& layout) {
   other.drawn = context.drawn;
   other.lights = context.lights;
   other.paint = context.paint;
+  other.counted = context.counted;
   return other;
 }
 

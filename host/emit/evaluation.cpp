@@ -119,7 +119,7 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
       const csg::ActiveNode& a = nodes[leaves[i]];
       const csg::ActiveNode& b = nodes[leaves[j]];
       if (!a.complemented && !b.complemented &&
-          csg::disjoint(context.view, a.primitive, b.primitive, context.options.pruning)) {
+          csg::disjoint(context.view, a.primitive, b.primitive, context.options.pruning, context.counted)) {
         return true;
       }
     }

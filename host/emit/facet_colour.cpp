@@ -23,6 +23,7 @@ std::uint32_t facet_colour(const Context& context, const Facet& facet) {
 }
 
 std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm::dvec3& colour) {
+  context.counted.add(&isa::Preparation::colours);
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
   const lighting::Lighting& light = context.lighting();
   const glm::dvec3 place = light.is_local(finish.material) ? middle(context, facet) : glm::dvec3(0, 0, 1);

@@ -27,6 +27,7 @@ void require_representable(const Context& context, std::uint32_t primitive, face
 }
 
 csg::Known known_of(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
+  context.counted.add(&isa::Preparation::halfspaces);
   const csg::Known known = csg::locate(context.view, halfspace, block);
   const bool representable = context.view.planes[halfspace.plane].representable;
   return context.options.pruning.halfspaces || !representable ? known : csg::Known::depends;
@@ -45,18 +46,21 @@ void keep(std::vector<Item>& items, const std::vector<bool>& kept) {
 
 /// Drops half-spaces that an extreme at a corner stands before at every corner, hence at every pixel between.
 void drop_before_leaders(std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
-                         const view::PixelRect& pixels) {
-  const std::vector<bool> leads = view::leading(ranks, pixels, step);
+                         const view::PixelRect& pixels, const csg::Counted& counted) {
+  std::uint64_t held = 0;
+  const std::vector<bool> leads = view::leading(ranks, pixels, step, &held);
+  counted.add(&isa::Preparation::values, held);
   keep(ranks, leads);
   keep(facets, leads);
 }
 
 /// Drops half-spaces that at no pixel come as near as a depth step to the extreme there.
 void drop_before_all(const std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
-                     const view::PixelRect& pixels) {
+                     const view::PixelRect& pixels, const csg::Counted& counted) {
   std::vector<bool> kept(ranks.size(), false);
   std::vector<std::int64_t> extremes(static_cast<std::size_t>(pixels.x1 - pixels.x0 + 1));
   const auto along = [&](const view::FixedLinear& rank, std::int64_t y, const auto& visit) {
+    counted.add(&isa::Preparation::values, extremes.size());
     std::int64_t value = rank.a * pixels.x0 + rank.b * y + rank.c;
     for (std::int64_t& extreme : extremes) {
       visit(value, extreme);
@@ -87,8 +91,9 @@ void drop_dominated(const Context& context, std::vector<Facet>& facets, Side sid
     const view::FixedLinear& plane = context.linear_of(facet.halfspace);
     ranks.push_back({sign * plane.a, sign * plane.b, sign * plane.c});
   }
-  drop_before_leaders(ranks, facets, step, pixels);
-  if (context.options.pruning.pixels && facets.size() > 1) drop_before_all(ranks, facets, step, pixels);
+  drop_before_leaders(ranks, facets, step, pixels, context.counted);
+  if (context.options.pruning.pixels && facets.size() > 1)
+    drop_before_all(ranks, facets, step, pixels, context.counted);
 }
 
 }  // namespace

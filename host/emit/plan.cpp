@@ -20,19 +20,25 @@ constexpr std::size_t most_hiders = 256;
 class Hiders {
  public:
   Hiders(const std::vector<PlannedSurface>& surfaces, const csg::PositiveTree& positive,
-         const facet::Geometry& geometry, const view::View& view, const std::vector<double>& opacity)
-      : surfaces_(surfaces), geometry_(geometry), view_(view), index_(entries(surfaces, positive, view, opacity)) {}
+         const facet::Geometry& geometry, const view::View& view, const std::vector<double>& opacity,
+         const csg::Counted& counted)
+      : surfaces_(surfaces),
+        geometry_(geometry),
+        view_(view),
+        counted_(counted),
+        index_(entries(surfaces, positive, view, opacity)) {}
 
   /// Whether one of them fills the block's pixels one depth step before the block, so that no surface in it is seen. It
   /// may be hidden itself: what hides it hides the other too.
   [[nodiscard]] bool hide(const csg::Block& block) const {
     if (block.z_low <= 0) return false;
     const std::int64_t before = block.z_low - 1;
+    counted_.add(&isa::Preparation::boxes, index_.boxes_of_way());
     return index_.any_covering(csg::picture_box(block.pixels, before, before), most_hiders, [&](std::uint32_t number) {
       const PlannedSurface& front = surfaces_[number];
       return front.block.z_low < block.z_low &&
              std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {
-               return csg::holds(view_, geometry_, primitive, {block.pixels, before, before});
+               return csg::holds(view_, geometry_, primitive, {block.pixels, before, before}, counted_);
              });
     });
   }
@@ -61,13 +67,16 @@ class Hiders {
   const std::vector<PlannedSurface>& surfaces_;
   const facet::Geometry& geometry_;
   const view::View& view_;
+  csg::Counted counted_;
   csg::BoxIndex index_;
 };
 
 void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const facet::Geometry& geometry,
                  const view::View& view, const std::vector<double>& opacity) {
   if (plan.surfaces.size() < 2) return;
-  const Hiders hiders(plan.surfaces, positive, geometry, view, opacity);
+  const csg::Counted counted(plan.preparation);
+  counted.add(&isa::Preparation::boxes, plan.surfaces.size());
+  const Hiders hiders(plan.surfaces, positive, geometry, view, opacity, counted);
   std::vector<bool> drop;
   for (const PlannedSurface& one : plan.surfaces) drop.push_back(hiders.hide(one.block));
   std::size_t index = 0;
@@ -145,13 +154,17 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
   Plan plan;
   plan.positive = csg::make_positive(tree);
   const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), opacity);
-  const csg::Pruner pruner(geometry, view, plan.positive, pruning);
+  plan.preparation.nodes = plan.positive.nodes.size();
+  isa::Preparation counted;
+  const csg::Pruner pruner(geometry, view, plan.positive, pruning, csg::Counted(counted));
   const std::vector<std::vector<std::uint32_t>> active_sets = sets_in(regions, sets, view);
   plan.segments.resize(regions.size());
   for (std::size_t i = 0; i < regions.size(); ++i) plan.segments[i].region = regions[i];
   count_active(plan.segments, regions, geometry, view);
   for (std::size_t i = 0; i < regions.size(); ++i) {
     SegmentPlan& segment = plan.segments[i];
+    counted = {};
+    counted.boxes = active_sets[i].size();
     for (const std::uint32_t number : active_sets[i]) {
       const csg::ConvexSet& set = sets[number];
       const csg::Block block = pruner.block_of(set, segment.pixels());
@@ -161,6 +174,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
       charge_comparisons(active, geometry, tree, set.front(), work);
       segment.surfaces.push_back({set, block, std::move(active), 0});
     }
+    segment.preparation = counted;
     if (pruning.hidden) drop_hidden(segment, plan.positive, geometry, view, opacity);
     std::uint32_t number = 0;
     for (PlannedSurface& one : segment.surfaces) one.number = ++number;

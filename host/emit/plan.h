@@ -28,6 +28,7 @@ struct SegmentPlan {
   std::vector<PlannedSurface> surfaces;  ///< in tree order
   std::uint32_t active_primitives = 0;   ///< with pixels in the region
   std::uint32_t active_halfspaces = 0;   ///< of these
+  isa::Preparation preparation;          ///< that this took
 
   [[nodiscard]] view::PixelRect pixels() const;
 };
@@ -36,6 +37,7 @@ struct SegmentPlan {
 struct Plan {
   csg::PositiveTree positive;
   std::vector<SegmentPlan> segments;
+  isa::Preparation preparation;  ///< that this took before the first segment
 
   /// Levels of the deepest active tree.
   [[nodiscard]] std::uint32_t depth() const;

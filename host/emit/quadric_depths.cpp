@@ -134,6 +134,7 @@ Matters what_matters(const Context& context, const QuadricBound& bound, const cs
 }
 
 Known known_of(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+  context.counted.add(&isa::Preparation::halfspaces, csg::tests_of_quadric);
   if (!context.options.pruning.halfspaces) return Known::depends;
   const RootRanges ranges = ranges_of(context, bound, block.pixels);
   if (is_out(bound, ranges, block)) return Known::out;

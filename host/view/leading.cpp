@@ -22,7 +22,8 @@ bool is_below(const Corners& one, const Corners& other, std::int64_t step) {
 
 }  // namespace
 
-std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRect& pixels, std::int64_t step) {
+std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRect& pixels, std::int64_t step,
+                          std::uint64_t* held) {
   std::vector<Corners> values;
   values.reserve(functions.size());
   for (const FixedLinear& function : functions) values.push_back(at_corners(function, pixels));
@@ -31,14 +32,18 @@ std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRec
     const auto greatest = std::ranges::max_element(values, {}, [&](const Corners& one) { return one[corner]; });
     leaders[corner] = static_cast<std::size_t>(greatest - values.begin());
   }
+  std::uint64_t compared = functions.size();
   std::vector<bool> leads;
   leads.reserve(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) {
     leads.push_back(std::ranges::none_of(leaders, [&](std::size_t by) {
-      if (by == i || !is_below(values[i], values[by], step)) return false;
+      if (by == i) return false;
+      ++compared;
+      if (!is_below(values[i], values[by], step)) return false;
       return i > by || !is_below(values[by], values[i], step);
     }));
   }
+  if (held != nullptr) *held += compared * leaders.size();
   return leads;
 }
 

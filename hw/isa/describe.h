@@ -101,6 +101,18 @@ void describe(T& step, Visit&& visit) {
   visit("instructions", step.instructions);
 }
 
+template <Any<Preparation> T, class Visit>
+void describe(T& preparation, Visit&& visit) {
+  visit("planes", preparation.planes);
+  visit("points", preparation.points);
+  visit("colours", preparation.colours);
+  visit("boxes", preparation.boxes);
+  visit("tests", preparation.halfspaces);
+  visit("values", preparation.values);
+  visit("supports", preparation.supports);
+  visit("nodes", preparation.nodes);
+}
+
 /// But for its steps.
 template <Any<DivisionCounts> T, class Visit>
 void describe(T& division, Visit&& visit) {

@@ -308,7 +308,8 @@ void put_text_form(std::string& page) {
       "before the first\n`.segment`. The other directives take `key=value` pairs; what is left out is zero (`far`: "
       "1).\n\n"
       "What a machine acts on is in `.array`, `.frame`, `.extent`, `.display_model`, of a segment in its region and in "
-      "what its\ndivision takes, and in the instructions. All else is for people: `.depth`, `.model`, `.compile`, "
+      "what its\ndivision takes, in `.prepare`, and in the instructions. All else is for people: `.depth`, `.model`, "
+      "`.compile`, "
       "`.field`, `.primitive`,\nthe numbers of primitives, half-spaces and comparisons of a segment, and origins. Who "
       "takes all of it out gets\nthe same clocks, counts of instructions and picture.\n\n"
       "- `.machine` names the machine that the Program was compiled for, with the figures that were changed, and its "
@@ -333,6 +334,11 @@ void put_text_form(std::string& page) {
   put_keys(page, "segment", DivisionCounts{});
   put(page, "\nand, on `.step` lines after it, what each of its surfaces takes:\n\n");
   put_keys(page, "step", DivisionStep{});
+  put(page,
+      "\nWhat the host does before it writes instructions is on `.prepare` lines, one before the first `.segment` for "
+      "the frame,\nand one after the line of each segment that has some; [the host](host.md) tells what is "
+      "counted:\n\n");
+  put_keys(page, "prepare", Preparation{});
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <concepts>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -110,12 +111,15 @@ void read(const json& value, std::string_view what, RowExtent& extent) {
   read(row[1], what, extent.last);
 }
 
-void read(const json& value, std::string_view what, DivisionStep& step) {
+/// A record whose members stand in a row, in their order.
+template <class Record>
+requires std::same_as<Record, DivisionStep> || std::same_as<Record, Preparation>
+void read(const json& value, std::string_view what, Record& record) {
   std::size_t members = 0;
-  describe(step, [&](const char*, auto&) { ++members; });
+  describe(record, [&](const char*, auto&) { ++members; });
   const json& row = row_of(value, what, members);
   std::size_t column = 0;
-  describe(step, [&](const char* key, auto& member) { read(row[column++], key, member); });
+  describe(record, [&](const char* key, auto& member) { read(row[column++], key, member); });
 }
 
 template <class Element>
@@ -172,6 +176,23 @@ void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint
     next += static_cast<std::size_t>(counts[i]);
   }
   if (next != steps.size()) malformed("steps", "as long as its segments say");
+}
+
+/// Of the frame and of each segment; nothing where nobody has counted.
+json preparation_rows(const Program& program) {
+  bool any = program.preparation != Preparation{};
+  json rows = json::array({numbers_of(program.preparation)});
+  for (const Segment& segment : program.segments) {
+    any = any || segment.preparation != Preparation{};
+    rows.push_back(numbers_of(segment.preparation));
+  }
+  return any ? rows : json();
+}
+
+void share_out(const std::vector<Preparation>& rows, Program& program) {
+  if (rows.size() != program.segments.size() + 1) malformed("preparation", "a row for the frame and each segment");
+  program.preparation = rows.front();
+  for (std::size_t i = 0; i < program.segments.size(); ++i) program.segments[i].preparation = rows[i + 1];
 }
 
 /// Refuses nesting deeper than encode_metadata makes, which bounds the recursion of the reader of CBOR.
@@ -271,6 +292,7 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
     for (const Segment& segment : program.segments)
       for (const DivisionStep& step : segment.division.steps) steps.push_back(numbers_of(step));
   }
+  if (json rows = preparation_rows(program); !rows.is_null()) root["preparation"] = std::move(rows);
   return json::to_cbor(root);
 }
 
@@ -307,6 +329,11 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     std::vector<DivisionStep> steps;
     read(member_of(root, "steps"), "steps", steps);
     share_out(steps, step_counts, program);
+  }
+  if (const auto found = root.find("preparation"); found != root.end()) {
+    std::vector<Preparation> rows;
+    read(*found, "preparation", rows);
+    share_out(rows, program);
   }
   return metadata;
 }

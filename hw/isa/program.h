@@ -76,6 +76,32 @@ struct SegmentFacts {
   constexpr bool operator==(const SegmentFacts&) const = default;
 };
 
+/// What the host does before it writes instructions, as it counts it itself; docs/host.md has the rules. Each of up to
+/// 64 bits.
+struct Preparation {
+  std::uint64_t planes = 0;      ///< transformed to the picture
+  std::uint64_t points = 0;      ///< of solids, transformed to the picture
+  std::uint64_t colours = 0;     ///< worked out
+  std::uint64_t boxes = 0;       ///< held against another
+  std::uint64_t halfspaces = 0;  ///< held against the corners of a rectangle
+  std::uint64_t values = 0;      ///< of planes at single pixels, held against another
+  std::uint64_t supports = 0;    ///< points held against a direction in space
+  std::uint64_t nodes = 0;       ///< of the tree, looked at
+
+  Preparation& operator+=(const Preparation& more) {
+    planes += more.planes;
+    points += more.points;
+    colours += more.colours;
+    boxes += more.boxes;
+    halfspaces += more.halfspaces;
+    values += more.values;
+    supports += more.supports;
+    nodes += more.nodes;
+    return *this;
+  }
+  constexpr bool operator==(const Preparation&) const = default;
+};
+
 /// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. Without
 /// instructions the region shows the background, and no pixel processor works on it.
 struct Segment {
@@ -83,6 +109,7 @@ struct Segment {
   std::vector<Instruction> instructions;
   SegmentFacts facts{};
   DivisionCounts division{};  ///< nothing without a display model
+  Preparation preparation{};  ///< of the host, for these instructions
 
   bool operator==(const Segment&) const = default;
 };
@@ -209,6 +236,7 @@ struct Program {
   /// What a machine that divides the model itself is sent in place of the segments, the first bit in the lowest of the
   /// first byte; none for other machines. The segments are what it has to make of that.
   std::vector<std::uint8_t> display_model{};
+  Preparation preparation{};  ///< of the host, for the frame, before the first segment
   Facts facts;
 
   bool operator==(const Program&) const = default;

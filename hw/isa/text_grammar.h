@@ -127,6 +127,7 @@ struct directive_body {
       case Directive::record:
       case Directive::extent:
       case Directive::step:
+      case Directive::preparation:
       case Directive::segment: return demand(std::type_identity<star<blanks, pair>>{});
     }
     return false;

@@ -154,6 +154,10 @@ void put_display_model(Buffer& out, std::span<const std::uint8_t> bytes) {
     put(out, ".display_model \"{}\"\n", hexadecimal(bytes.first(std::min(bytes.size(), model_line))));
 }
 
+void put_preparation(Buffer& out, const Preparation& preparation) {
+  if (preparation != Preparation{}) put_record(out, "prepare", preparation);
+}
+
 void put_header(Buffer& out, const Program& program) {
   put(out, "# csgsim program\n");
   describe_header(program, [&](std::string_view name, const auto& record) {
@@ -169,6 +173,7 @@ void put_header(Buffer& out, const Program& program) {
   }
   for (const RowExtent& extent : program.extents) put_record(out, "extent", extent);
   put_display_model(out, program.display_model);
+  put_preparation(out, program.preparation);
 }
 
 void flush(Buffer& buffer, std::ostream& out) {
@@ -193,6 +198,7 @@ void print(std::ostream& out, const Program& program) {
       put_record(buffer, "segment", DividedSegment<const Segment>{segment}, comment);
     }
     for (const DivisionStep& step : segment.division.steps) put_record(buffer, "step", step);
+    put_preparation(buffer, segment.preparation);
     for (const Instruction& instruction : segment.instructions)
       put_instruction(buffer, instruction, number++, names, program.facts);
     flush(buffer, out);

@@ -27,6 +27,7 @@ constexpr std::string_view extent_directive = "extent";
 constexpr std::string_view model_directive = "display_model";
 constexpr std::string_view segment_directive = "segment";
 constexpr std::string_view step_directive = "step";
+constexpr std::string_view preparation_directive = "prepare";
 
 template <class... Args>
 [[noreturn]] void refuse(fmt::format_string<Args...> format, Args&&... args) {
@@ -55,8 +56,8 @@ std::size_t index_in(const Table& table, std::string_view what, std::string_view
 }
 
 std::vector<std::string_view> directive_names(Program& program) {
-  std::vector<std::string_view> names{field_directive, primitive_directive, extent_directive,
-                                      model_directive, segment_directive,   step_directive};
+  std::vector<std::string_view> names{field_directive,   primitive_directive, extent_directive,     model_directive,
+                                      segment_directive, step_directive,      preparation_directive};
   describe_header(program, [&](std::string_view name, auto&) { names.push_back(name); });
   return names;
 }
@@ -138,16 +139,18 @@ void Reading::begin_directive(const std::string& name) {
   name_ = name;
   keys_seen_.clear();
   if (directive == Directive::primitive && name != primitive_directive) set_pieces();
-  directive = name == field_directive       ? Directive::field
-              : name == primitive_directive ? Directive::primitive
-              : name == extent_directive    ? Directive::extent
-              : name == model_directive     ? Directive::display_model
-              : name == segment_directive   ? Directive::segment
-              : name == step_directive      ? Directive::step
-                                            : Directive::record;
+  directive = name == field_directive         ? Directive::field
+              : name == primitive_directive   ? Directive::primitive
+              : name == extent_directive      ? Directive::extent
+              : name == model_directive       ? Directive::display_model
+              : name == segment_directive     ? Directive::segment
+              : name == step_directive        ? Directive::step
+              : name == preparation_directive ? Directive::preparation
+                                              : Directive::record;
   if (records_seen_.empty() && name != "array") refuse(".{} comes before .array; begin with .array", name);
   if (directive == Directive::extent) program_.extents.emplace_back();
   if (directive == Directive::step) return begin_step();
+  if (directive == Directive::preparation) return begin_preparation();
   if (directive == Directive::segment) {
     program_.segments.emplace_back();
   } else if (!program_.segments.empty()) {
@@ -164,6 +167,13 @@ void Reading::begin_step() {
   Segment& segment = program_.segments.back();
   if (!segment.instructions.empty()) refuse(".step comes after an instruction; put it after its .segment line");
   segment.division.steps.emplace_back();
+}
+
+void Reading::begin_preparation() {
+  if (!prepared_.insert(program_.segments.size()).second)
+    refuse(".prepare stands twice for {}; keep one of them", program_.segments.empty() ? "the frame" : "this segment");
+  if (!program_.segments.empty() && !program_.segments.back().instructions.empty())
+    refuse(".prepare comes after an instruction; put it after its .segment line");
 }
 
 /// What the directives of the primitives have said.
@@ -207,6 +217,7 @@ void Reading::set_value() {
   }
   if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
   if (directive == Directive::step) return assign_member(program_.segments.back().division.steps.back(), key, value);
+  if (directive == Directive::preparation) return assign_member(preparation(), key, value);
   if (directive == Directive::segment) {
     const DividedSegment<Segment> segment{program_.segments.back()};
     if (program_.display_model.empty()) return assign_member(segment.segment, key, value);
@@ -238,7 +249,8 @@ void Reading::end_directive() {
       return;
     }
     case Directive::extent: return validate_extent(program_.extents.back(), program_.shape);
-    case Directive::step: return;
+    case Directive::step:
+    case Directive::preparation: return;
     case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
     case Directive::field:
       named_.field = field;

@@ -18,7 +18,7 @@
 namespace csgsim::isa {
 
 /// What a directive of the text form holds.
-enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment, step };
+enum class Directive : std::uint8_t { record, field, primitive, extent, display_model, segment, step, preparation };
 
 /// A value that is neither string nor list: a number, true or false.
 struct Bare {
@@ -82,6 +82,11 @@ class Reading {
   void add_term(std::string_view variables, std::string_view sum);
   void set_pieces();
   void begin_step();
+  void begin_preparation();
+  /// Of the segment at hand, or the frame's before the first.
+  Preparation& preparation() {
+    return program_.segments.empty() ? program_.preparation : program_.segments.back().preparation;
+  }
 
   struct Term {
     bool negative = false;
@@ -101,6 +106,7 @@ class Reading {
   std::map<std::string, Field, std::less<>> fields_;  ///< of the Program, by name
   std::vector<Placed> look_ahead_;
   std::set<std::string> records_seen_;
+  std::set<std::size_t> prepared_;   ///< how many segments there were at each .prepare
   std::string name_;                 ///< of the directive
   std::set<std::string> keys_seen_;  ///< of the directive
   NamedField named_;

@@ -8,6 +8,7 @@
 
 #include "hw/isa/link_word.h"
 #include "hw/isa/program.h"
+#include "hw/machines/host.h"
 
 namespace csgsim::machines {
 
@@ -53,6 +54,7 @@ struct Machine {
   std::uint32_t alu_bits = 1;      ///< adjacent bits of a field that the ALU works on, and a port delivers, in a clock
   std::uint32_t clear_clocks = 0;  ///< in which all memory of the pixel processors becomes 0
   Link link;
+  Host host;
   std::any own;                 ///< what only its kind has; see own<Figures>()
   std::vector<Figure> figures;  ///< every figure of the file, in its order
 };

@@ -32,6 +32,12 @@ constexpr FigureSchema or_ideal(FigureSchema figure, std::int64_t ideal) {
   return figure;
 }
 
+/// The same figure, whose values have these names, counted from 0.
+constexpr FigureSchema named(FigureSchema figure, std::span<const std::string_view> names) {
+  figure.names = names;
+  return figure;
+}
+
 inline constexpr std::int64_t most_clocks = 1'000'000;  ///< of a figure
 
 /// A figure that stands in a member of the machine, or in a member of one of its parts.

@@ -34,6 +34,14 @@ inline constexpr FigureSchema clear_clocks = or_ideal(
     figure<&Machine::clear_clocks>("memory.clear_clocks", "clocks", 0, most_clocks,
                                    "in which all memory of the pixel processors becomes 0, where a segment begins"),
     0);
+inline constexpr FigureSchema host_processor =
+    or_ideal(named(figure<&Machine::host, &Host::processor>("host.processor", "", 0,
+                                                            std::int64_t{host_processor_names.size()} - 1,
+                                                            "that compiles a frame while the one before is drawn"),
+                   host_processor_names),
+             ideal_processor);
+inline constexpr FigureSchema host_count =
+    figure<&Machine::host, &Host::count>("host.count", "processors", 1, 4096, "that share this work evenly");
 inline constexpr FigureSchema link_width = or_ideal(
     figure<&Machine::link, &Link::width>("link.width", "bits", 1, isa::LinkWord::most_bits, "a word of the link"),
     isa::LinkWord::most_bits);

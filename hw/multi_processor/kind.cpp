@@ -88,6 +88,8 @@ constexpr auto schema = std::to_array<FigureSchema>({
     part_clocks<&Figures::node_tests, &TestClocks::tree_node>("node.tree_clocks", "to look at a node of the tree"),
     part_clocks<&Figures::node_tests, &TestClocks::instruction>("node.list_clocks",
                                                                 "to put an instruction into the list"),
+    shared::host_processor,
+    shared::host_count,
 });
 
 }  // namespace

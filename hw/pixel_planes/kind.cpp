@@ -45,6 +45,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_word_clocks,
     shared::link_fifo_depth,
     shared::link_latency,
+    shared::host_processor,
+    shared::host_count,
 });
 
 }  // namespace

@@ -107,6 +107,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                            "divider.linear_clocks", "clocks", 0, most_clocks,
                            "to work out constant, width and shift of a linear instruction, besides its words"),
                        0),
+    shared::host_processor,
+    shared::host_count,
 });
 
 }  // namespace

@@ -61,6 +61,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                        0),
     own_figure<Figures, &Figures::refresh_hz>("refresh.rate", "Hz", 1, 1000, "fields shown a second"),
     own_figure<Figures, &Figures::interlaced>("refresh.interlaced", "", 0, 1, "1: a field is every other line"),
+    shared::host_processor,
+    shared::host_count,
 });
 
 }  // namespace

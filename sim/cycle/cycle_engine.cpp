@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/host/host.h"
 #include "hw/kinds/make.h"
 #include "hw/machines/runs_on.h"
 #include "sim/cycle/clocked_engine.h"
@@ -17,27 +18,29 @@ namespace csgsim::cycle {
 
 namespace {
 
-engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay) {
+engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay, const isa::Program& program,
+                            const machines::Machine& machine) {
   engine::RunResult result{.overflows = relay.overflows(),
                            .skipped = report.skipped,
                            .skips = relay.skips(),
                            .answers = std::move(report.answers),
                            .scanned_out = std::move(report.picture)};
-  put(machines::with_pace({.clocks = report.clocks,
-                           .shown_clocks = report.shown_clocks,
-                           .interval_clocks = report.interval_clocks,
-                           .latency_clocks = report.latency_clocks,
-                           .account = std::move(report.account)}),
+  put(host::with_host({.clocks = report.clocks,
+                       .shown_clocks = report.shown_clocks,
+                       .interval_clocks = report.interval_clocks,
+                       .latency_clocks = report.latency_clocks,
+                       .account = std::move(report.account)},
+                      program, machine),
       result);
   return result;
 }
 
 /// The Program has to be one for the machine.
-engine::RunResult run_on(systemc::ClockedMachine& hardware, const isa::Program& program,
-                         std::span<engine::Observer* const> observers) {
+engine::RunResult run_on(systemc::ClockedMachine& hardware, const machines::Machine& machine,
+                         const isa::Program& program, std::span<engine::Observer* const> observers) {
   Relay relay(program, observers);
   systemc::RunReport report = hardware.run(program, relay);
-  return result_of(std::move(report), relay);
+  return result_of(std::move(report), relay, program, machine);
 }
 
 class CycleEngine final : public engine::Engine {
@@ -49,7 +52,7 @@ class CycleEngine final : public engine::Engine {
 
   engine::RunResult run(const isa::Program& program, std::span<engine::Observer* const> observers) override {
     machines::check_runs_on(program, machine_);
-    return run_on(hardware_, program, observers);
+    return run_on(hardware_, machine_, program, observers);
   }
 
   [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& /*program*/) const override {
@@ -87,7 +90,8 @@ std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, st
     listeners.push_back(&relays.emplace_back(programs[i], observers.subspan(i, 1)));
   std::vector<systemc::RunReport> reports = clocked_hardware(machine, form).run_sequence(programs, listeners);
   std::vector<engine::RunResult> results;
-  for (std::size_t i = 0; i < reports.size(); ++i) results.push_back(result_of(std::move(reports[i]), relays[i]));
+  for (std::size_t i = 0; i < reports.size(); ++i)
+    results.push_back(result_of(std::move(reports[i]), relays[i], programs[i], machine));
   return results;
 }
 

@@ -67,6 +67,7 @@ struct RunResult {
       0;  ///< of these, for the last instruction to reach the pixels, where the array is the whole picture
   std::uint64_t shown_clocks = 0;     ///< as machines::FrameTiming
   std::uint64_t interval_clocks = 0;  ///< as machines::FrameTiming
+  std::uint64_t host_clocks = 0;      ///< as machines::FrameTiming
   /// Enabled pixels at which A*x + B*y + C did not fit the width, but had to (isa::cuts_sum); 0 if not checked.
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;            ///< instructions that a skip_if_none left out
@@ -84,6 +85,7 @@ inline void put(machines::FrameTiming timing, RunResult& result) {
   result.clocks = timing.clocks;
   result.shown_clocks = timing.shown_clocks;
   result.interval_clocks = timing.interval_clocks;
+  result.host_clocks = timing.host_clocks;
   result.latency_clocks = timing.latency_clocks;
   result.account = std::move(timing.account);
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/host/host.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
@@ -100,7 +101,7 @@ engine::RunResult FunctionalRun::result() const {
   result.skips = skips_;
   result.answers = answers_;
   result.work = tiles_.work();
-  put(machines::time_frame(program_, machine_, skips_), result);
+  put(host::time_frame(program_, machine_, skips_), result);
   return result;
 }
 

@@ -13,11 +13,12 @@ namespace csgsim::observe {
 namespace {
 
 machines::FrameTiming timing_of(const engine::RunResult& result) {
-  return {result.clocks, result.shown_clocks, result.interval_clocks, result.latency_clocks, result.account};
+  return {result.clocks,         result.shown_clocks, result.interval_clocks,
+          result.latency_clocks, result.account,      result.host_clocks};
 }
 
-double share_of(const machines::Load& load, const engine::RunResult& result) {
-  return static_cast<double>(load.clocks) / static_cast<double>(result.interval_clocks);
+double share_of(const machines::Load& load, std::uint64_t clocks) {
+  return static_cast<double>(load.clocks) / static_cast<double>(clocks);
 }
 
 /// With an article, but for one of several that is called by its number.
@@ -29,18 +30,28 @@ std::string with_article(const std::string& part) {
 }  // namespace
 
 std::optional<Bound> bound_of(const engine::RunResult& result, const machines::Machine& machine) {
-  if (result.interval_clocks == 0) return std::nullopt;
+  const std::uint64_t next = result.interval_clocks;
+  if (next == 0) return std::nullopt;
   std::vector<machines::Load> loads = machine.kind->loads(timing_of(result));
   if (loads.empty()) return std::nullopt;
   std::ranges::stable_sort(loads, std::ranges::greater{}, &machines::Load::clocks);
   const machines::Load& most = loads.front();
-  const double rate = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
+  const auto rate = [&](std::uint64_t clocks) {
+    return static_cast<double>(machine.clock_hz) / static_cast<double>(clocks);
+  };
   std::string sentence = fmt::format(
       "{} bounds the frame: it {} in {:.1f} % of the {} clocks from one frame to the next, {:.4g} frames a second",
-      with_article(most.part), most.does, 100.0 * share_of(most, result), grouped(result.interval_clocks), rate);
+      with_article(most.part), most.does, 100.0 * share_of(most, next), grouped(next), rate(next));
   if (loads.size() > 1 && loads[1].clocks > 0)
-    sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], result));
-  return Bound{most.part, share_of(most, result), sentence};
+    sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
+  Bound bound{most.part, share_of(most, next), sentence, most.part, share_of(most, next)};
+  if (result.host_clocks <= next) return bound;
+  bound.part = "host";
+  bound.share = 1;
+  bound.sentence = fmt::format(
+      "the host bounds the frame: it compiles the next in {} clocks, {:.4g} frames a second; if it kept up, {}",
+      grouped(result.host_clocks), rate(result.host_clocks), sentence);
+  return bound;
 }
 
 }  // namespace csgsim::observe

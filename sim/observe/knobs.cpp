@@ -9,6 +9,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/host/host.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
 
@@ -101,7 +102,7 @@ std::optional<std::uint64_t> interval_with(const Change& change, const isa::Prog
     const machines::Size picture = machine.picture;
     machines::complete(machine);
     machines::set_picture_size(machine, picture);
-    return machines::time_frame(program, machine, skips).interval_clocks;
+    return host::time_frame(program, machine, skips).interval_clocks;
   } catch (const InputError&) {
     return std::nullopt;
   }

@@ -144,7 +144,11 @@ Json segments_json(const isa::Program& program) {
 Json bound_json(const Report& report) {
   const std::optional<Bound> bound = bound_of(report.result, report.machine);
   if (!bound) return {};
-  return {{"part", bound->part}, {"share", bound->share}, {"sentence", bound->sentence}};
+  return {{"part", bound->part},
+          {"share", bound->share},
+          {"sentence", bound->sentence},
+          {"fed_part", bound->fed_part},
+          {"fed_share", bound->fed_share}};
 }
 
 Json dearest_json(const Report& report) {
@@ -174,7 +178,7 @@ Json knobs_json(std::span<const Knob> knobs) {
 
 /// 0 where a frame takes no time.
 double frames_per_second(const Report& report) {
-  const std::uint64_t interval = report.result.interval_clocks;
+  const std::uint64_t interval = machines::paced_clocks(report.result.interval_clocks, report.result.host_clocks);
   return interval == 0 ? 0 : static_cast<double>(report.machine.clock_hz) / static_cast<double>(interval);
 }
 
@@ -196,6 +200,7 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["clocks"] = report.result.clocks;
   json["shown_clocks"] = report.result.shown_clocks;
   json["interval_clocks"] = report.result.interval_clocks;
+  json["host_clocks"] = report.result.host_clocks;
   json["frame_seconds"] =
       static_cast<double>(report.result.shown_clocks) / static_cast<double>(report.machine.clock_hz);
   json["frames_per_second"] = frames_per_second(report);

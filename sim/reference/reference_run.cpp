@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/host/host.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
@@ -133,7 +134,7 @@ engine::RunResult ReferenceRun::result() const {
   engine::RunResult result = so_far_;
   result.overflows += array_.overflows();
   result.skips = skips_;
-  put(machines::time_frame(program_, machine_, skips_), result);
+  put(host::time_frame(program_, machine_, skips_), result);
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
+#include "hw/host/host.h"
 #include "hw/machines/timing.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
@@ -54,7 +55,7 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
 });
 
 std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::may_skip(program)) return machines::time_frame(program, machine).interval_clocks;
+  if (!functional::may_skip(program)) return host::time_frame(program, machine).interval_clocks;
   return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
 }
 

@@ -45,10 +45,20 @@ void print_machine(const observe::Report& report) {
 void print_frame(const observe::Report& report) {
   const auto hz = static_cast<double>(report.machine.clock_hz);
   const engine::RunResult& result = report.result;
+  const std::uint64_t next = machines::paced_clocks(result.interval_clocks, result.host_clocks);
   fmt::print("{:<18}shown after {} clocks = {}; the next after {} clocks = {:.4g} frames a second\n", "frame",
-             grouped(result.shown_clocks), time_text(static_cast<double>(result.shown_clocks) / hz),
-             grouped(result.interval_clocks),
-             result.interval_clocks == 0 ? 0.0 : hz / static_cast<double>(result.interval_clocks));
+             grouped(result.shown_clocks), time_text(static_cast<double>(result.shown_clocks) / hz), grouped(next),
+             next == 0 ? 0.0 : hz / static_cast<double>(next));
+}
+
+void print_host(const observe::Report& report) {
+  const std::uint64_t clocks = report.result.host_clocks;
+  if (clocks == 0) return;
+  const machines::Host& host = report.machine.host;
+  const std::string_view name = machines::host_processor_names.at(host.processor);
+  fmt::print("{:<18}{} compiles it in {} clocks = {}\n", "host",
+             host.count == 1 ? std::string(name) : fmt::format("{} {} together", host.count, name), grouped(clocks),
+             time_text(static_cast<double>(clocks) / static_cast<double>(report.machine.clock_hz)));
 }
 
 void print_purposes(const observe::Report& report) {
@@ -159,6 +169,7 @@ void print_summary(const observe::Report& report) {
   fmt::print("{:<18}{} = {} at the machine's clock rate\n", "clocks", grouped(report.result.clocks),
              time_text(simulated));
   print_frame(report);
+  print_host(report);
   fmt::print("{:<18}{} carried out, {} skipped\n", "instructions", grouped(total.instructions),
              grouped(report.result.skipped));
   fmt::print("{:<18}{} rendered into Z1, {} classified against Z1, {}\n", "scan-conversions", grouped(compile.rendered),

@@ -26,8 +26,8 @@ Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays
 }
 
 Priced priced(const std::string& said) {
-  if (said == this_computer) return {said, std::nullopt};
-  Processor processor = load_processor(said);
+  if (said == processors::this_computer) return {said, std::nullopt};
+  processors::Processor processor = processors::load_processor(said);
   return {escaped(processor.name), std::move(processor)};
 }
 
@@ -43,8 +43,9 @@ std::string hash_of(const Priced& processor) {
 PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Operations& classification,
                          const Seconds& measured, const Priced& processor) {
   if (!processor.processor) return {measured.classification, measured.rays + measured.classification};
-  const double alone = seconds(classification, *processor.processor);
-  return {alone, alone + seconds(rays, *processor.processor) + seconds(sorting, *processor.processor)};
+  const double alone = processors::seconds(classification, *processor.processor);
+  return {alone,
+          alone + processors::seconds(rays, *processor.processor) + processors::seconds(sorting, *processor.processor)};
 }
 
 }  // namespace csgsim::software

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/software/cost/processor.h"
+#include "hw/processors/processor.h"
 #include "sim/software/draw.h"
 #include "sim/software/methods/rows.h"
 
@@ -24,7 +24,7 @@ Work work_of(const Choice& choice, const Subject& subject, const RayCaster& rays
 /// A processor that work is priced for.
 struct Priced {
   std::string name;
-  std::optional<Processor> processor;  ///< nothing for this computer
+  std::optional<processors::Processor> processor;  ///< nothing for this computer
 };
 
 /// By name, file or `this-computer`. Throws as load_processor does.

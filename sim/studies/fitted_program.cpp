@@ -7,6 +7,7 @@
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
 #include "hw/base/hash.h"
+#include "hw/host/host.h"
 #include "hw/isa/operands.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
@@ -72,7 +73,7 @@ RunTimer::Run& RunTimer::run_of(const isa::Program& program) {
 }
 
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  return machines::time_frame(program, machine, skips(program, machine));
+  return host::time_frame(program, machine, skips(program, machine));
 }
 
 std::span<const machines::Skip> RunTimer::skips(const isa::Program& program, const machines::Machine& machine) {

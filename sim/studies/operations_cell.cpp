@@ -33,7 +33,7 @@ void from_cell(const std::string& text, OperationsCell& cell) {
     const std::size_t equals = word.find('=');
     const std::string_view name = std::string_view(word).substr(0, equals);
     const auto* const row =
-        std::ranges::find_if(operation_rows, [&](const software::OperationRow& one) { return one.name == name; });
+        std::ranges::find_if(operation_rows, [&](const processors::OperationRow& one) { return one.name == name; });
     if (equals == std::string::npos || row == operation_rows.end())
       throw InputError("'" + word + "' is not of the form operation=times");
     from_cell(word.substr(equals + 1), cell.operations.counts[static_cast<std::size_t>(row - operation_rows.begin())]);

@@ -1,6 +1,6 @@
 // Processor files.
 
-#include "sim/software/cost/processor.h"
+#include "hw/processors/processor.h"
 
 #include <fmt/format.h>
 
@@ -12,12 +12,12 @@
 
 namespace fuzz = csgsim::fuzz;
 namespace machines = csgsim::machines;
-namespace software = csgsim::software;
+namespace processors = csgsim::processors;
 
 namespace {
 
 /// A processor file with the same figures.
-std::string description_of(const software::Processor& processor) {
+std::string description_of(const processors::Processor& processor) {
   std::string text = fmt::format("name = {}\ndescription = {}\n", fuzz::toml_string(processor.name),
                                  fuzz::toml_string(processor.description));
   for (const machines::Figure& figure : processor.figures)
@@ -27,22 +27,22 @@ std::string description_of(const software::Processor& processor) {
   return text;
 }
 
-bool same_processor(const software::Processor& one, const software::Processor& other) {
+bool same_processor(const processors::Processor& one, const processors::Processor& other) {
   return one.name == other.name && one.description == other.description && one.clock_hz == other.clock_hz &&
          one.prices == other.prices && one.compiler_factor == other.compiler_factor &&
          one.memory_price == other.memory_price && fuzz::same_figures(one.figures, other.figures);
 }
 
-void check(const software::Processor& processor) {
-  for (std::size_t kind = 0; kind < software::operation_kinds; ++kind) {
-    const std::string key = fmt::format("price.{}", software::operation_rows[kind].name);
+void check(const processors::Processor& processor) {
+  for (std::size_t kind = 0; kind < processors::operation_kinds; ++kind) {
+    const std::string key = fmt::format("price.{}", processors::operation_rows[kind].name);
     const auto found = std::ranges::find(processor.figures, key, &machines::Figure::key);
     fuzz::require(found != processor.figures.end(), "every operation has its price");
     fuzz::require(found->value == fmt::format("{}", processor.prices[kind]), "an operation has the price of the file");
   }
   fuzz::require(processor.clock_hz > 0 && processor.compiler_factor > 0, "a second has clocks, and work takes some");
   try {
-    fuzz::require(same_processor(software::read_processor(description_of(processor), "again.toml"), processor),
+    fuzz::require(same_processor(processors::read_processor(description_of(processor), "again.toml"), processor),
                   "a processor described again is the same");
   } catch (const csgsim::InputError& error) {
     fuzz::broken(error.what());
@@ -54,7 +54,7 @@ void check(const software::Processor& processor) {
 /// Any bytes are either a processor with every figure or one line of error.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    check(software::read_processor(fuzz::text_of(data, size), "fuzz.toml"));
+    check(processors::read_processor(fuzz::text_of(data, size), "fuzz.toml"));
   } catch (const csgsim::InputError& error) {
     fuzz::check_message(error, "fuzz.toml");
   }

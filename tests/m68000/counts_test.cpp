@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/software/cost/processor.h"
+#include "hw/processors/processor.h"
 #include "sim/software/traversals/bit_parallel.h"
 #include "sim/software/traversals/early_out.h"
 #include "sim/software/traversals/positional.h"
@@ -60,7 +60,7 @@ struct Clocks {
 /// Evaluates after each flip, by both.
 template <template <class> class Traversal>
 Clocks clocks_of(const m68000::RandomTree& random, m68000::Method method) {
-  const software::Processor processor = software::load_processor("mc68000+compiler.factor=1000");
+  const processors::Processor processor = processors::load_processor("mc68000+compiler.factor=1000");
   const software::Tree tree = as_counted(random);
   software::CountingMethod count;
   Traversal<software::CountingMethod> traversal(tree);
@@ -71,7 +71,7 @@ Clocks clocks_of(const m68000::RandomTree& random, m68000::Method method) {
     judge.flip(primitive);
     RC_ASSERT(traversal.evaluate(count) == judge.evaluate());
   }
-  return {software::clocks(count.done(), processor), static_cast<double>(judge.clocks())};
+  return {processors::clocks(count.done(), processor), static_cast<double>(judge.clocks())};
 }
 
 template <template <class> class Traversal>

@@ -396,6 +396,24 @@ std::vector<isa::DivisionStep> pick_steps(std::size_t instructions) {
   return steps;
 }
 
+isa::Preparation pick_preparation() {
+  return {.planes = pick(0U, 9U),
+          .points = pick(0U, 9U),
+          .colours = pick(0U, 9U),
+          .boxes = pick(0U, 9U),
+          .halfspaces = pick(0U, 9U),
+          .values = pick(0U, 9U),
+          .supports = pick(0U, 9U),
+          .nodes = pick(0U, 9U)};
+}
+
+/// What the host does; often nothing.
+void pick_preparations(isa::Program& program) {
+  if (pick(0U, 1U) == 0) return;
+  program.preparation = pick_preparation();
+  for (isa::Segment& segment : program.segments) segment.preparation = pick_preparation();
+}
+
 /// Any bytes in place of a display model, and what its division takes; often neither.
 void pick_division(isa::Program& program) {
   program.display_model.resize(pick(0U, 1U) * pick(0U, 120U));
@@ -428,6 +446,7 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
           pick_segment(pick_region(shape), shape.memory_bits, max_instructions, primitives, degree));
     }
     pick_division(program);
+    pick_preparations(program);
     return program;
   });
 }

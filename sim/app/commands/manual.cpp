@@ -13,13 +13,13 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/machine.h"
 #include "hw/process/process.h"
+#include "hw/processors/processor.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
 #include "sim/shell/read_by.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/usage.h"
-#include "sim/software/cost/processor.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/methods/rows.h"
 #include "sim/software/space/directory.h"
@@ -80,7 +80,7 @@ void print_described(const Options& options, const std::vector<std::string_view>
 }
 
 void print_processors(const Options& options) {
-  print_described(options, software::processor_names(), software::load_processor);
+  print_described(options, processors::processor_names(), processors::load_processor);
 }
 
 void print_processes(const Options& options) {

@@ -9,10 +9,10 @@
 
 #include "hw/base/output_file.h"
 #include "hw/kinds/load.h"
+#include "hw/processors/processor.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/option_table.h"
 #include "sim/shell/version.h"
-#include "sim/software/cost/processor.h"
 
 namespace csgsim::shell {
 
@@ -92,9 +92,9 @@ std::vector<std::string> offered_words(const OptionHelp& option) {
   const ValueKind kind = kind_of(option);
   if (kind != ValueKind::machines && kind != ValueKind::processors) return option.words;
   const std::vector<std::string_view> names =
-      kind == ValueKind::machines ? kinds::built_in_names() : software::processor_names();
+      kind == ValueKind::machines ? kinds::built_in_names() : processors::processor_names();
   std::vector<std::string> words(names.begin(), names.end());
-  if (kind == ValueKind::processors) words.emplace_back(software::this_computer);
+  if (kind == ValueKind::processors) words.emplace_back(processors::this_computer);
   return words;
 }
 

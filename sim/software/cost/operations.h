@@ -1,77 +1,15 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
+
+#include "hw/processors/operations.h"
 
 namespace csgsim::software {
 
-/// What a processor does for a method. A word has 16 bits, a long 32: numbers of primitives, kinds and codes are words;
-/// pointers, depths and strings of bits are longs. A processor's file prices each kind.
-enum class Operation : std::uint8_t {
-  load,
-  load_long,
-  store,
-  store_long,
-  move,
-  add,
-  add_long,
-  compare,
-  compare_long,
-  logic,
-  logic_long,
-  shift_long,
-  shifted_bit,
-  multiply,
-  divide,
-  branch,
-  branch_taken,
-  call,
-  come_back,
-};
-
-struct OperationRow {
-  const char* name;  ///< in processors' files and in tables
-  const char* meaning;
-};
-
-/// In the order of the enumerators.
-inline constexpr std::array operation_rows{
-    OperationRow{"load", "a word is read from memory, by a register and a displacement"},
-    OperationRow{"load_long", "a long is read from memory, by a register and a displacement"},
-    OperationRow{"store", "a word is written to memory, by a register and a displacement"},
-    OperationRow{"store_long", "a long is written to memory, by a register and a displacement"},
-    OperationRow{"move", "a register or a small constant is copied to a register"},
-    OperationRow{"add", "a word is added to a register or taken from it"},
-    OperationRow{"add_long", "a long is added to a register or taken from it; an address is worked out"},
-    OperationRow{"compare", "a register is compared with a word or tested"},
-    OperationRow{"compare_long", "a register is compared with a long or tested"},
-    OperationRow{"logic", "AND, OR, XOR, NOT or the test of a bit, of a word"},
-    OperationRow{"logic_long", "AND, OR, XOR, NOT or the test of a bit, of a long"},
-    OperationRow{"shift_long", "a long is shifted, besides what each place takes"},
-    OperationRow{"shifted_bit", "a place by which it is shifted"},
-    OperationRow{"multiply", "two words are multiplied to a long"},
-    OperationRow{"divide", "a long is divided by a word"},
-    OperationRow{"branch", "a conditional branch that is not taken"},
-    OperationRow{"branch_taken", "a branch that is taken"},
-    OperationRow{"call", "a subroutine is called"},
-    OperationRow{"come_back", "a subroutine returns"},
-};
-
-inline constexpr std::size_t operation_kinds = operation_rows.size();
-static_assert(operation_kinds == static_cast<std::size_t>(Operation::come_back) + 1);
-
-/// How many of each kind.
-struct Operations {
-  std::array<std::uint64_t, operation_kinds> counts{};
-
-  [[nodiscard]] std::uint64_t of(Operation kind) const { return counts[static_cast<std::size_t>(kind)]; }
-  Operations& operator+=(const Operations& more) {
-    for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] += more.counts[i];
-    return *this;
-  }
-  bool operator==(const Operations&) const = default;
-};
+using processors::Operation;
+using processors::operation_kinds;
+using processors::operation_rows;
+using processors::Operations;
 
 /// Methods are compiled twice: with this they count what they do, where they do it,
 class Counting {

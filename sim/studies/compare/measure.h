@@ -53,6 +53,8 @@ struct ComparisonRow {
   std::uint64_t clocks = 0;            ///< in which a frame is drawn
   double simulated_seconds = 0;        ///< these, at the machine's clock rate
   std::uint64_t shown_clocks = 0;      ///< until its last pixel has been shown
+  std::uint64_t interval_clocks = 0;   ///< from one frame to the next, where the host keeps up
+  std::uint64_t host_clocks = 0;       ///< in which the host compiles a frame
   double frames_per_second = 0;        ///< in a sequence of such frames
   std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
   std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
@@ -62,8 +64,8 @@ struct ComparisonRow {
   std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
   std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
   double utilisation = 0;                              ///< enabled pixel operations in processor clocks
-  std::string bound_by;                  ///< the part that bounds the frame; empty where the kind does not tell
-  double bound_share = 0;                ///< of the clocks from one frame to the next, in which it works
+  std::string bound_by;    ///< the part that bounds the frame if the host keeps up; empty where the kind does not tell
+  double bound_share = 0;  ///< of the clocks from one frame to the next, in which it works
   std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
   DearPrimitives dearest;                ///< what they take of these
   std::string picture;                   ///< hash of depth, owner and colour of every pixel; none of software
@@ -83,6 +85,8 @@ struct ComparisonRow {
     visit("clocks", row.clocks);
     visit("simulated_seconds", row.simulated_seconds);
     visit("shown_clocks", row.shown_clocks);
+    visit("interval_clocks", row.interval_clocks);
+    visit("host_clocks", row.host_clocks);
     visit("frames_per_second", row.frames_per_second);
     visit("pixel_operations", row.pixel_operations);
     visit("enabled", row.enabled);
@@ -101,6 +105,9 @@ struct ComparisonRow {
     visit("reason", row.reason);
   }
 };
+
+/// Frames a second if the host keeps up; of software, whose time has none, as it is.
+double fed_frames_per_second(const ComparisonRow& row);
 
 /// A processor and the method that runs on it.
 struct SoftwareChoice {

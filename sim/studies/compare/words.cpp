@@ -32,11 +32,12 @@ std::size_t column_width(const ComparisonRow& row) { return std::max<std::size_t
 void print_bounds(const OwnRows& own) {
   std::size_t width = 16;
   for (const ComparisonRow* row : own) width = std::max(width, row->point.machine.size() + 1);
-  fmt::print("\n{:<{}}{:<34}{:>9}{:>11}\n", "what bounds it", width + 2, "", "share", "frames/s");
+  fmt::print("\n{:<{}}{:<34}{:>9}{:>11}{:>18}\n", "what bounds it", width + 2, "", "share", "frames/s",
+             "with its host");
   for (const ComparisonRow* row : own) {
     if (row->bound_by.empty()) continue;
-    fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11.4g}\n", row->point.machine, width, row->bound_by,
-               100.0 * row->bound_share, row->frames_per_second);
+    fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11.4g}{:>18.4g}\n", row->point.machine, width, row->bound_by,
+               100.0 * row->bound_share, fed_frames_per_second(*row), row->frames_per_second);
   }
 }
 

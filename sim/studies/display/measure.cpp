@@ -65,7 +65,7 @@ DisplaySeconds display_seconds(const DisplayStudyRow& row, const software::Price
     return seconds;
   }
   for (std::size_t phase = 0; phase < software::phases; ++phase) {
-    seconds.of[phase] = software::seconds(row.operations[phase].operations, *processor.processor);
+    seconds.of[phase] = processors::seconds(row.operations[phase].operations, *processor.processor);
     if (phase != 0) seconds.total += *seconds.of[phase];
   }
   return seconds;

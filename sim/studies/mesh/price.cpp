@@ -93,8 +93,8 @@ Operations repairing(const MeshRow& row) {
   return sum;
 }
 
-MeshSeconds seconds_of(const MeshRow& row, const software::Processor& processor) {
-  return {software::seconds(subdividing(row), processor), software::seconds(repairing(row), processor)};
+MeshSeconds seconds_of(const MeshRow& row, const processors::Processor& processor) {
+  return {processors::seconds(subdividing(row), processor), processors::seconds(repairing(row), processor)};
 }
 
 }  // namespace csgsim::studies

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "hw/processors/processor.h"
 #include "sim/software/cost/operations.h"
-#include "sim/software/cost/processor.h"
 #include "sim/studies/mesh/measure.h"
 
 namespace csgsim::studies {
@@ -16,6 +16,6 @@ struct MeshSeconds {
   double repairing = 0;
 };
 
-MeshSeconds seconds_of(const MeshRow& row, const software::Processor& processor);
+MeshSeconds seconds_of(const MeshRow& row, const processors::Processor& processor);
 
 }  // namespace csgsim::studies

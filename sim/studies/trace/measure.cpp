@@ -134,7 +134,9 @@ software::TraceOptions TraceSubject::options_of(const TracePoint& point) const {
 
 TraceSeconds seconds_of(const TraceRow& row, const software::Priced& processor) {
   if (!processor.processor) return {.all = row.wall_seconds_trace};
-  const auto of = [&](const OperationsCell& cell) { return software::seconds(cell.operations, *processor.processor); };
+  const auto of = [&](const OperationsCell& cell) {
+    return processors::seconds(cell.operations, *processor.processor);
+  };
   TraceSeconds seconds{of(row.projection_operations), of(row.traversal_operations), of(row.intersection_operations),
                        of(row.operations), of(row.shade_operations)};
   seconds.all =
@@ -144,7 +146,7 @@ TraceSeconds seconds_of(const TraceRow& row, const software::Priced& processor) 
 
 double build_seconds_of(const TraceRow& row, const software::Priced& processor) {
   if (!processor.processor) return row.wall_seconds_build;
-  return software::seconds(row.build_operations.operations, *processor.processor);
+  return processors::seconds(row.build_operations.operations, *processor.processor);
 }
 
 TraceRow measure_trace(const TracePoint& point, const Inputs& inputs, const TraceSubject& subject) {

@@ -6,7 +6,7 @@ import tomllib
 from figures import row
 from runs import ROOT
 
-NAMES = ("mc68000", "i486dx2")
+NAMES = ("mc68000", "i486dx2", "i860")
 
 
 def instruction(figure):
@@ -15,11 +15,11 @@ def instruction(figure):
 
 
 def prices(_):
-    described = [tomllib.loads((ROOT / f"sim/software/processors/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+    described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
     meanings = dict(re.findall(r'OperationRow\{"(\w+)", "([^"]+)"\}',
-                               (ROOT / "sim/software/cost/operations.h").read_text(encoding="utf-8")))
+                               (ROOT / "hw/processors/operations.h").read_text(encoding="utf-8")))
     rows = [(f"`price.{kind}`", meanings[kind],
              *(cell for one in described for cell in (one["price"][kind]["value"], instruction(one["price"][kind]))))
             for kind in described[0]["price"]]
-    head = [row("figure", "an operation", "`mc68000`", "of", "`i486dx2`", "of"), "|---|---|--:|---|--:|---|"]
+    head = [row("figure", "an operation", *(cell for name in NAMES for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(NAMES)]
     return "\n".join(head + [row(*cells) for cells in rows])

@@ -203,7 +203,7 @@ def prunings(figures):
 
 
 def file_of(processor):
-    return tomllib.loads((ROOT / "sim/software/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
+    return tomllib.loads((ROOT / "hw/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
 
 
 def priced(processor, operations):

@@ -1,4 +1,4 @@
-#include "sim/software/cost/processor.h"
+#include "hw/processors/processor.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -11,21 +11,21 @@
 
 #include "hw/base/error.h"
 #include "hw/machines/change_error.h"
+#include "hw/processors/built_in.h"
 #include "places.h"
-#include "sim/software/cost/built_in.h"
 #include "tests/support/place_in.h"
 
 using namespace csgsim;
-using software::load_processor;
+using processors::load_processor;
+using processors::Processor;
+using processors::read_processor;
 using software::Operation;
 using software::Operations;
-using software::Processor;
-using software::read_processor;
 
 namespace {
 
 std::string text_of(std::string_view name) {
-  for (const software::BuiltInProcessor& one : software::built_in_processors())
+  for (const processors::BuiltInProcessor& one : processors::built_in_processors())
     if (one.name == name) return std::string(one.text);
   FAIL("there is no such processor");
   return {};
@@ -62,8 +62,8 @@ std::uint32_t price_of(const Processor& processor, Operation kind) {
 }  // namespace
 
 TEST_CASE("every processor that comes with csgsim prices every operation, and says from where") {
-  REQUIRE(software::processor_names().size() >= 2);
-  for (const std::string_view name : software::processor_names()) {
+  REQUIRE(processors::processor_names().size() >= 2);
+  for (const std::string_view name : processors::processor_names()) {
     CAPTURE(name);
     const Processor processor = load_processor(std::string(name));
     CHECK(processor.name == name);
@@ -74,7 +74,7 @@ TEST_CASE("every processor that comes with csgsim prices every operation, and sa
       CHECK(figure.value == fmt::format("{}", processor.prices[kind]));
       CHECK(figure.unit == "clocks");
       CHECK(figure.provenance == "published");
-      CHECK(software::meaning_of_figure(figure.key) == software::operation_rows[kind].meaning);
+      CHECK(processors::meaning_of_figure(figure.key) == software::operation_rows[kind].meaning);
       // A shift takes the same for any number of places on some.
       if (kind != static_cast<std::size_t>(Operation::shifted_bit)) CHECK(processor.prices[kind] > 0);
     }
@@ -113,13 +113,13 @@ TEST_CASE("operations take their prices, times the compiler's factor, at the pro
   count(Operation::branch);
   count.shift(5);
   const Processor by_hand = load_processor("mc68000+compiler.factor=1000");
-  CHECK(software::clocks(count.done(), by_hand) == 3 * 12 + 8 + 8 + 5 * 2);
-  CHECK(software::seconds(count.done(), by_hand) == 62 / 8e6);
+  CHECK(processors::clocks(count.done(), by_hand) == 3 * 12 + 8 + 8 + 5 * 2);
+  CHECK(processors::seconds(count.done(), by_hand) == 62 / 8e6);
   const Processor compiled = load_processor("mc68000+compiler.factor=2500+clock.frequency=10000000");
   CHECK(compiled.name == "mc68000+compiler.factor=2500+clock.frequency=10000000");
-  CHECK(software::clocks(count.done(), compiled) == 155);
-  CHECK(software::seconds(count.done(), compiled) == 155 / 10e6);
-  CHECK(software::clocks(Operations{}, by_hand) == 0);
+  CHECK(processors::clocks(count.done(), compiled) == 155);
+  CHECK(processors::seconds(count.done(), compiled) == 155 / 10e6);
+  CHECK(processors::clocks(Operations{}, by_hand) == 0);
 }
 
 TEST_CASE("errors of a processor's file say where, and what to write instead") {
@@ -196,9 +196,9 @@ TEST_CASE("processors are found by name or in files, and edited ones tell what i
   CHECK_THROWS_AS(load_processor("mc68000+price.load=-1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("mc68000+price.lode=1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("no such file.toml"), InputError);
-  CHECK_THROWS_AS(software::meaning_of_figure("price.lode"), std::out_of_range);
+  CHECK_THROWS_AS(processors::meaning_of_figure("price.lode"), std::out_of_range);
 
-  const std::string file = std::string(CSGSIM_SOURCE_DIR) + "/sim/software/processors/mc68000.toml";
+  const std::string file = std::string(CSGSIM_SOURCE_DIR) + "/hw/processors/mc68000.toml";
   CHECK(load_processor(file).name == "mc68000");
   CHECK(load_processor(file + "+price.load=13").name == "mc68000+price.load=13");
   const std::string edited = "edited_processor.toml";

@@ -1,4 +1,4 @@
-#include "sim/software/cost/processor.h"
+#include "hw/processors/processor.h"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include "hw/machines/figure_changes.h"
 #include "hw/machines/figure_file.h"
 
-namespace csgsim::software {
+namespace csgsim::processors {
 
 namespace {
 
@@ -103,4 +103,4 @@ double seconds(const Operations& operations, const Processor& processor) {
   return clocks(operations, processor) / static_cast<double>(processor.clock_hz);
 }
 
-}  // namespace csgsim::software
+}  // namespace csgsim::processors

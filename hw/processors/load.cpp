@@ -7,10 +7,10 @@
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
 #include "hw/machines/names.h"
-#include "sim/software/cost/built_in.h"
-#include "sim/software/cost/processor.h"
+#include "hw/processors/built_in.h"
+#include "hw/processors/processor.h"
 
-namespace csgsim::software {
+namespace csgsim::processors {
 
 namespace {
 
@@ -51,4 +51,4 @@ Processor load_processor(const std::string& said) {
   throw InputError(no_such("processor", name, processor_names()) + ", or a file, whose name ends in .toml");
 }
 
-}  // namespace csgsim::software
+}  // namespace csgsim::processors

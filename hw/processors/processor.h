@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "sim/software/cost/operations.h"
+#include "hw/processors/operations.h"
 
-namespace csgsim::software {
+namespace csgsim::processors {
 
-/// A processor of its time, as its description in sim/software/processors/NAME.toml says.
+/// A processor of its time, as its description in hw/processors/NAME.toml says.
 struct Processor {
   std::string name;
   std::string description;
@@ -48,4 +48,4 @@ double clocks(const Operations& operations, const Processor& processor);
 /// The same in seconds.
 double seconds(const Operations& operations, const Processor& processor);
 
-}  // namespace csgsim::software
+}  // namespace csgsim::processors

@@ -3,7 +3,7 @@
 #include <span>
 #include <string_view>
 
-namespace csgsim::software {
+namespace csgsim::processors {
 
 /// A processor's description that comes with csgsim.
 struct BuiltInProcessor {
@@ -13,4 +13,4 @@ struct BuiltInProcessor {
 
 std::span<const BuiltInProcessor> built_in_processors();
 
-}  // namespace csgsim::software
+}  // namespace csgsim::processors

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "host/facet/geometry.h"
+#include "host/view/projection.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::emit {
+
+/// What it takes the host to see a model as a camera does (docs/host.md): its planes and quadrics, and the points of
+/// its solids.
+inline isa::Preparation preparation_of(const facet::Geometry& geometry, const view::View& view) {
+  // A quadric has ten coefficients, a plane four.
+  constexpr std::uint64_t planes_of_quadric = 3;
+  constexpr std::uint64_t corners_of_box = 8;
+  isa::Preparation preparation;
+  preparation.planes = view.planes.size() + planes_of_quadric * view.quadrics.size();
+  for (const facet::Convex& solid : geometry.solids)
+    preparation.points += solid.vertices.empty() ? corners_of_box : solid.vertices.size();
+  return preparation;
+}
+
+}  // namespace csgsim::emit

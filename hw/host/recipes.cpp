@@ -1,0 +1,179 @@
+#include "hw/host/recipes.h"
+
+#include <array>
+#include <initializer_list>
+#include <utility>
+
+#include "hw/base/quotient.h"
+#include "hw/isa/operands.h"
+#include "hw/isa/wire.h"
+
+namespace csgsim::host {
+
+namespace {
+
+using processors::Operation;
+using processors::Operations;
+
+constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64_t>> counts) {
+  Operations operations;
+  for (const auto& [kind, count] : counts) operations.counts[static_cast<std::size_t>(kind)] += count;
+  return operations;
+}
+
+constexpr Operations times(Operations operations, std::uint64_t count) {
+  for (std::uint64_t& one : operations.counts) one *= count;
+  return operations;
+}
+
+/// A number of the model, and of a matrix, is a long.
+constexpr Operations plane = made({{Operation::load_long, 20},
+                                   {Operation::multiply_long, 16},
+                                   {Operation::add_long, 12},
+                                   {Operation::divide_long, 3},
+                                   {Operation::shift_long, 3},
+                                   {Operation::shifted_bit, 36},
+                                   {Operation::compare_long, 2},
+                                   {Operation::branch, 2},
+                                   {Operation::store_long, 3}});
+constexpr Operations point = made({{Operation::load_long, 15},
+                                   {Operation::multiply_long, 9},
+                                   {Operation::add_long, 9},
+                                   {Operation::divide_long, 2},
+                                   {Operation::compare_long, 6},
+                                   {Operation::branch, 6},
+                                   {Operation::store_long, 2}});
+constexpr Operations colour = made({{Operation::load_long, 6},
+                                    {Operation::multiply_long, 6},
+                                    {Operation::add_long, 5},
+                                    {Operation::compare_long, 3},
+                                    {Operation::branch, 3},
+                                    {Operation::shift_long, 2},
+                                    {Operation::shifted_bit, 24},
+                                    {Operation::logic_long, 2},
+                                    {Operation::store_long, 1}});
+constexpr Operations box = made({{Operation::load, 4},
+                                 {Operation::load_long, 2},
+                                 {Operation::compare, 4},
+                                 {Operation::compare_long, 2},
+                                 {Operation::branch, 6},
+                                 {Operation::add_long, 1},
+                                 {Operation::branch_taken, 1}});
+constexpr Operations halfspace = made({{Operation::load_long, 3},
+                                       {Operation::load, 4},
+                                       {Operation::multiply, 8},
+                                       {Operation::add_long, 10},
+                                       {Operation::compare_long, 6},
+                                       {Operation::branch, 6},
+                                       {Operation::branch_taken, 1}});
+constexpr Operations value = made({{Operation::load_long, 1},
+                                   {Operation::add_long, 2},
+                                   {Operation::compare_long, 1},
+                                   {Operation::branch, 1},
+                                   {Operation::branch_taken, 1}});
+constexpr Operations support = made({{Operation::load_long, 3},
+                                     {Operation::multiply_long, 3},
+                                     {Operation::add_long, 3},
+                                     {Operation::compare_long, 1},
+                                     {Operation::branch, 1},
+                                     {Operation::branch_taken, 1}});
+constexpr Operations node = made({{Operation::load, 2},
+                                  {Operation::load_long, 1},
+                                  {Operation::add_long, 2},
+                                  {Operation::compare, 2},
+                                  {Operation::branch, 2},
+                                  {Operation::store_long, 1},
+                                  {Operation::call, 1},
+                                  {Operation::come_back, 1}});
+
+constexpr auto rows = std::to_array<Recipe>({
+    {"planes", &isa::Preparation::planes, plane},
+    {"points", &isa::Preparation::points, point},
+    {"colours", &isa::Preparation::colours, colour},
+    {"boxes", &isa::Preparation::boxes, box},
+    {"tests", &isa::Preparation::halfspaces, halfspace},
+    {"values", &isa::Preparation::values, value},
+    {"supports", &isa::Preparation::supports, support},
+    {"nodes", &isa::Preparation::nodes, node},
+});
+
+/// It is decided what comes next, and a procedure is called that puts it together.
+constexpr Operations any_instruction = made({{Operation::load, 2},
+                                             {Operation::move, 2},
+                                             {Operation::compare, 2},
+                                             {Operation::branch, 2},
+                                             {Operation::call, 1},
+                                             {Operation::come_back, 1}});
+
+/// Another number behind those that are there: brought to its place.
+constexpr Operations packed = made({{Operation::load_long, 1},
+                                    {Operation::shift_long, 1},
+                                    {Operation::shifted_bit, 16},
+                                    {Operation::logic_long, 2},
+                                    {Operation::add, 1}});
+
+/// The constant moved to the segment's corner by two products of long and word.
+constexpr Operations moved =
+    made({{Operation::load_long, 3}, {Operation::load, 2}, {Operation::multiply, 4}, {Operation::add_long, 4}});
+
+/// Zeros that the coefficients share, and a width, each by five halvings of a long.
+constexpr Operations fitted = made({{Operation::logic_long, 6},
+                                    {Operation::compare_long, 5},
+                                    {Operation::branch, 10},
+                                    {Operation::shift_long, 3},
+                                    {Operation::shifted_bit, 24}});
+
+/// A quadratic expression moved to the corner: its linear part changes too.
+constexpr Operations squares_moved =
+    made({{Operation::load_long, 6}, {Operation::load, 2}, {Operation::multiply, 16}, {Operation::add_long, 16}});
+
+constexpr Operations long_stored = made(
+    {{Operation::store_long, 1}, {Operation::add_long, 1}, {Operation::compare_long, 1}, {Operation::branch_taken, 1}});
+
+constexpr unsigned long_bits = 32;
+
+/// Numbers that follow the command's own: of a field its base and width, of an expression width, shift and
+/// coefficients, those in as many longs as they need.
+std::uint64_t numbers_in(const isa::Instruction& instruction) {
+  const std::uint64_t longs = quotient_up(unsigned{instruction.linear.width}, long_bits);
+  std::uint64_t numbers = 0;
+  for (const isa::OperandKind operand : isa::operands_of(instruction.opcode)) {
+    switch (operand) {
+      case isa::OperandKind::none: break;
+      case isa::OperandKind::target:
+      case isa::OperandKind::source: numbers += 2; break;
+      case isa::OperandKind::linear: numbers += 2 + 3 * longs; break;
+      case isa::OperandKind::squares: numbers += 1 + 3 * longs; break;
+      case isa::OperandKind::constant:
+      case isa::OperandKind::count: numbers += 1; break;
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+std::span<const Recipe> recipes() { return rows; }
+
+Operations operations_of(const isa::Instruction& instruction, unsigned link_width) {
+  Operations all = any_instruction;
+  all += times(packed, 1 + numbers_in(instruction));
+  const isa::Operands& operands = isa::operands_of(instruction.opcode);
+  if (isa::has_operand(operands, isa::OperandKind::linear)) {
+    all += moved;
+    all += halfspace;
+    all += fitted;
+  }
+  if (isa::has_operand(operands, isa::OperandKind::squares)) all += squares_moved;
+  const std::uint64_t words = isa::wire_words(instruction, link_width);
+  all += times(long_stored, words * quotient_up(link_width, long_bits));
+  return all;
+}
+
+Operations of_model_long() {
+  Operations all = times(packed, 2);
+  all += long_stored;
+  return all;
+}
+
+}  // namespace csgsim::host

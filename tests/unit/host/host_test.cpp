@@ -1,0 +1,124 @@
+#include "hw/host/host.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "hw/host/recipes.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "hw/processors/processor.h"
+#include "sim/observe/bound.h"
+#include "tests/support/two_cubes.h"
+
+using namespace csgsim;
+
+namespace {
+
+machines::Machine machine_named(const std::string& name) {
+  machines::Machine machine = kinds::load(name);
+  machines::set_picture_size(machine, {64, 64});
+  return machine;
+}
+
+isa::Program drawn_on(const machines::Machine& machine) {
+  return testing::two_cubes(machine, {2, 2, 2});
+}
+
+double clocks_on_mc68000(const processors::Operations& operations) {
+  return processors::clocks(operations, processors::load_processor("mc68000"));
+}
+
+}  // namespace
+
+TEST_CASE("a machine's host can be each processor that comes with csgsim") {
+  const std::vector<std::string_view> known = processors::processor_names();
+  std::vector<std::string_view> names(machines::host_processor_names.begin() + 1, machines::host_processor_names.end());
+  CHECK(machines::host_processor_names.front() == machines::ideal_value);
+  CHECK(std::is_permutation(names.begin(), names.end(), known.begin(), known.end()));
+  for (const std::string_view name : names) {
+    const machines::Machine machine = machine_named(fmt::format("pixel-planes-4+host.processor={}", name));
+    const isa::Program program = drawn_on(machine);
+    const double seconds =
+        processors::seconds(host::operations_of(program, machine), processors::load_processor(std::string(name)));
+    const auto clocks = static_cast<double>(host::compile_clocks(program, machine));
+    CHECK(clocks >= seconds * 10e6);
+    CHECK(clocks < seconds * 10e6 + 1);
+  }
+}
+
+TEST_CASE("an ideal host compiles in no time") {
+  const machines::Machine machine = machine_named("pixel-planes-4+host.processor=ideal");
+  const isa::Program program = drawn_on(machine);
+  CHECK(host::compile_clocks(program, machine) == 0);
+  CHECK(host::time_frame(program, machine) == machines::time_frame(program, machine));
+}
+
+TEST_CASE("the host of a machine compiles all of its segments, each with what it took to prepare it") {
+  const machines::Machine machine = machine_named("scan-line");
+  const isa::Program program = drawn_on(machine);
+  isa::Preparation sum = program.preparation;
+  double instructions = 0;
+  for (const isa::Segment& segment : program.segments) {
+    sum += segment.preparation;
+    for (const isa::Instruction& one : segment.instructions)
+      instructions += clocks_on_mc68000(host::operations_of(one, machine.link.width));
+  }
+  double prepared = 0;
+  for (const host::Recipe& recipe : host::recipes())
+    prepared += static_cast<double>(sum.*recipe.count) * clocks_on_mc68000(recipe.each);
+  CHECK(prepared > 0);
+  CHECK(instructions > 0);
+  // 8 MHz against the machine's 10.
+  const double clocks = (prepared + instructions) * 10 / 8;
+  CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(clocks).epsilon(1e-6));
+}
+
+TEST_CASE("the host of a machine that divides the model makes that model, whatever its segments are") {
+  for (const char* name : {"pixel-square", "multi-processor"}) {
+    const machines::Machine machine = machine_named(name);
+    const isa::Program program = drawn_on(machine);
+    REQUIRE(!program.display_model.empty());
+    for (const isa::Segment& segment : program.segments) CHECK(segment.preparation == isa::Preparation{});
+    const std::uint64_t longs = (program.display_model.size() + 3) / 4;
+    double clocks = static_cast<double>(longs) * clocks_on_mc68000(host::of_model_long());
+    for (const host::Recipe& recipe : host::recipes())
+      clocks += static_cast<double>(program.preparation.*recipe.count) * clocks_on_mc68000(recipe.each);
+    clocks *= static_cast<double>(machine.clock_hz) / 8e6;
+    CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(clocks).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("several processors share the work, to the clock that the last of it needs") {
+  const machines::Machine one = machine_named("pixel-planes-4");
+  const isa::Program program = drawn_on(one);
+  const std::uint64_t alone = host::compile_clocks(program, one);
+  const std::uint64_t together = host::compile_clocks(program, machine_named("pixel-planes-4+host.count=7"));
+  CHECK(together >= alone / 7);
+  CHECK(together <= alone / 7 + 1);
+}
+
+TEST_CASE("a host that takes longer than the machine bounds the frame, and else it does not") {
+  const machines::Machine slow = machine_named("pixel-planes-4");
+  const isa::Program program = drawn_on(slow);
+  const auto bound_on = [&](const machines::Machine& machine) {
+    const machines::FrameTiming timing = host::time_frame(program, machine);
+    engine::RunResult result;
+    engine::put(timing, result);
+    return *observe::bound_of(result, machine);
+  };
+  const observe::Bound bound = bound_on(slow);
+  CHECK(bound.part == "host");
+  CHECK(bound.share == 1.0);
+  CHECK(bound_on(machine_named("pixel-planes-4+host.count=4096")).part != "host");
+}
+
+TEST_CASE("a Program that says it took more than any clock can tell is refused") {
+  const machines::Machine machine = machine_named("pixel-planes-4");
+  isa::Program program = drawn_on(machine);
+  program.preparation.planes = 1'000'000'000'000;
+  CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than can be told"), InputError);
+}
