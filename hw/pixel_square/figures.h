@@ -18,17 +18,21 @@ inline constexpr auto square_order_names = std::to_array<std::string_view>({"row
 
 /// Who divides the model.
 enum class DividerKind : std::uint8_t {
-  host,     ///< at no cost: its link brings the commands of the squares
-  corners,  ///< a part of the machine, from a model that the link brings (hw/division)
+  host,        ///< at no cost: its link brings the commands of the squares
+  corners,     ///< a part of the machine, from a model that the link brings (hw/division)
+  processors,  ///< graphics processors of the machine, at no cost: a ring brings the commands of the squares
 };
 
-inline constexpr auto divider_kind_names = std::to_array<std::string_view>({"host", "corners"});
+inline constexpr auto divider_kind_names = std::to_array<std::string_view>({"host", "corners", "processors"});
 
 /// As Figures::move_bits: every bit plane at once, in the clock in which the square is drawn.
 inline constexpr std::uint32_t all_planes = 0;
 
 /// As Figures::latch_bits: colours leave one buffer without being latched.
 inline constexpr std::uint32_t no_latch = 0;
+
+/// As Figures::ring_channels: as many as send words.
+inline constexpr std::uint32_t all_channels = 0;
 
 /// As Figures::refresh_rate: the screen takes nothing.
 inline constexpr std::uint32_t not_shown = 0;
@@ -50,6 +54,12 @@ struct Figures {
   SquareOrder order = SquareOrder::rows;
 
   DividerKind divider = DividerKind::host;
+  // Of graphics processors, and of the ring that is there with them, in place of the link and of the port.
+  std::uint32_t processors = 1;
+  std::uint32_t ring_channels = all_channels;  ///< words that it carries at a time
+  std::uint32_t ring_bits = 1;                 ///< of such a word
+  std::uint32_t ring_word_clocks = 1;          ///< in which a channel carries one
+
   // Of dividers in the machine, each of which has all that follows.
   std::uint32_t dividers = 1;
   std::uint32_t levels = 1;            ///< with 2, a group of squares first
@@ -68,6 +78,19 @@ struct Figures {
 
   constexpr bool operator==(const Figures&) const = default;
 };
+
+/// Whether graphics processors divide the model, and a ring carries all words.
+constexpr bool has_ring(const Figures& figures) { return figures.divider == DividerKind::processors; }
+
+/// Bits of a word of colours, and of what a bank of the frame buffer stores in a clock.
+constexpr std::uint32_t colour_word_bits(const Figures& figures) {
+  return has_ring(figures) ? figures.ring_bits : figures.port_bits;
+}
+
+/// Bits of a word of commands, where a link has so many.
+constexpr std::uint32_t command_word_bits(const Figures& figures, std::uint32_t link_bits) {
+  return has_ring(figures) ? figures.ring_bits : link_bits;
+}
 
 /// Bits of what is kept of a half-space at hand (docs/division.md): with its place among those left in cells of each of
 /// 15 sizes.

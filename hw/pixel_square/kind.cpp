@@ -67,9 +67,19 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::refresh_clocks>("refresh.clocks", "clocks", 1, 1000,
                                                   "in which such a turn takes a bank of the frame buffer"),
     own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "in which squares are drawn", square_order_names),
-    own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 1,
-                                           "host: it divides the model at no cost; corners: the machine does",
+    own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 2,
+                                           "host: it divides the model at no cost; corners: the machine does; "
+                                           "processors: processors of the machine do at no cost",
                                            divider_kind_names),
+    own_figure<Figures, &Figures::processors>("processors.count", "processors", 1, 1024,
+                                              "that divide the model, square by square, where processors do"),
+    machines::or_ideal(own_figure<Figures, &Figures::ring_channels>(
+                           "ring.channels", "channels", 1, 4096, "words that the ring of processors carries at a time"),
+                       all_channels),
+    own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::most_bits,
+                                             "of a word of commands or colours on that ring"),
+    own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, most_clocks,
+                                                    "from one word on a channel of that ring to the next"),
     own_figure<Figures, &Figures::dividers>("divider.count", "dividers", 1, 64,
                                             "of corners: that divide groups of squares in turn, each with all below"),
     own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
@@ -113,7 +123,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 
 std::optional<machines::Division> Kind::division(const Machine& machine) const {
   const Figures& figures = figures_of(machine);
-  if (figures.divider == DividerKind::host) return std::nullopt;
+  if (figures.divider != DividerKind::corners) return std::nullopt;
   return machines::Division{figures.levels == 1 ? 0 : figures.group_side, figures.list_entries};
 }
 
@@ -130,7 +140,7 @@ namespace {
 /// What a divider in the machine asks for.
 void check_display_model(const isa::Program& program, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
-  if (figures.divider == DividerKind::host) return;
+  if (figures.divider != DividerKind::corners) return;
   if (program.display_model.empty()) {
     throw InputError(fmt::format(
         "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
@@ -157,7 +167,7 @@ namespace {
 std::uint64_t divider_memory_bits(const Machine& machine) {
   constexpr std::uint64_t list_entry_bits = 32;
   const Figures& figures = machines::own<Figures>(machine);
-  if (figures.divider == DividerKind::host) return 0;
+  if (figures.divider != DividerKind::corners) return 0;
   const std::uint64_t list = figures.levels == 2 ? figures.list_entries * list_entry_bits : 0;
   return figures.dividers * (figures.model_bits + list + figures.halfspaces * halfspace_entry_bits(figures) +
                              figures.nodes * node_entry_bits + std::uint64_t{figures.store_words} * machine.link.width);

@@ -5,7 +5,7 @@ namespace csgsim::pixel_square {
 OutputPort::OutputPort(sc_core::sc_module_name name, const Figures& figures)
     : sc_core::sc_module(name),
       latch_bits_(figures.buffers >= 2 ? no_latch : figures.latch_bits),
-      buffer_(figures.port_bits) {
+      buffer_(colour_word_bits(figures)) {
   SC_HAS_PROCESS(OutputPort);
   SC_METHOD(act);
   dont_initialize();

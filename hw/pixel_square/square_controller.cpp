@@ -23,7 +23,7 @@ SquareController::SquareController(sc_core::sc_module_name name, const machines:
       move_bits_(machines::own<Figures>(machine).move_bits),
       memory_bits_(machine.array.memory_bits),
       latency_(machines::evaluator_latency(machine.array)),
-      receiver_(machine.link.width),
+      receiver_(command_word_bits(machines::own<Figures>(machine), machine.link.width)),
       sequencer_(machine.memory_reads, machine.alu_bits) {
   SC_HAS_PROCESS(SquareController);
   SC_METHOD(act);

@@ -4,6 +4,7 @@
 
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_square/figures.h"
 
 namespace csgsim::pixel_square {
 
@@ -12,7 +13,7 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   const isa::Segment& segment = program.segments[square];
   std::vector<TimedCommand> commands;
   if (segment.instructions.empty()) return commands;
-  const std::uint32_t width = machine.link.width;
+  const std::uint32_t width = command_word_bits(machines::own<Figures>(machine), machine.link.width);
   commands.reserve(segment.instructions.size() + 2);
   commands.push_back({.kind = CommandKind::start,
                       .words = isa::wire_words(isa::SegmentStart{segment.region}, width),

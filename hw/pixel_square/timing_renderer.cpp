@@ -16,6 +16,16 @@ constexpr Time first_edge = 2;
 
 PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
 
+/// What brings commands.
+std::size_t before(const machines::Machine& machine) {
+  return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).sender();
+}
+
+/// What takes colours.
+std::size_t behind(const machines::Machine& machine) {
+  return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).frame_buffer();
+}
+
 Time latch_clocks(const Figures& figures, std::uint32_t colour_bits) {
   const bool latches = figures.buffers < 2 && figures.latch_bits != no_latch;
   return latches ? quotient_up(colour_bits, figures.latch_bits) : 0;
@@ -36,11 +46,11 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
       buffered_(machines::own<Figures>(machine).buffers >= 2),
       latency_(machines::evaluator_latency(machine.array)),
       colour_bits_(colour_bits),
-      port_bits_(machines::own<Figures>(machine).port_bits),
+      port_bits_(colour_word_bits(machines::own<Figures>(machine))),
       move_clocks_(move_clocks(machines::own<Figures>(machine), colour_bits)),
       latch_clocks_(latch_clocks(machines::own<Figures>(machine), colour_bits)),
-      link_(machine.link.fifo_depth, numbers(machine).sender(), decoder_, agenda),
-      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, numbers(machine).frame_buffer(), agenda) {}
+      link_(machine.link.fifo_depth, before(machine), decoder_, agenda),
+      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, behind(machine), agenda) {}
 
 void RendererTiming::decode(Time now) {
   if (command_) return;

@@ -86,6 +86,10 @@ Settings read_settings(int count, char** arguments) {
                                                     {"halfspaces", &figures.halfspaces},
                                                     {"nodes", &figures.nodes},
                                                     {"store", &figures.store_words},
+                                                    {"processors", &figures.processors},
+                                                    {"channels", &figures.ring_channels},
+                                                    {"ring", &figures.ring_bits},
+                                                    {"ring_word", &figures.ring_word_clocks},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);
