@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
@@ -39,6 +41,12 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_word_clocks,
     shared::link_fifo_depth,
     shared::link_latency,
+    own_figure<Figures, &Figures::has_global_or>("global_or.present", "lines", 0, 1,
+                                                 "wired OR of a renderer's enable bits, back to its controller"),
+    machines::or_ideal(own_figure<Figures, &Figures::or_fan_in>(
+                           "global_or.fan_in", "lines", 2, 65536,
+                           "inputs of a gate of that OR, with a register behind each; ideal: it settles in a clock"),
+                       0),
     own_figure<Figures, &Figures::renderers>("renderers.count", "renderers", 1, 1024, "squares drawn in parallel"),
     own_figure<Figures, &Figures::buffers>("renderers.buffers", "squares", 1, 2,
                                            "finished or unfinished squares that a renderer holds"),
@@ -50,6 +58,12 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                            "renderers.latch_bits", "bit planes", 1, isa::max_field_width,
                            "of a row of a finished square that are latched in a clock, with one buffer"),
                        no_latch),
+    own_figure<Figures, &Figures::backing_bits>(
+        "backing.bits", "bits", 0, 1U << 20U,
+        "of each pixel in the memory behind a renderer, where finished squares wait, in place of a second buffer"),
+    machines::or_ideal(own_figure<Figures, &Figures::backing_width>("backing.width", "bits", 1, 1U << 20U,
+                                                                    "of a finished square that move there in a clock"),
+                       all_planes),
     own_figure<Figures, &Figures::port_bits>(
         "port.width", "bits", 1, 65536,
         "of a word of colours that a bank of the frame buffer takes, or clears, in a clock"),
@@ -151,14 +165,54 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
 
 }  // namespace
 
+namespace {
+
+/// A renderer's answer stays with its controller.
+void check_answers(const isa::Program& program, const Machine& machine) {
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
+    const auto found = std::ranges::find(instructions, isa::Opcode::global_or, &isa::Instruction::opcode);
+    if (found == instructions.end()) continue;
+    throw InputError(fmt::format(
+        "segment {}, instruction {}: global_or asks for an answer to the host, to which the renderers of {} "
+        "have no way back; leave it out, or take a machine of the kind frame-buffer, such as pixel-planes-4",
+        s, found - instructions.begin(), machine.name));
+  }
+}
+
+/// A finished square has to fit.
+void check_backing(const isa::FrameHeader& header, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (figures.backing_bits == no_backing || header.colour.width <= figures.backing_bits) return;
+  throw InputError(
+      fmt::format("a pixel has {} bits of colour, and {} of {} where finished squares wait; give "
+                  "backing.bits more, or 0 for a second buffer",
+                  header.colour.width, figures.backing_bits, machine.name));
+}
+
+}  // namespace
+
 void Kind::check(const isa::Program& program, const Machine& machine) const {
+  check_answers(program, machine);
+  check_backing(isa::frame_header(program), machine);
   machines::check_parts(program, machine);
   check_screen(isa::frame_header(program), machine);
   check_display_model(program, machine);
 }
 
+bool Kind::has_global_or(const Machine& machine) const {
+  return figures_of(machine).has_global_or && figures_of(machine).divider != DividerKind::corners;
+}
+
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
-  return machines::bit_serial_clocks(instruction, machine);
+  const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
+  if (!isa::is_question(instruction.opcode) || figures_of(machine).or_fan_in == 0) return steps;
+  std::uint64_t levels = 0;
+  const std::uint64_t pixels = std::uint64_t{machine.array.width} * machine.array.height;
+  for (std::uint64_t lines = pixels; lines > 1;
+       lines = quotient_up(lines, std::uint64_t{figures_of(machine).or_fan_in}))
+    ++levels;
+  return steps + levels;
 }
 
 namespace {
@@ -179,7 +233,7 @@ machines::Resources Kind::resources(const Machine& machine, const isa::FrameHead
   const std::uint64_t processors =
       std::uint64_t{machine.array.width} * machine.array.height * figures_of(machine).renderers;
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
-  return {processors, processors * machine.array.memory_bits +
+  return {processors, processors * (std::uint64_t{machine.array.memory_bits} + figures_of(machine).backing_bits) +
                           figures_of(machine).pictures * pixels * header.colour.width + divider_memory_bits(machine)};
 }
 

@@ -166,7 +166,13 @@ systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc:
   if (!program.segments.empty()) sc_core::sc_start();
   retirement_.rethrow();
   const std::uint64_t clocks = edges() - begun;
-  return {.clocks = clocks, .answers = {}, .account = account(counted(clocks)), .picture = picture_of(program)};
+  std::uint64_t skipped = 0;
+  std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& one) { skipped += one.skipped(); });
+  return {.clocks = clocks,
+          .skipped = skipped,
+          .answers = {},
+          .account = account(counted(clocks)),
+          .picture = picture_of(program)};
 }
 
 std::vector<std::uint32_t> PixelSquareMachine::picture_of(const isa::Program& program) const {

@@ -1,9 +1,12 @@
 #include "hw/pixel_square/timing.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "hw/base/quotient.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/figures.h"
@@ -37,7 +40,8 @@ std::size_t processors_in(const Machine& machine) {
 /// The machine's parts, and the order in which they act.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine, machines::Timeline* told)
+  FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
+             machines::Timeline* told)
       : program_(program),
         machine_(machine),
         parts_{machines::own<Figures>(machine).renderers, dividers_in(machine), processors_in(machine)},
@@ -45,8 +49,8 @@ class FrameModel {
         clears_(machines::own<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(), agenda_),
         renderers_(renderers(program, machine, agenda_)),
         dividers_(dividers(told)),
-        sender_(program, machine, dividers_, renderers_, clears_, agenda_, told),
-        processors_(program, machine, renderers_, agenda_, told),
+        sender_(program, machine, dividers_, renderers_, clears_, agenda_, skips, told),
+        processors_(program, machine, renderers_, agenda_, skips, told),
         ring_(machine, processors_, renderers_, agenda_),
         frame_buffer_(program, machine, ports(), agenda_) {}
 
@@ -159,27 +163,33 @@ class FrameModel {
 
 }  // namespace
 
-SquareTiming time_squares(const isa::Program& program, const Machine& machine) {
-  return FrameModel(program, machine, nullptr).run();
+SquareTiming time_squares(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips) {
+  return FrameModel(program, machine, skips, nullptr).run();
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 std::span<const machines::Skip> /*skips*/) const {
-  const SquareTiming timing = time_squares(program, machine);
+                                 std::span<const machines::Skip> skips) const {
+  const SquareTiming timing = time_squares(program, machine, skips);
   return {.clocks = timing.clocks, .account = account(timing.account)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 std::span<const machines::Skip> /*skips*/) const {
+                                                 std::span<const machines::Skip> skips) const {
   machines::Timeline told = machines::blank_timeline(program);
-  FrameModel(program, machine, &told).run();
+  FrameModel(program, machine, skips, &told).run();
   return told;
 }
 
-std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& /*program*/,
+/// The controller has a question until the answer is there, the pixels for one clock.
+std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
                                                 std::uint32_t /*y*/) const {
-  return machines::later(timeline.issued[segment], machines::evaluator_latency(machine.array));
+  std::vector<machines::ClockSpan> spans = timeline.issued[segment];
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const bool is_question = isa::is_question(program.segments[segment].instructions[i].opcode);
+    if (is_question && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
+  }
+  return machines::later(std::move(spans), machines::evaluator_latency(machine.array));
 }
 
 }  // namespace csgsim::pixel_square

@@ -6,11 +6,13 @@
 namespace csgsim::pixel_square {
 
 ProcessorsTiming::ProcessorsTiming(const isa::Program& program, const machines::Machine& machine,
-                                   std::vector<RendererTiming>& renderers, Agenda& agenda, machines::Timeline* told)
+                                   std::vector<RendererTiming>& renderers, Agenda& agenda,
+                                   std::span<const machines::Skip> skips, machines::Timeline* told)
     : program_(program),
       machine_(machine),
       renderers_(renderers),
       agenda_(agenda),
+      skips_(skips),
       told_(told),
       keeps_(renderers.size()) {
   const Figures& figures = machines::own<Figures>(machine);
@@ -47,7 +49,7 @@ void ProcessorsTiming::act(std::size_t number, Time now) {
 bool ProcessorsTiming::take_square(Processor& processor) {
   if (next_ == program_.segments.size()) return false;
   processor.square = next_++;
-  processor.commands = timed_commands(program_, *processor.square, machine_, told_);
+  processor.commands = timed_commands(program_, *processor.square, machine_, skips_, told_);
   processor.command = 0;
   processor.sent = 0;
   return true;

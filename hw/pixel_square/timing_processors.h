@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
+#include "hw/machines/timing.h"
 #include "hw/pixel_square/timing_agenda.h"
 #include "hw/pixel_square/timing_renderer.h"
 
@@ -24,9 +26,10 @@ struct TimedRingWord {
 /// The graphics processors, as edges see them.
 class ProcessorsTiming {
  public:
-  /// `told`, unless null, is a blank timeline, which the renderers fill.
+  /// `skips`: of the run, in program order. `told`, unless null, is a blank timeline, which the renderers fill.
   ProcessorsTiming(const isa::Program& program, const machines::Machine& machine,
-                   std::vector<RendererTiming>& renderers, Agenda& agenda, machines::Timeline* told);
+                   std::vector<RendererTiming>& renderers, Agenda& agenda, std::span<const machines::Skip> skips,
+                   machines::Timeline* told);
 
   /// The frame begins.
   void begin();
@@ -77,6 +80,7 @@ class ProcessorsTiming {
   const machines::Machine& machine_;
   std::vector<RendererTiming>& renderers_;
   Agenda& agenda_;
+  std::span<const machines::Skip> skips_;
   machines::Timeline* told_;
   std::vector<Processor> processors_;
   std::vector<Keep> keeps_;  ///< of the renderers
