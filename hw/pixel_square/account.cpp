@@ -15,6 +15,41 @@ machines::PartAccount part(std::string name, const SquareClocks& clocks) {
       {working, waiting_for_host, waiting_for_divider, waiting_for_renderer, waiting_for_frame_buffer, done});
 }
 
+machines::PartAccount processor(std::string name, const SquareClocks& clocks) {
+  using enum SquareActivity;
+  return machines::part_of(std::move(name), clocks, square_activity_names,
+                           {working, waiting_for_host, waiting_for_renderer, waiting_for_ring, done});
+}
+
+machines::PartAccount ring(const SquareClocks& clocks) {
+  return machines::part_of("ring", clocks, square_activity_names,
+                           {SquareActivity::working, SquareActivity::waiting_for_divider});
+}
+
+machines::PartAccount frame_buffer(const SquareClocks& clocks) {
+  using enum SquareActivity;
+  return machines::part_of("frame buffer", clocks, square_activity_names,
+                           {working, waiting_for_host, waiting_for_divider, waiting_for_renderer,
+                            waiting_for_frame_buffer, done, refreshing});
+}
+
+/// What hands out the squares, and what is before it.
+void add_front(const SquareAccount& counted, machines::Account& account) {
+  if (!counted.ring) account.parts.push_back(part("host", counted.host));
+  for (std::size_t i = 0; i < counted.processors.size(); ++i)
+    account.parts.push_back(processor("processor " + std::to_string(i), counted.processors[i]));
+  if (counted.ring) {
+    account.parts.push_back(ring(counted.ring->clocks));
+    account.counts.push_back({"ring_words", counted.ring->words});
+    account.counts.push_back({"ring_full_clocks", counted.ring->full_clocks});
+  }
+  for (std::size_t i = 0; i < counted.dividers.size(); ++i) {
+    const std::string name = counted.dividers.size() == 1 ? "divider" : "divider " + std::to_string(i);
+    account.parts.push_back(part(name, counted.dividers[i]));
+  }
+  if (counted.sender) account.parts.push_back(part("sender", *counted.sender));
+}
+
 /// Of the renderers' clocks those in which they draw.
 machines::Share utilisation(const SquareAccount& counted) {
   machines::Share share{.name = "renderer_utilisation"};
@@ -36,18 +71,14 @@ machines::Account account(const SquareAccount& counted) {
   machines::Account account{
       .counts = {{"squares_drawn", counted.squares_drawn}, {"squares_skipped", counted.squares_skipped}},
       .shares = {utilisation(counted)},
-      .parts = {part("host", counted.host)}};
-  for (std::size_t i = 0; i < counted.dividers.size(); ++i) {
-    const std::string name = counted.dividers.size() == 1 ? "divider" : "divider " + std::to_string(i);
-    account.parts.push_back(part(name, counted.dividers[i]));
-  }
-  if (counted.sender) account.parts.push_back(part("sender", *counted.sender));
+      .parts = {}};
+  add_front(counted, account);
   for (std::size_t i = 0; i < counted.renderers.size(); ++i) {
     const std::string name = "renderer " + std::to_string(i);
     account.counts.push_back({"squares of " + name, counted.renderer_squares[i]});
     account.parts.push_back(part(name, counted.renderers[i]));
   }
-  account.parts.push_back(machines::part_of("frame buffer", counted.frame_buffer, square_activity_names));
+  account.parts.push_back(frame_buffer(counted.frame_buffer));
   return account;
 }
 

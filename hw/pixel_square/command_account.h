@@ -12,8 +12,9 @@ struct CommandAccount {
   enum class Kind : std::uint8_t { start, instruction, end };
 
   Kind kind = Kind::start;
-  isa::Region region{};      ///< of a square that starts
-  std::uint64_t clocks = 0;  ///< of an instruction
+  isa::Region region{};       ///< of a square that starts
+  std::uint64_t clocks = 0;   ///< of an instruction
+  std::uint64_t skipped = 0;  ///< instructions after it that are not carried out
 };
 
 // Which nobody calls (hw/systemc/wire.h).

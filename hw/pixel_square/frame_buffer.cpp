@@ -9,8 +9,9 @@ namespace csgsim::pixel_square {
 FrameBuffer::FrameBuffer(sc_core::sc_module_name name, const machines::Machine& machine)
     : systemc::ClockedModule(name),
       colours("colours", machines::own<Figures>(machine).renderers),
-      port_bits_(machines::own<Figures>(machine).port_bits),
-      incoming_(colours.size() + 1),
+      clears("clears", has_ring(machines::own<Figures>(machine)) ? machines::own<Figures>(machine).processors : 1),
+      port_bits_(colour_word_bits(machines::own<Figures>(machine))),
+      incoming_(colours.size() + clears.size()),
       screen_(machines::own<Figures>(machine), machine.clock_hz),
       free_(machines::own<Figures>(machine).banks) {}
 
@@ -30,8 +31,9 @@ void FrameBuffer::begin(const FrameContents& contents) {
 
 void FrameBuffer::end_of_elaboration() {
   // No range-based loop: to clang the iterators compare ambiguously in C++20.
-  std::for_each(colours.begin(), colours.end(), [&](const auto& port) { words_written_ |= port.data_written_event(); });
-  words_written_ |= clears.data_written_event();
+  const auto add = [&](const auto& port) { words_written_ |= port.data_written_event(); };
+  std::for_each(colours.begin(), colours.end(), add);
+  std::for_each(clears.begin(), clears.end(), add);
   words_written_ |= begun_;
 }
 
@@ -66,20 +68,22 @@ void FrameBuffer::serve_ports() {
 
 bool FrameBuffer::serve(std::size_t port) {
   if (!has_turn(port) || !has_bank(port)) return false;
-  const bool is_sender = port == colours.size();
-  if (is_sender && incoming_[port].gathered == header_bits) {
+  if (clears_through(port) && incoming_[port].gathered == header_bits) {
     clear(incoming_[port]);
     return true;
   }
   PortWord word;
-  (is_sender ? clears : colours[port]).nb_read(word);
+  words(port).nb_read(word);
   take(port, word);
   return true;
 }
 
-bool FrameBuffer::has_turn(std::size_t port) const {
-  if (port < colours.size()) return colours[port].num_available() > 0;
-  return incoming_[port].gathered == header_bits || clears.num_available() > 0;
+sc_core::sc_fifo_in<PortWord>& FrameBuffer::words(std::size_t port) {
+  return clears_through(port) ? clears[port - colours.size()] : colours[port];
+}
+
+bool FrameBuffer::has_turn(std::size_t port) {
+  return (clears_through(port) && incoming_[port].gathered == header_bits) || words(port).num_available() > 0;
 }
 
 /// Takes the bank in which the port's next word begins; a word of a header needs none.

@@ -25,14 +25,15 @@ struct FrameContents {
 
 /// Holds the picture, its rows in banks in turn. In a clock each bank that the screen does not read takes one word from
 /// a port, or one of background: that of the row in which the word begins. A word of a header needs a turn of any bank.
-/// The ports, one a renderer and after them the sender's, are looked at from the one after the port that was served
-/// last; served are those that have a word, or a square to clear, and a bank that is free. After the header of a square
-/// to clear come turns in which background is written, as many as the square's colours would be words.
+/// The ports, one a renderer and after them the sender's, or those of graphics processors, are looked at from the one
+/// after the port that was served last; served are those that have a word, or a square to clear, and a bank that is
+/// free. After the header of a square to clear come turns in which background is written, as many as the square's
+/// colours would be words.
 class FrameBuffer final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> colours;  ///< one a renderer
-  sc_core::sc_fifo_in<PortWord> clears{"clears"};
-  sc_core::sc_out<std::uint64_t> frames{"frames"};  ///< that are whole
+  sc_core::sc_vector<sc_core::sc_fifo_in<PortWord>> clears;   ///< one a graphics processor; else one
+  sc_core::sc_out<std::uint64_t> frames{"frames"};            ///< that are whole
 
   FrameBuffer(sc_core::sc_module_name name, const machines::Machine& machine);
 
@@ -66,7 +67,9 @@ class FrameBuffer final : public systemc::ClockedModule {
   void on_clock() override;
   void serve_ports();
   bool serve(std::size_t port);
-  [[nodiscard]] bool has_turn(std::size_t port) const;
+  [[nodiscard]] bool clears_through(std::size_t port) const { return port >= colours.size(); }
+  [[nodiscard]] sc_core::sc_fifo_in<PortWord>& words(std::size_t port);
+  [[nodiscard]] bool has_turn(std::size_t port);
   [[nodiscard]] bool has_bank(std::size_t port);
   [[nodiscard]] std::uint32_t bank_of(std::uint32_t row) const {
     return row % static_cast<std::uint32_t>(free_.size());

@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
@@ -39,6 +41,12 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::link_word_clocks,
     shared::link_fifo_depth,
     shared::link_latency,
+    own_figure<Figures, &Figures::has_global_or>("global_or.present", "lines", 0, 1,
+                                                 "wired OR of a renderer's enable bits, back to its controller"),
+    machines::or_ideal(own_figure<Figures, &Figures::or_fan_in>(
+                           "global_or.fan_in", "lines", 2, 65536,
+                           "inputs of a gate of that OR, with a register behind each; ideal: it settles in a clock"),
+                       0),
     own_figure<Figures, &Figures::renderers>("renderers.count", "renderers", 1, 1024, "squares drawn in parallel"),
     own_figure<Figures, &Figures::buffers>("renderers.buffers", "squares", 1, 2,
                                            "finished or unfinished squares that a renderer holds"),
@@ -50,6 +58,12 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                            "renderers.latch_bits", "bit planes", 1, isa::max_field_width,
                            "of a row of a finished square that are latched in a clock, with one buffer"),
                        no_latch),
+    own_figure<Figures, &Figures::backing_bits>(
+        "backing.bits", "bits", 0, 1U << 20U,
+        "of each pixel in the memory behind a renderer, where finished squares wait, in place of a second buffer"),
+    machines::or_ideal(own_figure<Figures, &Figures::backing_width>("backing.width", "bits", 1, 1U << 20U,
+                                                                    "of a finished square that move there in a clock"),
+                       all_planes),
     own_figure<Figures, &Figures::port_bits>(
         "port.width", "bits", 1, 65536,
         "of a word of colours that a bank of the frame buffer takes, or clears, in a clock"),
@@ -67,9 +81,19 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::refresh_clocks>("refresh.clocks", "clocks", 1, 1000,
                                                   "in which such a turn takes a bank of the frame buffer"),
     own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "in which squares are drawn", square_order_names),
-    own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 1,
-                                           "host: it divides the model at no cost; corners: the machine does",
+    own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 2,
+                                           "host: it divides the model at no cost; corners: the machine does; "
+                                           "processors: processors of the machine do at no cost",
                                            divider_kind_names),
+    own_figure<Figures, &Figures::processors>("processors.count", "processors", 1, 1024,
+                                              "that divide the model, square by square, where processors do"),
+    machines::or_ideal(own_figure<Figures, &Figures::ring_channels>(
+                           "ring.channels", "channels", 1, 4096, "words that the ring of processors carries at a time"),
+                       all_channels),
+    own_figure<Figures, &Figures::ring_bits>("ring.width", "bits", 1, isa::LinkWord::most_bits,
+                                             "of a word of commands or colours on that ring"),
+    own_figure<Figures, &Figures::ring_word_clocks>("ring.word_clocks", "clocks", 1, most_clocks,
+                                                    "from one word on a channel of that ring to the next"),
     own_figure<Figures, &Figures::dividers>("divider.count", "dividers", 1, 64,
                                             "of corners: that divide groups of squares in turn, each with all below"),
     own_figure<Figures, &Figures::levels>("divider.levels", "levels", 1, 2,
@@ -115,7 +139,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 
 std::optional<machines::Division> Kind::division(const Machine& machine) const {
   const Figures& figures = figures_of(machine);
-  if (figures.divider == DividerKind::host) return std::nullopt;
+  if (figures.divider != DividerKind::corners) return std::nullopt;
   return machines::Division{figures.levels == 1 ? 0 : figures.group_side, figures.list_entries};
 }
 
@@ -132,7 +156,7 @@ namespace {
 /// What a divider in the machine asks for.
 void check_display_model(const isa::Program& program, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
-  if (figures.divider == DividerKind::host) return;
+  if (figures.divider != DividerKind::corners) return;
   if (program.display_model.empty()) {
     throw InputError(fmt::format(
         "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
@@ -143,14 +167,54 @@ void check_display_model(const isa::Program& program, const Machine& machine) {
 
 }  // namespace
 
+namespace {
+
+/// A renderer's answer stays with its controller.
+void check_answers(const isa::Program& program, const Machine& machine) {
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const std::vector<isa::Instruction>& instructions = program.segments[s].instructions;
+    const auto found = std::ranges::find(instructions, isa::Opcode::global_or, &isa::Instruction::opcode);
+    if (found == instructions.end()) continue;
+    throw InputError(fmt::format(
+        "segment {}, instruction {}: global_or asks for an answer to the host, to which the renderers of {} "
+        "have no way back; leave it out, or take a machine of the kind frame-buffer, such as pixel-planes-4",
+        s, found - instructions.begin(), machine.name));
+  }
+}
+
+/// A finished square has to fit.
+void check_backing(const isa::FrameHeader& header, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (figures.backing_bits == no_backing || header.colour.width <= figures.backing_bits) return;
+  throw InputError(
+      fmt::format("a pixel has {} bits of colour, and {} of {} where finished squares wait; give "
+                  "backing.bits more, or 0 for a second buffer",
+                  header.colour.width, figures.backing_bits, machine.name));
+}
+
+}  // namespace
+
 void Kind::check(const isa::Program& program, const Machine& machine) const {
+  check_answers(program, machine);
+  check_backing(isa::frame_header(program), machine);
   machines::check_parts(program, machine);
   check_screen(isa::frame_header(program), machine);
   check_display_model(program, machine);
 }
 
+bool Kind::has_global_or(const Machine& machine) const {
+  return figures_of(machine).has_global_or && figures_of(machine).divider != DividerKind::corners;
+}
+
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
-  return machines::bit_serial_clocks(instruction, machine);
+  const std::uint64_t steps = machines::bit_serial_clocks(instruction, machine);
+  if (!isa::is_question(instruction.opcode) || figures_of(machine).or_fan_in == 0) return steps;
+  std::uint64_t levels = 0;
+  const std::uint64_t pixels = std::uint64_t{machine.array.width} * machine.array.height;
+  for (std::uint64_t lines = pixels; lines > 1;
+       lines = quotient_up(lines, std::uint64_t{figures_of(machine).or_fan_in}))
+    ++levels;
+  return steps + levels;
 }
 
 namespace {
@@ -159,7 +223,7 @@ namespace {
 std::uint64_t divider_memory_bits(const Machine& machine) {
   constexpr std::uint64_t list_entry_bits = 32;
   const Figures& figures = machines::own<Figures>(machine);
-  if (figures.divider == DividerKind::host) return 0;
+  if (figures.divider != DividerKind::corners) return 0;
   const std::uint64_t list = figures.levels == 2 ? figures.list_entries * list_entry_bits : 0;
   return figures.dividers * (figures.model_bits + list + figures.halfspaces * halfspace_entry_bits(figures) +
                              figures.nodes * node_entry_bits + std::uint64_t{figures.store_words} * machine.link.width);
@@ -171,7 +235,7 @@ machines::Resources Kind::resources(const Machine& machine, const isa::FrameHead
   const std::uint64_t processors =
       std::uint64_t{machine.array.width} * machine.array.height * figures_of(machine).renderers;
   const std::uint64_t pixels = std::uint64_t{header.shape.width} * header.shape.height;
-  return {processors, processors * machine.array.memory_bits +
+  return {processors, processors * (std::uint64_t{machine.array.memory_bits} + figures_of(machine).backing_bits) +
                           figures_of(machine).pictures * pixels * header.colour.width + divider_memory_bits(machine)};
 }
 

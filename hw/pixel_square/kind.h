@@ -13,6 +13,8 @@ class Kind final : public machines::KindOf<Figures> {
   /// The squares of the machine's picture, as large as a renderer's array, those at the right and bottom edges cut off
   /// there, in the machine's order; where a divider takes groups of squares first, group after group.
   std::vector<isa::Region> regions(const Machine& machine) const override;
+  /// Of a renderer's pixels, for who skips instructions; no answer goes back to the host.
+  bool has_global_or(const Machine& machine) const override;
   std::optional<machines::Division> division(const Machine& machine) const override;
   /// With renderers as large as the parts. A segment has as many subsegments along a side as those of thesis 7.4.
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;

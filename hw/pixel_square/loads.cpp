@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -23,16 +24,27 @@ machines::Load busiest(const machines::Account& account, std::string_view name, 
   return load;
 }
 
+/// What hands out the squares, and carries words.
+std::vector<machines::Load> front_loads(const machines::Account& account) {
+  const bool has_ring = std::ranges::any_of(account.parts, [](const auto& part) { return part.part == "ring"; });
+  if (has_ring) {
+    return {busiest(account, "processor", "sends"),
+            {"ring", "carries as much as it can", account.count("ring_full_clocks")}};
+  }
+  return {{"link from the host", "sends", working(account, "host")},
+          busiest(account, "divider", "tests and writes"),
+          busiest(account, "sender", "sends")};
+}
+
 }  // namespace
 
 std::vector<machines::Load> Kind::loads(const machines::FrameTiming& timing) const {
   const machines::Account& account = timing.account;
   const std::uint64_t refreshing = machines::clocks_of(account, "frame buffer", name_of(SquareActivity::refreshing));
-  return {{"link from the host", "sends", working(account, "host")},
-          busiest(account, "divider", "tests and writes"),
-          busiest(account, "sender", "sends"),
-          busiest(account, "renderer", "draws"),
-          {"frame buffer", "takes colours or shows them", working(account, "frame buffer") + refreshing}};
+  std::vector<machines::Load> loads = front_loads(account);
+  loads.push_back(busiest(account, "renderer", "draws"));
+  loads.push_back({"frame buffer", "takes colours or shows them", working(account, "frame buffer") + refreshing});
+  return loads;
 }
 
 }  // namespace csgsim::pixel_square

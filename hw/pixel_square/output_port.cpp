@@ -4,8 +4,8 @@ namespace csgsim::pixel_square {
 
 OutputPort::OutputPort(sc_core::sc_module_name name, const Figures& figures)
     : sc_core::sc_module(name),
-      latch_bits_(figures.buffers >= 2 ? no_latch : figures.latch_bits),
-      buffer_(figures.port_bits) {
+      latch_bits_(figures.buffers >= 2 || figures.backing_bits != no_backing ? no_latch : figures.latch_bits),
+      port_bits_(colour_word_bits(figures)) {
   SC_HAS_PROCESS(OutputPort);
   SC_METHOD(act);
   dont_initialize();
@@ -20,20 +20,21 @@ void OutputPort::act() {
     send();
     latch();
   }
-  if (!buffer_.busy()) next_trigger(begun.value_changed_event());
+  if (squares_.empty()) next_trigger(begun.value_changed_event());
 }
 
 void OutputPort::begin_square() {
   const isa::Region region = region_of(header.read());
-  if (latch_bits_ == no_latch || colour_.width == 0) return buffer_.load(*memory[0], colour_, region);
-  buffer_.begin(region, colour_.width);
+  OutputBuffer& square = squares_.emplace_back(port_bits_);
+  if (latch_bits_ == no_latch || colour_.width == 0) return square.load(*memory[0], colour_, region);
+  square.begin(region, colour_.width);
   latched_ = 0;
   rows_to_latch_ = region.height;
 }
 
 void OutputPort::transfer() {
-  if (!buffer_.wants_row() || latched_ < colour_.width) return;
-  buffer_.take_row(*memory[0], colour_);
+  if (squares_.empty() || !squares_.front().wants_row() || latched_ < colour_.width) return;
+  squares_.front().take_row(*memory[0], colour_);
   latched_ = 0;
   --rows_to_latch_;
 }
@@ -42,11 +43,16 @@ void OutputPort::latch() {
   if (rows_to_latch_ > 0 && latched_ < colour_.width) latched_ += latch_bits_;
 }
 
+/// The last square that has come may still move.
 void OutputPort::send() {
-  if (moving.read() || !buffer_.busy() || !buffer_.has_word() || colours.num_free() == 0) return;
-  colours.nb_write(buffer_.word());
-  buffer_.advance();
-  if (!buffer_.busy()) left.write(++left_count_);
+  if (squares_.empty() || (moving.read() && squares_.size() == 1)) return;
+  OutputBuffer& square = squares_.front();
+  if (!square.has_word() || colours.num_free() == 0) return;
+  colours.nb_write(square.word());
+  square.advance();
+  if (square.busy()) return;
+  squares_.pop_front();
+  left.write(++left_count_);
 }
 
 }  // namespace csgsim::pixel_square

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <systemc>
 
 #include "hw/pixel_planes/pixel_processors.h"
@@ -13,7 +14,8 @@ namespace csgsim::pixel_square {
 /// Sends finished squares to the frame buffer: a word a clock, as long as there is room, from the first clock in which
 /// the square no longer moves.
 ///
-/// With two buffers a square leaves from the second, where bit planes come in and colours go out. With one it leaves
+/// With two buffers a square leaves from the second, where bit planes come in and colours go out. With a backing store
+/// it leaves from there, behind those that wait in it. With one buffer it leaves
 /// from the pixels' memory: each row is latched, `latch_bits` bits of all its pixels a clock, and goes over into a
 /// register when it is latched and the next word of colours cannot be made without it; while words are made of that,
 /// the next row is latched. A square that moves or leaves rests in the pixels' memory.
@@ -41,9 +43,10 @@ class OutputPort final : public sc_core::sc_module {
 
   const std::uint32_t latch_bits_;  ///< no_latch: the square is in the buffer at once
   isa::Field colour_;
-  OutputBuffer buffer_;
-  std::uint32_t latched_ = 0;        ///< bit planes of the row in the latch
-  std::uint32_t rows_to_latch_ = 0;  ///< of the square, the one in the latch included
+  const std::uint32_t port_bits_;
+  std::deque<OutputBuffer> squares_;  ///< that have not left
+  std::uint32_t latched_ = 0;         ///< bit planes of the row in the latch
+  std::uint32_t rows_to_latch_ = 0;   ///< of the square, the one in the latch included
   std::uint64_t left_count_ = 0;
 };
 

@@ -30,7 +30,16 @@ int port_depth(const machines::Machine& machine) {
   return static_cast<int>(machines::own<Figures>(machine).port_fifo_depth);
 }
 
+/// What hands out headers of squares to clear.
+std::size_t clearing_parts(const Figures& figures) { return has_ring(figures) ? figures.processors : 1; }
+
 }  // namespace
+
+PixelSquareMachine::RingParts::RingParts(const machines::Machine& machine)
+    : words("processor_words", machines::own<Figures>(machine).processors, fifo_maker<RingWord>(port_depth(machine))),
+      targets("targets", words.size()),
+      colours("carried_colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
+      ring("ring", machine) {}
 
 PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machines::Machine& machine,
                                        systemc::EvaluatorForm form)
@@ -40,7 +49,7 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
       instructions_("instructions", machines::own<Figures>(machine).renderers,
                     fifo_maker<isa::LinkWord>(link_depth(machine))),
       colours_("colours", machines::own<Figures>(machine).renderers, fifo_maker<PortWord>(port_depth(machine))),
-      clears_("clears", port_depth(machine)),
+      clears_("clears", clearing_parts(machines::own<Figures>(machine)), fifo_maker<PortWord>(port_depth(machine))),
       finished_("finished", machines::own<Figures>(machine).renderers),
       renderers_("renderers", machines::own<Figures>(machine).renderers,
                  [&](const char* renderer, std::size_t /*index*/) { return new Renderer(renderer, machine, form); }),
@@ -59,7 +68,7 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
   }
 
   frame_buffer_.clock(clock_);
-  frame_buffer_.colours(colours_);
+  frame_buffer_.colours(ring_ ? ring_->colours : colours_);
   frame_buffer_.clears(clears_);
   frame_buffer_.frames(frames_);
 
@@ -69,30 +78,59 @@ PixelSquareMachine::PixelSquareMachine(sc_core::sc_module_name name, const machi
 }
 
 void PixelSquareMachine::bind_front(const machines::Machine& machine) {
-  if (machines::own<Figures>(machine).divider == DividerKind::host) {
-    front_.host = std::make_unique<HostSender>("host", machine);
-  } else {
-    front_.model = std::make_unique<sc_core::sc_fifo<isa::LinkWord>>("model", link_depth(machine));
-    front_.source = std::make_unique<ModelSource>("host", machine.link);
-    front_.source->clock(clock_);
-    front_.source->words(*front_.model);
-    front_.receiver = std::make_unique<ModelReceiver>("receiver", machine);
-    front_.receiver->clock(clock_);
-    front_.receiver->model(*front_.model);
-    for (std::uint32_t i = 0; i < machines::own<Figures>(machine).dividers; ++i)
-      front_.dividers.push_back(
-          std::make_unique<CornerDivider>(("divider_" + std::to_string(i)).c_str(), machine, *front_.receiver));
-    front_.sender = std::make_unique<StoreSender>("sender", machine);
+  switch (machines::own<Figures>(machine).divider) {
+    case DividerKind::host: front_.host = std::make_unique<HostSender>("host", machine); return bind_sender();
+    case DividerKind::corners: bind_divider(machine); return bind_sender();
+    case DividerKind::processors: return bind_ring(machine);
   }
+}
+
+void PixelSquareMachine::bind_divider(const machines::Machine& machine) {
+  front_.model = std::make_unique<sc_core::sc_fifo<isa::LinkWord>>("model", link_depth(machine));
+  front_.source = std::make_unique<ModelSource>("host", machine.link);
+  front_.source->clock(clock_);
+  front_.source->words(*front_.model);
+  front_.receiver = std::make_unique<ModelReceiver>("receiver", machine);
+  front_.receiver->clock(clock_);
+  front_.receiver->model(*front_.model);
+  for (std::uint32_t i = 0; i < machines::own<Figures>(machine).dividers; ++i)
+    front_.dividers.push_back(
+        std::make_unique<CornerDivider>(("divider_" + std::to_string(i)).c_str(), machine, *front_.receiver));
+  front_.sender = std::make_unique<StoreSender>("sender", machine);
+}
+
+void PixelSquareMachine::bind_sender() {
   sender().clock(clock_);
   sender().links(instructions_);
   sender().finished(finished_);
-  sender().clears(clears_);
+  sender().clears(clears_[0]);
   sender().retirement(retirement_);
+}
+
+void PixelSquareMachine::bind_ring(const machines::Machine& machine) {
+  ring_ = std::make_unique<RingParts>(machine);
+  front_.processors = std::make_unique<GraphicsProcessors>("processors", machine);
+  front_.processors->clock(clock_);
+  front_.processors->words(ring_->words);
+  front_.processors->targets(ring_->targets);
+  front_.processors->finished(finished_);
+  front_.processors->retirement(retirement_);
+  Ring& ring = ring_->ring;
+  ring.clock(clock_);
+  ring.processors(ring_->words);
+  ring.targets(ring_->targets);
+  ring.renderers(colours_);
+  ring.links(instructions_);
+  ring.colours(ring_->colours);
+  ring.clears(clears_);
 }
 
 void PixelSquareMachine::begin_front(const isa::Program& program) {
   if (front_.host) return front_.host->begin(program.segments);
+  if (front_.processors) {
+    ring_->ring.begin();
+    return front_.processors->begin(program.segments);
+  }
   const isa::FrameHeader header = isa::frame_header(program);
   front_.source->begin(program.display_model);
   front_.receiver->begin(program.display_model.size());
@@ -128,7 +166,13 @@ systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc:
   if (!program.segments.empty()) sc_core::sc_start();
   retirement_.rethrow();
   const std::uint64_t clocks = edges() - begun;
-  return {.clocks = clocks, .answers = {}, .account = account(counted(clocks)), .picture = picture_of(program)};
+  std::uint64_t skipped = 0;
+  std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& one) { skipped += one.skipped(); });
+  return {.clocks = clocks,
+          .skipped = skipped,
+          .answers = {},
+          .account = account(counted(clocks)),
+          .picture = picture_of(program)};
 }
 
 std::vector<std::uint32_t> PixelSquareMachine::picture_of(const isa::Program& program) const {
@@ -154,8 +198,14 @@ std::uint64_t PixelSquareMachine::edges() const { return sc_core::sc_time_stamp(
 
 SquareAccount PixelSquareMachine::counted(std::uint64_t clocks) const {
   SquareAccount account;
-  account.squares_skipped = sender().squares_skipped();
-  account.host = front_.host ? front_.host->account(clocks) : front_.source->account(clocks);
+  account.squares_skipped = front_.processors ? front_.processors->squares_skipped() : sender().squares_skipped();
+  if (front_.host) account.host = front_.host->account(clocks);
+  if (front_.source) account.host = front_.source->account(clocks);
+  if (front_.processors) {
+    for (std::size_t i = 0; i < front_.processors->count(); ++i)
+      account.processors.push_back(front_.processors->account(i, clocks));
+    account.ring = ring_->ring.account(clocks);
+  }
   for (const auto& divider : front_.dividers) account.dividers.push_back(divider->account(clocks));
   if (front_.sender) account.sender = front_.sender->account(clocks);
   account.frame_buffer = frame_buffer_.account(clocks);
@@ -192,8 +242,23 @@ std::vector<wave::Tap> PixelSquareMachine::front_taps(const isa::Program& progra
     const std::string part = front_.dividers.size() == 1 ? "divider" : "divider_" + std::to_string(i);
     wave::add(divider_taps(part, *front_.dividers[i], program), taps);
   }
-  wave::add(sender_taps(front_.host ? "host" : "sender", sender(), program), taps);
-  taps.push_back(fill_tap("clears.fill", clears_));
+  if (front_.processors) {
+    wave::add(processor_taps(program), taps);
+    return taps;
+  }
+  wave::add(sender_taps(front_.host ? "host" : "sender", sender().status(), program), taps);
+  taps.push_back(fill_tap("clears.fill", clears_[0]));
+  return taps;
+}
+
+std::vector<wave::Tap> PixelSquareMachine::processor_taps(const isa::Program& program) const {
+  std::vector<wave::Tap> taps;
+  for (std::size_t i = 0; i < front_.processors->count(); ++i) {
+    const std::string part = "processor_" + std::to_string(i);
+    wave::add(sender_taps(part, front_.processors->status(i), program), taps);
+    taps.push_back(fill_tap(part + ".ring_fill", ring_->words[i]));
+  }
+  taps.push_back(wave::number("ring.words", 32, [this] { return wave::Number(ring_->ring.words()); }));
   return taps;
 }
 

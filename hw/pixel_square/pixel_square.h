@@ -10,11 +10,14 @@
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/corner_divider.h"
 #include "hw/pixel_square/frame_buffer.h"
+#include "hw/pixel_square/graphics_processors.h"
 #include "hw/pixel_square/host_sender.h"
 #include "hw/pixel_square/model_receiver.h"
 #include "hw/pixel_square/model_source.h"
 #include "hw/pixel_square/port_word.h"
 #include "hw/pixel_square/renderer.h"
+#include "hw/pixel_square/ring.h"
+#include "hw/pixel_square/ring_word.h"
 #include "hw/pixel_square/store_sender.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
@@ -32,6 +35,12 @@ namespace csgsim::pixel_square {
 ///
 /// With dividers of its own there stand in the host's place, behind a FIFO for the model, what receives that, the
 /// dividers with a store each, and what sends the squares that are in these.
+///
+/// With graphics processors there is a ring between FIFOs of theirs and of the renderers on one side, and those of the
+/// renderers and of the frame buffer on the other:
+///
+///     processor 0 ─▶ FIFO ─▶ ring ─▶ FIFO ─▶ renderer 0 ─▶ FIFO ─▶ ring
+///     renderer 0  ─▶ FIFO ─▶ ring ─▶ FIFO ─▶ frame buffer
 ///
 /// All parts act on the rising edge of one clock. A word written at an edge can be read at the next; a place freed at
 /// an edge can be filled at the next.
@@ -54,14 +63,30 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
     std::unique_ptr<ModelReceiver> receiver;
     std::vector<std::unique_ptr<CornerDivider>> dividers;
     std::unique_ptr<StoreSender> sender;
+    std::unique_ptr<GraphicsProcessors> processors;
+  };
+
+  /// Of a machine with graphics processors: the ring, what waits for it, and what it has brought to the frame buffer.
+  struct RingParts {
+    explicit RingParts(const machines::Machine& machine);
+
+    sc_core::sc_vector<sc_core::sc_fifo<RingWord>> words;
+    sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> targets;
+    sc_core::sc_vector<sc_core::sc_fifo<PortWord>> colours;
+    Ring ring;
   };
 
   [[nodiscard]] std::vector<wave::Tap> front_taps(const isa::Program& program) const;
+  [[nodiscard]] std::vector<wave::Tap> processor_taps(const isa::Program& program) const;
   [[nodiscard]] std::vector<wave::Tap> pixel_taps(wave::Pixel pixel, const isa::Program& program,
                                                   const wave::Request& request) const;
   void bind_front(const machines::Machine& machine);
+  void bind_divider(const machines::Machine& machine);
+  void bind_sender();
+  void bind_ring(const machines::Machine& machine);
   void begin_front(const isa::Program& program);
   void begin_dividers(const machines::Size& picture);
+  /// Of a machine without graphics processors.
   [[nodiscard]] Sender& sender() { return front_.host ? static_cast<Sender&>(*front_.host) : *front_.sender; }
   [[nodiscard]] const Sender& sender() const {
     return front_.host ? static_cast<const Sender&>(*front_.host) : *front_.sender;
@@ -76,11 +101,12 @@ class PixelSquareMachine final : public sc_core::sc_module, public systemc::Cloc
   systemc::Clock clock_;
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> instructions_;
   sc_core::sc_vector<sc_core::sc_fifo<PortWord>> colours_;
-  sc_core::sc_fifo<PortWord> clears_;
+  sc_core::sc_vector<sc_core::sc_fifo<PortWord>> clears_;
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> finished_;
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
   Front front_;
+  std::unique_ptr<RingParts> ring_;
   std::vector<isa::Region> squares_;  ///< of the frame, for dividers
   sc_core::sc_vector<Renderer> renderers_;
   FrameBuffer frame_buffer_;

@@ -28,9 +28,11 @@ Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machin
       control_delay_("control_delay", machines::evaluator_latency(machine.array)),
       evaluator_("evaluator", plane_shape(machine), adders(machine, form)),
       processors_("processors", machine.array, machine.alu_bits),
+      global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       output_("output", machines::own<Figures>(machine)) {
   controller_.clock(clock);
   controller_.link(link);
+  controller_.answer(answer_);
   controller_.left(left_);
   controller_.root(root_);
   controller_.control(control_);
@@ -53,6 +55,11 @@ Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machin
   processors_.control(control_at_pixels_);
   processors_.tree(tree_bits_);
   processors_.retired(retired_);
+
+  global_or_.clock(clock);
+  global_or_.question(question_);
+  global_or_.enable(processors_.enable_lines);
+  global_or_.answer(answer_);
 
   output_.clock(clock);
   output_.begun(begun_);

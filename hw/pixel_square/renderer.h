@@ -6,6 +6,7 @@
 #include "hw/isa/link_word.h"
 #include "hw/machines/machine.h"
 #include "hw/pixel_planes/control_delay.h"
+#include "hw/pixel_planes/global_or.h"
 #include "hw/pixel_planes/linear_expression_evaluator.h"
 #include "hw/pixel_planes/pixel_processors.h"
 #include "hw/pixel_square/account.h"
@@ -35,6 +36,7 @@ struct RendererParts {
 ///
 ///     link ─▶ controller ─┬─▶ linear expression evaluator ─▶ pixel processors ─▶ output port ─▶ colours
 ///               ▲         └─▶ control delay ─────────────────▲                    ▲     │
+///               ├────────────────────── global OR ◀──────────┘                    │     │
 ///               │         └─▶ a square begins to move ────────────────────────────┘     │
 ///               └──────────── squares that have left ───────────────────────────────────┘
 ///
@@ -57,6 +59,8 @@ class Renderer final : public sc_core::sc_module {
   /// Of the pixel processors, in a frame of so many clocks. Those after the last square are `done`.
   [[nodiscard]] SquareClocks account(std::uint64_t clocks) const { return controller_.account(clocks); }
   [[nodiscard]] std::uint64_t squares() const { return controller_.squares(); }
+  /// Instructions that were not carried out, in the frame.
+  [[nodiscard]] std::uint64_t skipped() const { return completion_.skipped(); }
   [[nodiscard]] const array::PixelArray& pixels() const { return processors_.pixels(); }
 
   [[nodiscard]] RendererParts parts() const {
@@ -68,7 +72,8 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_signal<pixel_planes::RootWord> root_{"root_bits"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_{"control"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_at_pixels_{"control_at_pixels"};
-  sc_core::sc_signal<bool> question_{"question"};  ///< which no wired OR answers
+  sc_core::sc_signal<bool> question_{"question"};
+  sc_core::sc_signal<pixel_planes::Answer> answer_{"answer"};
   sc_core::sc_signal<pixel_planes::TreeWord> tree_bits_{"tree_bits"};
   sc_core::sc_signal<std::uint64_t> retired_{"retired"};
   sc_core::sc_fifo<CommandAccount> accounts_;
@@ -81,6 +86,7 @@ class Renderer final : public sc_core::sc_module {
   pixel_planes::ControlDelay control_delay_;
   pixel_planes::LinearExpressionEvaluator evaluator_;
   pixel_planes::PixelProcessors processors_;
+  pixel_planes::GlobalOr global_or_;
   OutputPort output_;
   SquareCompletion completion_{"completion"};
 };

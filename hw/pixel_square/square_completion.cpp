@@ -8,24 +8,36 @@ SquareCompletion::SquareCompletion(sc_core::sc_module_name name) : sc_core::sc_m
   SC_HAS_PROCESS(SquareCompletion);
   SC_METHOD(complete);
   dont_initialize();
-  sensitive << retired;
+  sensitive << retired << accounts.data_written();
 }
 
+/// A question is accounted for later than its step reaches the pixels; any other command before its last word does.
 void SquareCompletion::complete() {
-  const CommandAccount account = accounts.read();
+  CommandAccount account;
+  if (told_ == retired.read() || !accounts.nb_read(account)) return;
+  ++told_;
+  tell(account);
+  if (account.kind != CommandAccount::Kind::end) enabled_ = enable->count_enabled();
+}
+
+void SquareCompletion::tell(const CommandAccount& account) {
   switch (account.kind) {
     case CommandAccount::Kind::start:
       segment_ = names_->segment_of(account.region);
       index_ = 0;
-      break;
+      return;
     case CommandAccount::Kind::instruction:
-      retirement->after_instruction(
-          {.segment = *segment_, .index = index_++, .clocks = account.clocks, .enabled_pixels = enabled_},
-          systemc::ArrayView(enable->pixels()));
-      break;
+      retirement->after_instruction({.segment = *segment_,
+                                     .index = index_,
+                                     .clocks = account.clocks,
+                                     .enabled_pixels = enabled_,
+                                     .skipped = account.skipped},
+                                    systemc::ArrayView(enable->pixels()));
+      index_ += static_cast<std::uint32_t>(1 + account.skipped);
+      skipped_ += account.skipped;
+      return;
     case CommandAccount::Kind::end: retirement->after_segment(*segment_, systemc::ArrayView(enable->pixels())); return;
   }
-  enabled_ = enable->count_enabled();
 }
 
 }  // namespace csgsim::pixel_square

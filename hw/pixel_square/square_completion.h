@@ -26,18 +26,25 @@ class SquareCompletion final : public sc_core::sc_module {
   void begin(const systemc::SegmentNames& names) {
     names_ = &names;
     segment_.reset();
+    skipped_ = 0;
   }
+
+  /// Instructions that were not carried out, since begin.
+  [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
 
   /// For waves: which segment the pixels draw, or have drawn last; none before the first.
   [[nodiscard]] std::optional<std::uint32_t> segment() const { return segment_; }
 
  private:
   void complete();
+  void tell(const CommandAccount& account);
 
   const systemc::SegmentNames* names_ = nullptr;
   std::optional<std::uint32_t> segment_;  ///< that the square is
   std::uint32_t index_ = 0;               ///< of the instruction that comes next
   std::uint64_t enabled_ = 0;
+  std::uint64_t told_ = 0;  ///< commands, since the machine was built
+  std::uint64_t skipped_ = 0;
 };
 
 }  // namespace csgsim::pixel_square

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "hw/base/quotient.h"
+#include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_planes/clear_step.h"
 #include "hw/pixel_square/figures.h"
@@ -18,12 +19,12 @@ using pixel_planes::ControlWord;
 SquareController::SquareController(sc_core::sc_module_name name, const machines::Machine& machine)
     : sc_core::sc_module(name),
       period_(systemc::period_of(machine)),
-      buffered_(machines::own<Figures>(machine).buffers >= 2),
+      figures_(machines::own<Figures>(machine)),
       clear_clocks_(std::max(machine.clear_clocks, 1U)),
-      move_bits_(machines::own<Figures>(machine).move_bits),
       memory_bits_(machine.array.memory_bits),
       latency_(machines::evaluator_latency(machine.array)),
-      receiver_(machine.link.width),
+      pixels_(std::uint64_t{machine.array.width} * machine.array.height),
+      receiver_(command_word_bits(machines::own<Figures>(machine), machine.link.width)),
       sequencer_(machine.memory_reads, machine.alu_bits) {
   SC_HAS_PROCESS(SquareController);
   SC_METHOD(act);
@@ -32,15 +33,21 @@ SquareController::SquareController(sc_core::sc_module_name name, const machines:
 }
 
 void SquareController::begin(std::uint32_t colour_bits) {
-  move_clocks_ = move_bits_ == all_planes ? 0 : quotient_up(colour_bits, move_bits_);
+  waiting_ = squares_waiting(figures_, colour_bits);
+  if (figures_.backing_bits == no_backing) {
+    move_clocks_ = figures_.move_bits == all_planes ? 0 : quotient_up(colour_bits, figures_.move_bits);
+  } else {
+    const std::uint64_t bits = pixels_ * colour_bits;
+    move_clocks_ = figures_.backing_width == all_planes ? 0 : quotient_up(bits, std::uint64_t{figures_.backing_width});
+  }
   squares_ = 0;
   idle_from_ = edges();
   clocks_ = {};
 }
 
 std::string_view SquareController::state() const {
-  constexpr auto names =
-      std::to_array<std::string_view>({"idle", "clearing", "drawing", "draining", "drawn", "moving", "leaving"});
+  constexpr auto names = std::to_array<std::string_view>(
+      {"idle", "clearing", "drawing", "asking", "draining", "drawn", "moving", "leaving"});
   return names.at(static_cast<std::size_t>(state_));
 }
 
@@ -68,15 +75,23 @@ void SquareController::act() {
 }
 
 void SquareController::advance() {
+  if (state_ == State::asking) take_answer();
   if (state_ == State::draining && --clocks_left_ == 0) state_ = State::drawn;
   if (state_ == State::moving && --clocks_left_ == 0) finish();
-  if (state_ == State::drawn && begun_count_ == left.read()) begin_output();
+  if (state_ == State::drawn && begun_count_ - left.read() < std::max<std::uint64_t>(waiting_, 1)) begin_output();
+}
+
+void SquareController::take_answer() {
+  if (!answer.read().valid) return;
+  skips_left_ = isa::skipped_after(sequencer_.instruction(), answer.read().any_enabled ? 1 : 0);
+  accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_, .skipped = skips_left_});
+  state_ = State::drawing;
 }
 
 void SquareController::begin_output() {
   header.write(header_of(region_));
   begun.write(++begun_count_);
-  if (!buffered_) {
+  if (waiting_ == 0) {
     state_ = State::leaving;
     return;
   }
@@ -102,6 +117,10 @@ void SquareController::put_control_word() {
     case State::drawing:
       activity_ = sequencer_.busy() ? SquareActivity::working : SquareActivity::waiting_for_divider;
       return sequencer_.busy() ? issue() : rest();
+    case State::asking:
+      activity_ = SquareActivity::working;
+      ++instruction_clocks_;
+      return rest();
     case State::draining: activity_ = SquareActivity::working; return drain();
     case State::moving: activity_ = SquareActivity::working; return rest();
     case State::drawn:
@@ -112,6 +131,11 @@ void SquareController::put_control_word() {
 void SquareController::take_command() {
   if (!receiver_.holds()) return;
   const isa::Command command = receiver_.take();
+  if (skips_left_ > 0) {
+    --skips_left_;
+    ++ordinal_;
+    return;
+  }
   if (const auto* start = std::get_if<isa::SegmentStart>(&command)) {
     begin_square(start->region);
   } else if (const auto* instruction = std::get_if<isa::Instruction>(&command)) {
@@ -131,7 +155,7 @@ void SquareController::begin_square(const isa::Region& region) {
 }
 
 void SquareController::clear() {
-  const std::uint32_t elapsed = clear_clocks_ - clocks_left_--;
+  const auto elapsed = static_cast<std::uint32_t>(clear_clocks_ - clocks_left_--);
   put({.clears = true,
        .clear = pixel_planes::clear_step(region_, memory_bits_, elapsed, clear_clocks_, memory_bits_),
        .last = clocks_left_ == 0});
@@ -145,8 +169,12 @@ void SquareController::issue() {
   put({.step = step.pixels, .steps = true, .last = step.last, .ordinal = ordinal_}, step.root);
   ++instruction_clocks_;
   if (!step.last) return;
-  accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_});
   ++ordinal_;
+  if (step.pixels.function == array::AluFunction::answer) {
+    state_ = State::asking;
+    return;
+  }
+  accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_});
 }
 
 /// A word without a step goes behind the last one.

@@ -12,6 +12,7 @@
 #include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/command_account.h"
+#include "hw/pixel_square/figures.h"
 
 namespace csgsim::pixel_square {
 
@@ -19,11 +20,16 @@ namespace csgsim::pixel_square {
 /// with it. SegmentStart takes the clocks that clear the memory, one at least; an instruction those in which one of its
 /// steps is on the wires; SegmentEnd one, and those in which the last step is on its way to the pixels. From the next
 /// edge on at which the output buffer is free the square moves there, so many bit planes a clock; all planes at once
-/// take no clock. Without a second buffer the pixels wait until it has left. Then the next command is taken.
+/// take no clock. With a backing store it moves as soon as that has room for it, so many bits a clock. Without a second
+/// buffer or a backing store the pixels wait until it has left. Then the next command is taken.
+///
+/// A question takes its step's clock and those until the answer is there. If no pixel is enabled, as many instructions
+/// as it says are dropped when they have come, each in the clock in which the next command could have been taken.
 class SquareController final : public sc_core::sc_module {
  public:
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
+  sc_core::sc_in<pixel_planes::Answer> answer{"answer"};
   sc_core::sc_in<std::uint64_t> left{"left"};  ///< squares whose last word has left for the frame buffer
   sc_core::sc_out<pixel_planes::RootWord> root{"root"};
   sc_core::sc_out<pixel_planes::ControlWord> control{"control"};
@@ -56,6 +62,7 @@ class SquareController final : public sc_core::sc_module {
     idle,      ///< waits for a square
     clearing,  ///< the pixels' memory
     drawing,   ///< takes instructions
+    asking,    ///< waits for the answer to a question
     draining,  ///< the last step is on its way to the pixels
     drawn,     ///< the output buffer is not free
     moving,    ///< the square moves to the output buffer
@@ -65,6 +72,7 @@ class SquareController final : public sc_core::sc_module {
   void act();
   [[nodiscard]] std::uint64_t edges() const;
   void advance();
+  void take_answer();
   void begin_output();
   void finish();
   void put_control_word();
@@ -77,20 +85,22 @@ class SquareController final : public sc_core::sc_module {
   void put(const pixel_planes::ControlWord& word, const array::RootBits& bits = {});
 
   const sc_core::sc_time period_;
-  const bool buffered_;
+  const Figures figures_;
   const std::uint32_t clear_clocks_;
-  const std::uint32_t move_bits_;
   const std::uint32_t memory_bits_;
   const std::uint32_t latency_;  ///< from the roots of the multiplier trees to the pixels
+  const std::uint64_t pixels_;
   link::Receiver receiver_;
   array::Sequencer sequencer_;
-  std::uint32_t move_clocks_ = 0;
+  std::uint64_t move_clocks_ = 0;
+  std::uint64_t waiting_ = 0;  ///< squares that may, besides the one that is drawn; 0: they leave from the pixels
 
   State state_ = State::idle;
   SquareActivity activity_ = SquareActivity::waiting_for_divider;  ///< in the clock that began last
   isa::Region region_;                                             ///< of the square at hand
-  std::uint32_t clocks_left_ = 0;                                  ///< of clearing, of draining or of moving
+  std::uint64_t clocks_left_ = 0;                                  ///< of clearing, of draining or of moving
   std::uint64_t instruction_clocks_ = 0;                           ///< of the instruction at hand
+  std::uint64_t skips_left_ = 0;                                   ///< instructions that are to be dropped
   std::uint64_t ordinal_ = 0;  ///< of the instruction that comes next, within the square
   bool resting_ = true;        ///< the wires carry no step
   std::uint64_t begun_count_ = 0;

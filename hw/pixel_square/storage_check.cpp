@@ -68,7 +68,7 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
 
 void check_division(const isa::Program& program, const machines::Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
-  if (figures.divider == DividerKind::host) return;
+  if (figures.divider != DividerKind::corners) return;
   division::check_division(program, groups_of(program, machine), figures.list_entries);
 }
 

@@ -44,10 +44,10 @@ std::vector<Tap> divider_taps(const std::string& part, const CornerDivider& divi
           wave::number(part + ".store_fill", 32, [&divider] { return Number(divider.store().fill()); })};
 }
 
-std::vector<Tap> sender_taps(const std::string& part, const Sender& sender, const isa::Program& program) {
-  return {wave::text(part + ".state", [&sender] { return std::string(sender.status().state); }),
-          wave::text(part + ".square", [&sender, &program] { return square_name(sender.status().square, program); }),
-          wave::number(part + ".renderer", renderer_bits, [&sender] { return Number(sender.status().renderer); })};
+std::vector<Tap> sender_taps(const std::string& part, const SenderStatus& status, const isa::Program& program) {
+  return {wave::text(part + ".state", [&status] { return std::string(status.state); }),
+          wave::text(part + ".square", [&status, &program] { return square_name(status.square, program); }),
+          wave::number(part + ".renderer", renderer_bits, [&status] { return Number(status.renderer); })};
 }
 
 std::vector<Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,

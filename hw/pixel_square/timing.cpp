@@ -1,9 +1,12 @@
 #include "hw/pixel_square/timing.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "hw/base/quotient.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/figures.h"
@@ -12,7 +15,9 @@
 #include "hw/pixel_square/timing_divider.h"
 #include "hw/pixel_square/timing_division.h"
 #include "hw/pixel_square/timing_frame_buffer.h"
+#include "hw/pixel_square/timing_processors.h"
 #include "hw/pixel_square/timing_renderer.h"
+#include "hw/pixel_square/timing_ring.h"
 #include "hw/pixel_square/timing_sender.h"
 
 namespace csgsim::pixel_square {
@@ -24,27 +29,35 @@ using machines::Machine;
 
 std::size_t dividers_in(const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
-  return figures.divider == DividerKind::host ? 0 : figures.dividers;
+  return figures.divider == DividerKind::corners ? figures.dividers : 0;
+}
+
+std::size_t processors_in(const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  return has_ring(figures) ? figures.processors : 0;
 }
 
 /// The machine's parts, and the order in which they act.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine, machines::Timeline* told)
+  FrameModel(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips,
+             machines::Timeline* told)
       : program_(program),
         machine_(machine),
-        parts_{machines::own<Figures>(machine).renderers, dividers_in(machine)},
+        parts_{machines::own<Figures>(machine).renderers, dividers_in(machine), processors_in(machine)},
         agenda_(parts_.count()),
         clears_(machines::own<Figures>(machine).port_fifo_depth, parts_.sender(), parts_.frame_buffer(), agenda_),
         renderers_(renderers(program, machine, agenda_)),
         dividers_(dividers(told)),
-        sender_(program, machine, dividers_, renderers_, clears_, agenda_, told),
-        frame_buffer_(program, machine, renderers_, clears_, agenda_) {}
+        sender_(program, machine, dividers_, renderers_, clears_, agenda_, skips, told),
+        processors_(program, machine, renderers_, agenda_, skips, told),
+        ring_(machine, processors_, renderers_, agenda_),
+        frame_buffer_(program, machine, ports(), agenda_) {}
 
   SquareTiming run() {
     if (!program_.segments.empty()) {
       if (!dividers_.empty()) take_model();
-      sender_.begin();
+      has_processors() ? processors_.begin() : sender_.begin();
       while (frame_buffer_.end() == 0) step();
     }
     return {frame_buffer_.end(), counted()};
@@ -69,6 +82,18 @@ class FrameModel {
     return all;
   }
 
+  [[nodiscard]] bool has_processors() const { return parts_.processors > 0; }
+
+  /// Of the frame buffer.
+  std::vector<Fifo<TimedPortWord>*> ports() {
+    std::vector<Fifo<TimedPortWord>*> all;
+    for (Fifo<TimedPortWord>& carried : ring_.carried()) all.push_back(&carried);
+    if (has_processors()) return all;
+    for (RendererTiming& renderer : renderers_) all.push_back(&renderer.colours());
+    all.push_back(&clears_);
+    return all;
+  }
+
   /// The words of the model follow each other as fast as the host can send and the FIFO take them.
   void take_model() {
     const machines::Link& link = machine_.link;
@@ -89,6 +114,8 @@ class FrameModel {
     const auto [now, part] = agenda_.next();
     if (part == parts_.sender()) return sender_.send(now);
     if (part == parts_.frame_buffer()) return frame_buffer_.store(now);
+    if (part == parts_.ring()) return ring_.carry(now);
+    if (part >= parts_.processor(0)) return processors_.act(part - parts_.processor(0), now);
     if (part >= parts_.divider(0)) return dividers_[part - parts_.divider(0)].act(now);
     const std::size_t number = part % renderers_.size();
     RendererTiming& renderer = renderers_[number];
@@ -100,8 +127,11 @@ class FrameModel {
   SquareAccount counted() {
     const Time end = frame_buffer_.end();
     SquareAccount account;
-    account.squares_skipped = sender_.skipped();
-    if (dividers_.empty()) {
+    account.squares_skipped = has_processors() ? processors_.skipped() : sender_.skipped();
+    if (has_processors()) {
+      for (std::size_t i = 0; i < processors_.count(); ++i) account.processors.push_back(processors_.clocks(i, end));
+      account.ring = ring_.account(end);
+    } else if (dividers_.empty()) {
       account.host = sender_.clocks(end);
     } else {
       account.host = host_.whole(end);
@@ -126,32 +156,40 @@ class FrameModel {
   std::vector<DividerTiming> dividers_;
   PartClocks host_;  ///< before dividers
   SenderTiming sender_;
+  ProcessorsTiming processors_;
+  RingTiming ring_;
   FrameBufferTiming frame_buffer_;
 };
 
 }  // namespace
 
-SquareTiming time_squares(const isa::Program& program, const Machine& machine) {
-  return FrameModel(program, machine, nullptr).run();
+SquareTiming time_squares(const isa::Program& program, const Machine& machine, std::span<const machines::Skip> skips) {
+  return FrameModel(program, machine, skips, nullptr).run();
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 std::span<const machines::Skip> /*skips*/) const {
-  const SquareTiming timing = time_squares(program, machine);
+                                 std::span<const machines::Skip> skips) const {
+  const SquareTiming timing = time_squares(program, machine, skips);
   return {.clocks = timing.clocks, .account = account(timing.account)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 std::span<const machines::Skip> /*skips*/) const {
+                                                 std::span<const machines::Skip> skips) const {
   machines::Timeline told = machines::blank_timeline(program);
-  FrameModel(program, machine, &told).run();
+  FrameModel(program, machine, skips, &told).run();
   return told;
 }
 
-std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& /*program*/,
+/// The controller has a question until the answer is there, the pixels for one clock.
+std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
                                                 const Machine& machine, std::uint32_t segment, std::uint32_t /*x*/,
                                                 std::uint32_t /*y*/) const {
-  return machines::later(timeline.issued[segment], machines::evaluator_latency(machine.array));
+  std::vector<machines::ClockSpan> spans = timeline.issued[segment];
+  for (std::size_t i = 0; i < spans.size(); ++i) {
+    const bool is_question = isa::is_question(program.segments[segment].instructions[i].opcode);
+    if (is_question && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
+  }
+  return machines::later(std::move(spans), machines::evaluator_latency(machine.array));
 }
 
 }  // namespace csgsim::pixel_square

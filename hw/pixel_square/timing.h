@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hw/machines/machine.h"
+#include "hw/machines/timing.h"
 #include "hw/pixel_square/account.h"
 
 namespace csgsim::pixel_square {
@@ -12,7 +14,8 @@ struct SquareTiming {
   SquareAccount account;
 };
 
-/// Worked out from the clocks of each instruction (the modules count the same).
-SquareTiming time_squares(const isa::Program& program, const machines::Machine& machine);
+/// Worked out from the clocks of each instruction (the modules count the same). `skips`: of the run, in program order.
+SquareTiming time_squares(const isa::Program& program, const machines::Machine& machine,
+                          std::span<const machines::Skip> skips = {});
 
 }  // namespace csgsim::pixel_square

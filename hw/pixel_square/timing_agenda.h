@@ -18,18 +18,22 @@ namespace csgsim::pixel_square {
 using Time = std::uint64_t;
 
 /// The numbers that the parts have in the agenda. At one edge a part comes before those with higher numbers: the pixels
-/// before their decoder, which can take a word where they take a command. The order of the others does not matter.
+/// before their decoder, which can take a word where they take a command; graphics processors come in their order. The
+/// order of the others does not matter.
 struct PartNumbers {
   std::size_t renderers = 1;
   std::size_t dividers = 0;
+  std::size_t processors = 0;
 
   [[nodiscard]] std::size_t pixels(std::size_t renderer) const { return renderer; }
   [[nodiscard]] std::size_t decoder(std::size_t renderer) const { return renderers + renderer; }
   [[nodiscard]] std::size_t output(std::size_t renderer) const { return 2 * renderers + renderer; }
   [[nodiscard]] std::size_t sender() const { return 3 * renderers; }
   [[nodiscard]] std::size_t frame_buffer() const { return sender() + 1; }
-  [[nodiscard]] std::size_t divider(std::size_t number) const { return frame_buffer() + 1 + number; }
-  [[nodiscard]] std::size_t count() const { return divider(dividers); }
+  [[nodiscard]] std::size_t ring() const { return frame_buffer() + 1; }
+  [[nodiscard]] std::size_t divider(std::size_t number) const { return ring() + 1 + number; }
+  [[nodiscard]] std::size_t processor(std::size_t number) const { return divider(dividers) + number; }
+  [[nodiscard]] std::size_t count() const { return processor(processors); }
 };
 
 /// When which part acts next. A part sleeps while nothing but another part can let it go on.

@@ -2,17 +2,20 @@
 
 #include <algorithm>
 
+#include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
+#include "hw/pixel_square/figures.h"
 
 namespace csgsim::pixel_square {
 
 std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_t square,
-                                         const machines::Machine& machine, machines::Timeline* told) {
+                                         const machines::Machine& machine, std::span<const machines::Skip> skips,
+                                         machines::Timeline* told) {
   const isa::Segment& segment = program.segments[square];
   std::vector<TimedCommand> commands;
   if (segment.instructions.empty()) return commands;
-  const std::uint32_t width = machine.link.width;
+  const std::uint32_t width = command_word_bits(machines::own<Figures>(machine), machine.link.width);
   commands.reserve(segment.instructions.size() + 2);
   commands.push_back({.kind = CommandKind::start,
                       .words = isa::wire_words(isa::SegmentStart{segment.region}, width),
@@ -21,9 +24,11 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
   for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
     commands.push_back({.kind = CommandKind::instruction,
                         .words = isa::wire_words(segment.instructions[i], width),
-                        .clocks = machines::bit_serial_clocks(segment.instructions[i], machine),
+                        .clocks = machines::clocks(segment.instructions[i], machine),
                         .told = told == nullptr ? nullptr : &told->issued[square][i]});
   }
+  for (const machines::Skip& skip : std::ranges::equal_range(skips, square, {}, &machines::Skip::segment))
+    commands[skip.index + 1].skips = isa::skipped_after(segment.instructions[skip.index], 0);
   commands.push_back({.kind = CommandKind::end,
                       .words = isa::wire_words(isa::SegmentEnd{}, width),
                       .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine.array)},

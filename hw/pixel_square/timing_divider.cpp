@@ -33,7 +33,7 @@ void DividerTiming::list_pieces(std::size_t square) {
     before_ += division_.of_group(counts);
     from_list_ = division_.is_listed(counts.group_entries);
   }
-  const std::vector<TimedCommand> commands = timed_commands(program_, square, machine_, told_);
+  const std::vector<TimedCommand> commands = timed_commands(program_, square, machine_, {}, told_);
   const auto store = [&](const TimedCommand& command, std::uint64_t clocks) {
     pieces_.push_back({std::exchange(before_, 0) + clocks, command.words, {command, false, false}});
   };

@@ -1,24 +1,25 @@
 #include "hw/pixel_square/timing_frame_buffer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hw/pixel_square/figures.h"
 
 namespace csgsim::pixel_square {
 
 FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines::Machine& machine,
-                                     std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears,
-                                     Agenda& agenda)
+                                     std::vector<Fifo<TimedPortWord>*> ports, Agenda& agenda)
     : program_(program),
       machine_(machine),
       banks_(machines::own<Figures>(machine).banks),
-      renderers_(renderers),
-      clears_(clears),
+      renderers_(machines::own<Figures>(machine).renderers),
+      ports_(std::move(ports)),
       agenda_(agenda),
-      screen_(program, machine) {}
+      screen_(program, machine),
+      clears_(ports_.size() - renderers_) {}
 
 void FrameBufferTiming::store(Time now) {
-  const std::size_t ports = renderers_.size() + 1;
+  const std::size_t ports = ports_.size();
   const std::optional<std::uint32_t> shown = screen_.bank(now);
   taken_.clear();
   if (shown) taken_.push_back(*shown);
@@ -33,22 +34,24 @@ void FrameBufferTiming::store(Time now) {
       ++served;
       turn_ = (port + 1) % ports;
     }
-    word_follows = word_follows || word || fifo(port).word_follows();
+    word_follows = word_follows || word || ports_[port]->word_follows();
   }
   if (served > 0) {
     clocks_.wait(SquareActivity::waiting_for_renderer, now);
     clocks_.work(1);
     if (shown) ++shared_;
   }
-  if (served > 0 || word_follows) agenda_.put(PartNumbers{renderers_.size()}.frame_buffer(), now + 1);
+  if (served > 0 || word_follows) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
 }
 
 /// The word that a port could get rid of.
 std::optional<TimedPortWord> FrameBufferTiming::waiting(std::size_t port, Time now) {
-  if (is_sender(port) && clear_.words_left() > 0)
-    return TimedPortWord{.last = clear_.words_left() == 1, .row = clear_.picture_row()};
-  if (!fifo(port).has_word(now)) return std::nullopt;
-  return fifo(port).oldest();
+  if (clears_now(port)) {
+    const LeavingSquare& clear = clears_[port - renderers_];
+    return TimedPortWord{.last = clear.words_left() == 1, .row = clear.picture_row()};
+  }
+  if (!ports_[port]->has_word(now)) return std::nullopt;
+  return ports_[port]->oldest();
 }
 
 /// False if its bank is taken already.
@@ -61,17 +64,19 @@ bool FrameBufferTiming::take_bank(const TimedPortWord& word) {
 }
 
 void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time now) {
-  const bool clears = is_sender(port) && clear_.words_left() > 0;
-  clears ? clear_.advance() : static_cast<void>(fifo(port).read(now));
-  if (is_sender(port) && !clears && word.last) clear_ = background_of(word.cleared);
-  const bool colours_follow = is_sender(port) && clear_.words_left() > 0;
-  if (word.last && !colours_follow && ++stored_ == program_.segments.size()) end_ = now;
+  if (clears_now(port)) {
+    clears_[port - renderers_].advance();
+  } else {
+    ports_[port]->read(now);
+    if (port >= renderers_ && word.last) clears_[port - renderers_] = background_of(word.cleared);
+  }
+  if (word.last && !clears_now(port) && ++stored_ == program_.segments.size()) end_ = now;
 }
 
 /// The words that clear it.
 LeavingSquare FrameBufferTiming::background_of(std::size_t square) const {
   LeavingSquare words(program_.segments[square].region, isa::frame_header(program_).colour.width,
-                      machines::own<Figures>(machine_).port_bits);
+                      colour_word_bits(machines::own<Figures>(machine_)));
   words.skip_header();
   return words;
 }

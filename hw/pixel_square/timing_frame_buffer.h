@@ -12,11 +12,12 @@ namespace csgsim::pixel_square {
 /// The frame buffer, as edges see it.
 class FrameBufferTiming {
  public:
-  /// For the frame's squares, which come from the renderers or are cleared.
+  /// For the frame's squares: its ports, those through which the renderers' colours come, and, behind these, those
+  /// through which headers of squares to clear do.
   FrameBufferTiming(const isa::Program& program, const machines::Machine& machine,
-                    std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears, Agenda& agenda);
+                    std::vector<Fifo<TimedPortWord>*> ports, Agenda& agenda);
 
-  /// What it does at an edge: renderers and, as the last, the sender take turns.
+  /// What it does at an edge: the ports take turns.
   void store(Time now);
 
   /// Edge at which the last square was whole; 0 before.
@@ -24,9 +25,9 @@ class FrameBufferTiming {
   [[nodiscard]] SquareClocks clocks(Time end);
 
  private:
-  [[nodiscard]] bool is_sender(std::size_t port) const { return port == renderers_.size(); }
-  [[nodiscard]] Fifo<TimedPortWord>& fifo(std::size_t port) {
-    return is_sender(port) ? clears_ : renderers_[port].colours();
+  /// While a square that has come through it is being cleared.
+  [[nodiscard]] bool clears_now(std::size_t port) const {
+    return port >= renderers_ && clears_[port - renderers_].words_left() > 0;
   }
   [[nodiscard]] std::optional<TimedPortWord> waiting(std::size_t port, Time now);
   [[nodiscard]] LeavingSquare background_of(std::size_t square) const;
@@ -36,15 +37,15 @@ class FrameBufferTiming {
   const isa::Program& program_;
   const machines::Machine& machine_;
   const std::uint32_t banks_;
-  std::vector<RendererTiming>& renderers_;
-  Fifo<TimedPortWord>& clears_;
+  const std::size_t renderers_;
+  std::vector<Fifo<TimedPortWord>*> ports_;
   Agenda& agenda_;
   const ScreenTiming screen_;
   PartClocks clocks_;
-  std::size_t turn_ = 0;              ///< port that is asked first
-  LeavingSquare clear_;               ///< a square that is being cleared
-  std::vector<std::uint32_t> taken_;  ///< banks, in the clock at hand
-  std::uint64_t shared_ = 0;          ///< clocks in which the screen took a turn, and a word was stored
+  std::size_t turn_ = 0;               ///< port that is asked first
+  std::vector<LeavingSquare> clears_;  ///< squares that are being cleared, one a port behind the renderers'
+  std::vector<std::uint32_t> taken_;   ///< banks, in the clock at hand
+  std::uint64_t shared_ = 0;           ///< clocks in which the screen took a turn, and a word was stored
   std::uint64_t stored_ = 0;
   Time end_ = 0;
 };

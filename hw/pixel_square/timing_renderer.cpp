@@ -1,5 +1,6 @@
 #include "hw/pixel_square/timing_renderer.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "hw/base/quotient.h"
@@ -16,12 +17,28 @@ constexpr Time first_edge = 2;
 
 PartNumbers numbers(const machines::Machine& machine) { return {machines::own<Figures>(machine).renderers}; }
 
+/// What brings commands.
+std::size_t before(const machines::Machine& machine) {
+  return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).sender();
+}
+
+/// What takes colours.
+std::size_t behind(const machines::Machine& machine) {
+  return has_ring(machines::own<Figures>(machine)) ? numbers(machine).ring() : numbers(machine).frame_buffer();
+}
+
 Time latch_clocks(const Figures& figures, std::uint32_t colour_bits) {
-  const bool latches = figures.buffers < 2 && figures.latch_bits != no_latch;
+  const bool latches = figures.buffers < 2 && figures.backing_bits == no_backing && figures.latch_bits != no_latch;
   return latches ? quotient_up(colour_bits, figures.latch_bits) : 0;
 }
 
-Time move_clocks(const Figures& figures, std::uint32_t colour_bits) {
+/// From the pixels to where a finished square waits.
+Time move_clocks(const machines::Machine& machine, std::uint32_t colour_bits) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (figures.backing_bits != no_backing) {
+    const Time square = Time{machine.array.width} * machine.array.height * colour_bits;
+    return figures.backing_width == all_planes ? 0 : quotient_up(square, Time{figures.backing_width});
+  }
   return figures.move_bits == all_planes ? 0 : quotient_up(colour_bits, figures.move_bits);
 }
 
@@ -33,14 +50,14 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
       pixels_(numbers(machine).pixels(renderer)),
       decoder_(numbers(machine).decoder(renderer)),
       output_(numbers(machine).output(renderer)),
-      buffered_(machines::own<Figures>(machine).buffers >= 2),
+      waiting_(squares_waiting(machines::own<Figures>(machine), colour_bits)),
       latency_(machines::evaluator_latency(machine.array)),
       colour_bits_(colour_bits),
-      port_bits_(machines::own<Figures>(machine).port_bits),
-      move_clocks_(move_clocks(machines::own<Figures>(machine), colour_bits)),
+      port_bits_(colour_word_bits(machines::own<Figures>(machine))),
+      move_clocks_(move_clocks(machine, colour_bits)),
       latch_clocks_(latch_clocks(machines::own<Figures>(machine), colour_bits)),
-      link_(machine.link.fifo_depth, numbers(machine).sender(), decoder_, agenda),
-      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, numbers(machine).frame_buffer(), agenda) {}
+      link_(machine.link.fifo_depth, before(machine), decoder_, agenda),
+      colours_(machines::own<Figures>(machine).port_fifo_depth, output_, behind(machine), agenda) {}
 
 void RendererTiming::decode(Time now) {
   if (command_) return;
@@ -56,6 +73,11 @@ void RendererTiming::draw(Time now) {
   if (moving_) return finish(now);
   if (drawn_) return move_out(now);
   if (leaving_ || !command_) return;
+  if (skips_left_ > 0) {
+    --skips_left_;
+    command_.reset();
+    return agenda_->wake(decoder_, now);
+  }
   clocks_.wait(SquareActivity::waiting_for_divider, now);
   obey(*std::exchange(command_, std::nullopt), now);
 }
@@ -64,6 +86,7 @@ void RendererTiming::obey(const TimedCommand& command, Time now) {
   agenda_->wake(decoder_, now);
   clocks_.work(command.clocks);
   if (command.told != nullptr) *command.told = {now - first_edge, now - first_edge + command.clocks};
+  skips_left_ = command.skips;
   if (command.kind == CommandKind::end) {
     drawn_ = LeavingSquare(*command.region, colour_bits_, port_bits_);
     return agenda_->put(pixels_, now + latency_);
@@ -71,14 +94,15 @@ void RendererTiming::obey(const TimedCommand& command, Time now) {
   agenda_->put(pixels_, now + command.clocks);
 }
 
-/// A drawn square leaves the pixels when the one before it has left at an earlier edge.
+/// A drawn square leaves the pixels when there is room for it, which one that has left at an earlier edge makes.
 void RendererTiming::move_out(Time now) {
-  if (square_.words_left() > 0) return;
-  if (left_ == now) return agenda_->put(pixels_, now + 1);
-  square_ = *std::exchange(drawn_, std::nullopt);
+  const std::uint64_t room = std::max<std::uint64_t>(waiting_, 1);
+  if (squares_.size() >= room) return;
+  if (left_ == now && squares_.size() + 1 >= room) return agenda_->put(pixels_, now + 1);
+  squares_.push_back(*std::exchange(drawn_, std::nullopt));
   latch_ = latch_clocks_ > 0 ? std::optional(RowLatch(latch_clocks_, now)) : std::nullopt;
   clocks_.wait(SquareActivity::waiting_for_frame_buffer, now + 1);
-  if (!buffered_) {
+  if (waiting_ == 0) {
     leaving_ = true;
     return agenda_->put(output_, now + 1);
   }
@@ -93,7 +117,8 @@ void RendererTiming::finish(Time now) {
   if (leaving_) {
     clocks_.wait(SquareActivity::waiting_for_frame_buffer, now + 1);
   } else {
-    agenda_->put(output_, now + 1);
+    whole_at_ = now;
+    agenda_->wake(output_, now + 1);
   }
   moving_ = false;
   leaving_ = false;
@@ -103,8 +128,10 @@ void RendererTiming::finish(Time now) {
 }
 
 void RendererTiming::leave(Time now) {
-  if (square_.words_left() == 0 || moving_) return;
-  const std::optional<LeavingSquare::Rows> rows = square_.rows();
+  if (squares_.empty() || (moving_ && squares_.size() == 1)) return;
+  if (whole_at_ == now && squares_.size() == 1) return agenda_->put(output_, now + 1);
+  LeavingSquare& square = squares_.front();
+  const std::optional<LeavingSquare::Rows> rows = square.rows();
   if (latch_ && rows) {
     const Time there = latch_->there(rows->last);
     if (there > now) return agenda_->put(output_, there);
@@ -113,12 +140,14 @@ void RendererTiming::leave(Time now) {
     if (colours_.room_follows()) agenda_->put(output_, now + 1);
     return;
   }
-  colours_.write(now, {.last = square_.words_left() == 1, .row = square_.picture_row()});
+  colours_.write(now, {.last = square.words_left() == 1, .row = square.picture_row()});
   if (latch_ && rows) latch_->pass(now);
-  square_.advance();
-  if (square_.words_left() > 0) return agenda_->put(output_, now + 1);
+  square.advance();
+  if (square.words_left() > 0) return agenda_->put(output_, now + 1);
+  squares_.pop_front();
   left_ = now;
   if (leaving_) return finish(now);
+  if (!squares_.empty()) agenda_->put(output_, now + 1);
   if (drawn_) agenda_->wake(pixels_, now + 1);
 }
 

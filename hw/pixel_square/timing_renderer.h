@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 #include "hw/machines/machine.h"
@@ -18,6 +19,7 @@ struct TimedCommand {
   std::uint64_t words = 0;              ///< on the link
   std::uint64_t clocks = 0;             ///< of the pixels' controller
   const isa::Region* region = nullptr;  ///< with the end: of the square
+  std::uint64_t skips = 0;              ///< instructions after it that are not carried out
   machines::ClockSpan* told = nullptr;  ///< unless null, becomes the clocks of the frame that these are
 };
 
@@ -63,7 +65,8 @@ class RendererTiming {
   std::size_t pixels_;   ///< part
   std::size_t decoder_;  ///< part
   std::size_t output_;   ///< part
-  bool buffered_;
+  std::uint64_t
+      waiting_;   ///< finished squares that may wait beside the one that is drawn; 0: they leave from the pixels
   Time latency_;  ///< from the controller to the pixels
   std::uint32_t colour_bits_;
   std::uint64_t port_bits_;
@@ -76,9 +79,11 @@ class RendererTiming {
 
   std::optional<TimedCommand> command_;  ///< that the decoder holds
   std::optional<LeavingSquare> drawn_;   ///< a square that is drawn and has not moved
+  std::uint64_t skips_left_ = 0;         ///< commands that are to be dropped
   bool moving_ = false;                  ///< a square, to the second buffer
   bool leaving_ = false;                 ///< a square, from the pixels' memory
-  LeavingSquare square_;                 ///< that leaves
+  std::deque<LeavingSquare> squares_;    ///< that have not left, the first of which leaves
+  Time whole_at_ = 0;                    ///< edge at which the last of them was, where it waits
   std::optional<RowLatch> latch_;        ///< of its rows
   Time left_ = 0;                        ///< edge of its last word
   std::uint64_t handed_ = 0;

@@ -10,7 +10,8 @@ namespace csgsim::pixel_square {
 
 SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine& machine,
                            std::vector<DividerTiming>& dividers, std::vector<RendererTiming>& renderers,
-                           Fifo<TimedPortWord>& clears, Agenda& agenda, machines::Timeline* told)
+                           Fifo<TimedPortWord>& clears, Agenda& agenda, std::span<const machines::Skip> skips,
+                           machines::Timeline* told)
     : program_(program),
       machine_(machine),
       part_(PartNumbers{renderers.size()}.sender()),
@@ -19,6 +20,7 @@ SenderTiming::SenderTiming(const isa::Program& program, const machines::Machine&
       renderers_(renderers),
       clears_(clears),
       agenda_(agenda),
+      skips_(skips),
       told_(told),
       waits_(dividers.empty() ? SquareActivity::waiting_for_host : SquareActivity::waiting_for_divider) {}
 
@@ -31,7 +33,7 @@ void SenderTiming::begin() {
 }
 
 void SenderTiming::begin_host_square() {
-  commands_ = timed_commands(program_, square_, machine_, told_);
+  commands_ = timed_commands(program_, square_, machine_, skips_, told_);
   command_ = 0;
   begun_ = true;
   is_clear_ = commands_.empty();

@@ -3,11 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
+#include "hw/machines/timing.h"
 #include "hw/pixel_square/timing_divider.h"
 #include "hw/pixel_square/timing_renderer.h"
 
@@ -16,10 +18,11 @@ namespace csgsim::pixel_square {
 /// What hands out the squares, as edges see it: the host, or what sends those that dividers have stored.
 class SenderTiming {
  public:
-  /// Without dividers it is the host. `told`, unless null, is a blank timeline, which the renderers fill.
+  /// Without dividers it is the host. `skips`: of the run, in program order. `told`, unless null, is a blank timeline,
+  /// which the renderers fill.
   SenderTiming(const isa::Program& program, const machines::Machine& machine, std::vector<DividerTiming>& dividers,
                std::vector<RendererTiming>& renderers, Fifo<TimedPortWord>& clears, Agenda& agenda,
-               machines::Timeline* told);
+               std::span<const machines::Skip> skips, machines::Timeline* told);
 
   /// The frame begins.
   void begin();
@@ -51,6 +54,7 @@ class SenderTiming {
   std::vector<RendererTiming>& renderers_;
   Fifo<TimedPortWord>& clears_;
   Agenda& agenda_;
+  std::span<const machines::Skip> skips_;
   machines::Timeline* told_;
   PartClocks clocks_;
   SquareActivity waits_;  ///< what it does in clocks that have not been accounted for

@@ -38,6 +38,8 @@ const std::map<std::string_view, Ends> nearer{
     {"subdivision.levels", {0, 5}},
     {"renderers.count", {1, 9}},
     {"divider.count", {1, 9}},
+    {"processors.count", {1, 9}},
+    {"ring.channels", {1, 20}},
     {"divider.memory", {50'000, 4'000'000'000}},
     {"display.memory_words", {200'000, std::int64_t{1} << 31}},
     {"node.memory_words", {200'000, std::int64_t{1} << 31}},

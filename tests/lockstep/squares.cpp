@@ -43,6 +43,7 @@ Settings read_settings(int count, char** arguments) {
   figures.store_words = 10'000'000;
   std::uint32_t clock_hz = 10'000'000;
   std::uint32_t stepped = 0;
+  std::uint32_t global_or = 0;
   std::uint32_t order = 0;
   std::uint32_t divider = 0;
   const std::map<std::string, std::uint32_t*> known{{"picture_width", &machine.picture.width},
@@ -86,11 +87,20 @@ Settings read_settings(int count, char** arguments) {
                                                     {"halfspaces", &figures.halfspaces},
                                                     {"nodes", &figures.nodes},
                                                     {"store", &figures.store_words},
+                                                    {"backing", &figures.backing_bits},
+                                                    {"backing_width", &figures.backing_width},
+                                                    {"or", &global_or},
+                                                    {"or_fan_in", &figures.or_fan_in},
+                                                    {"processors", &figures.processors},
+                                                    {"channels", &figures.ring_channels},
+                                                    {"ring", &figures.ring_bits},
+                                                    {"ring_word", &figures.ring_word_clocks},
                                                     {"programs", &settings.programs},
                                                     {"instructions", &settings.instructions}};
   read_row(count, arguments, known);
   machine.clock_hz = clock_hz;
   if (stepped != 0) settings.evaluator = systemc::EvaluatorForm::stepped;
+  figures.has_global_or = global_or != 0;
   figures.divider = static_cast<pixel_square::DividerKind>(divider);
   figures.order = static_cast<pixel_square::SquareOrder>(order);
   return settings;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <systemc>
+#include <tuple>
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/timeline.h"
@@ -71,7 +72,9 @@ void TimedMachine::check_wave(const isa::Program& program, engine::Engine& judge
 }
 
 void TimedMachine::check_timeline(const isa::Program& program) const {
-  const machines::Timeline timeline = machines::timeline(program, machine_, skips_);
+  std::vector<machines::Skip> skips = skips_;
+  std::ranges::sort(skips, {}, [](const machines::Skip& one) { return std::tuple(one.segment, one.index); });
+  const machines::Timeline timeline = machines::timeline(program, machine_, skips);
   std::size_t carried_out = 0;
   for (const auto& spans : timeline.issued)
     carried_out += static_cast<std::size_t>(std::ranges::count_if(spans, [](const auto& one) { return one.end > 0; }));

@@ -77,6 +77,7 @@ class WaveCheck::Watch final : public engine::Observer {
     state.read_enable(enable);
     now["enable"] = enable[y * row_words + x / 64] >> (x % 64) & 1U;
     check_.states_.push_back(std::move(now));
+    check_.carried_out_.push_back(step.index);
   }
 
  private:
@@ -97,8 +98,10 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
   states_.push_back(std::move(zero));
   Watch watch(*this);
   engine::Observer* const observers[] = {&watch};
-  judge.run(program, observers);
-  spans_ = machines::at_pixel(machines::timeline(program, machine), program, machine, segment_, pixel_.x, pixel_.y);
+  const engine::RunResult run = judge.run(program, observers);
+  const std::vector<machines::ClockSpan> spans = machines::at_pixel(machines::timeline(program, machine, run.skips),
+                                                                    program, machine, segment_, pixel_.x, pixel_.y);
+  for (const std::uint32_t index : carried_out_) spans_.push_back(spans[index]);
   const std::uint64_t earliest = spans_.front().begin - std::min(spans_.front().begin, before_and_after);
   window_.begin = *rc::gen::inRange(earliest, spans_.back().end + 1);
   window_.end = std::min(window_.begin + window_clocks, spans_.back().end + before_and_after);
@@ -126,8 +129,8 @@ void WaveCheck::check_clock(std::uint64_t clock, const Shown& shown) const {
   const auto done = static_cast<std::size_t>(next - spans_.begin());
   const bool is_at_one = next != spans_.end() && next->begin <= clock;
   const std::optional<std::uint64_t> instruction = shown("instruction");
-  require(instruction == (is_at_one ? std::optional(first_ + done) : std::nullopt),
-          fmt::format("it is not at instruction {}, as by the timeline", first_ + done));
+  require(instruction == (is_at_one ? std::optional(first_ + carried_out_[done]) : std::nullopt),
+          fmt::format("it is not at instruction {} of these, as by the timeline", done));
   for (const auto& [name, before] : states_[done]) {
     const std::optional<std::uint64_t> value = shown(name);
     // In a chain the first packet may be what clears a cell, with its first beat.
@@ -138,7 +141,8 @@ void WaveCheck::check_clock(std::uint64_t clock, const Shown& shown) const {
     }
     const bool is_changing = is_at_one && next->begin < clock;
     const std::uint64_t free_bits =
-        is_changing ? (before ^ states_[done + 1].at(name)) | working_bits(program_, segment_, done, name) : 0;
+        is_changing ? (before ^ states_[done + 1].at(name)) | working_bits(program_, segment_, carried_out_[done], name)
+                    : 0;
     require(((*value ^ before) & ~free_bits) == 0,
             fmt::format("{} is {:#x}, not {:#x} after {} instructions", name, *value, before, done));
   }

@@ -52,8 +52,9 @@ class WaveCheck {
   wave::Pixel pixel_;
   wave::Window window_;
   std::uint64_t first_ = 0;                 ///< number of the segment's first instruction
-  std::vector<machines::ClockSpan> spans_;  ///< of its instructions, at the pixel
-  std::vector<State> states_;               ///< before the first and after each
+  std::vector<std::uint32_t> carried_out_;  ///< of its instructions
+  std::vector<machines::ClockSpan> spans_;  ///< of these, at the pixel
+  std::vector<State> states_;               ///< before the first and after each of these
 };
 
 }  // namespace csgsim::test

@@ -468,7 +468,14 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     for (const isa::Region& region : machines::regions(machine)) {
       program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives, degree));
       std::vector<Instruction>& instructions = program.segments.back().instructions;
-      std::erase_if(instructions, [](const Instruction& instruction) { return isa::is_question(instruction.opcode); });
+      if (machines::has_global_or(machine)) {
+        for (Instruction& instruction : instructions)
+          if (instruction.opcode == Opcode::global_or)
+            instruction = {Opcode::enable_invert, {}, {}, 0, instruction.origin};
+      } else {
+        std::erase_if(instructions,
+                      [](const Instruction& instruction) { return isa::is_question(instruction.opcode); });
+      }
       if (pick(0U, 9U) < without) instructions.clear();
     }
     return program;

@@ -31,7 +31,8 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions, unsigned degree = 1);
 
 /// As those, for a machine that works on parts of the picture: a segment for each of machines::regions. Some, sometimes
-/// all, have no instructions, and none asks for an answer. Some Programs have no colour.
+/// all, have no instructions, and none asks for an answer to the host; some skip, if the
+/// machine has a global OR. Some Programs have no colour.
 rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions,
                                                  unsigned degree = 1);
 

@@ -147,6 +147,8 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"pixel_planes/taps.h", "as above"},
       {"pixel_square/commands.cpp", "encodes a square's instructions, of the host or as the divider has made them"},
       {"pixel_square/commands.h", "as above"},
+      {"pixel_square/graphics_processors.cpp", "divider.kind processors: they send squares from their own memories"},
+      {"pixel_square/graphics_processors.h", "as above"},
       {"pixel_square/host_sender.cpp", "divider.kind host: the host sends squares from its own memory"},
       {"pixel_square/host_sender.h", "as above"},
       {"pixel_square/pixel_square.cpp", "hands the Program to what stands for the host"},

@@ -229,6 +229,87 @@ TEST_CASE("tests whose clocks would not fit their counter are refused") {
         }).starts_with("the divider would test for more than"));
 }
 
+namespace {
+
+Figures on_a_ring(Figures figures) {
+  figures.divider = pixel_square::DividerKind::processors;
+  return figures;
+}
+
+}  // namespace
+
+TEST_CASE("on a ring a header is carried in the last of its clocks, and stored a clock later") {
+  // Eight words of header are sent at 1 to 8. They are carried at 3, 6, ... 24, and taken at 4, 7, ... 25; 12 bits are
+  // cleared at 26 and 27.
+  const isa::Program program = program_of(3, {square(2, {})});
+  const Figures figures = on_a_ring({.port_fifo_depth = 8, .ring_bits = 8, .ring_word_clocks = 3});
+  const Timing timing = time(program, machine_of(2, figures));
+  CHECK(timing.clocks == 27);
+  CHECK(timing.account.squares_skipped == 1);
+  CHECK(timing.account.processors == std::vector<Clocks>{{8, 0, 0, 0, 0, 3, 0, 16}});
+  REQUIRE(timing.account.ring);
+  CHECK(timing.account.ring->clocks == Clocks{24, 0, 3});
+  CHECK(timing.account.ring->words == 8);
+  CHECK(timing.account.ring->full_clocks == 24);
+  CHECK(timing.account.frame_buffer == Clocks{10, 0, 0, 17});
+}
+
+TEST_CASE("on a ring a square's commands and its colours each take a clock more than over links") {
+  // Words leave the processor at 1 to 4, are carried at 2 to 5, and the decoder takes them at 3 to 6; all the rest is a
+  // clock later than over a link. Words of the square leave at 12, 13, 14, are carried a clock later, and stored
+  // another one later.
+  const isa::Program program = program_of(3, {square(2, {enable, set({0, 3})})});
+  Machine machine = machine_of(2, on_a_ring({.buffers = 2, .port_fifo_depth = 8, .ring_bits = 32}));
+  machine.link.width = 1;
+  const Timing wide_words = time(program, machine);
+  machines::own<Figures>(machine).ring_bits = 256;
+  machines::own<Figures>(machine).port_bits = 1;
+  const Timing timing = time(program, machine);
+  // A header and the colours in two words: they leave at 12 and 13.
+  CHECK(timing.clocks == 15);
+  CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 3, 0, 0, 4}});
+  CHECK(timing.account.processors == std::vector<Clocks>{{4, 0, 0, 0, 0, 10, 0, 1}});
+  // In words of 32 bits the region takes three, and so the header one more and the start two.
+  CHECK(wide_words.clocks == timing.clocks + 2 + 1);
+}
+
+TEST_CASE("two processors feed two renderers at once, and one renderer by turns") {
+  // A square takes three words. Over the ring both come at once; to one renderer the second begins when the last word
+  // of the first has been carried, at 4, so that its words are carried at 6, 7, 8.
+  const isa::Program program = program_of(1, {square(1, {enable}), square(1, {enable})});
+  const auto account = [&](std::uint32_t renderers) {
+    return time(program, machine_of(1, on_a_ring({.renderers = renderers,
+                                                  .buffers = 2,
+                                                  .port_fifo_depth = 8,
+                                                  .banks = 2,
+                                                  .processors = 2,
+                                                  .ring_bits = 256})))
+        .account;
+  };
+  const pixel_square::SquareAccount two = account(2);
+  CHECK(two.renderer_squares == std::vector<std::uint64_t>{1, 1});
+  CHECK(two.processors[0].clocks == two.processors[1].clocks);
+  CHECK(two.processors[0].of(pixel_square::SquareActivity::waiting_for_renderer) == 0);
+  const pixel_square::SquareAccount one = account(1);
+  CHECK(one.processors[0] == Clocks{3, 0, 0, 0, 0, one.processors[0].of(pixel_square::SquareActivity::done), 0, 1});
+  CHECK(one.processors[1] == Clocks{3, 0, 0, 4, 0, one.processors[1].of(pixel_square::SquareActivity::done), 0, 1});
+}
+
+TEST_CASE("words of two sources for one place wait for each other, and so do more than there are channels") {
+  // Three squares to clear, a word of header and one of background each. Their headers are carried at 2, or one a
+  // clock.
+  const isa::Program program = program_of(1, {square(1, {}), square(1, {}), square(1, {})});
+  const auto clocks = [&](std::uint32_t channels, std::uint32_t banks) {
+    Figures figures = on_a_ring({.port_fifo_depth = 8, .banks = banks, .processors = 3, .ring_bits = 64});
+    figures.ring_channels = channels;
+    return time(program, machine_of(1, figures)).account.ring.value().clocks.of(pixel_square::SquareActivity::working);
+  };
+  CHECK(clocks(pixel_square::all_channels, 3) == 1);
+  CHECK(clocks(2, 3) == 2);
+  CHECK(clocks(1, 3) == 3);
+  CHECK(clocks(3, 1) == 3);
+}
+
 TEST_CASE("commands follow back to back, the end takes the trees' latency, header and colours leave word by word") {
   // Words leave the host at 1, 2, 3, 4 and the decoder takes them at 2, 3, 4, 5. The pixels' controller starts the
   // square at 3, the instructions at 4 and 5 (three clocks), the end at 8, which arrives at 10. Two words of header and
@@ -267,6 +348,26 @@ TEST_CASE("a command of several words is obeyed when the last has come") {
   CHECK(timing.account.renderers == std::vector<Clocks>{{8, 0, 4, 0, 0, 4}});
 }
 
+TEST_CASE("a question waits for its answer, and each instruction that it skips takes a clock to be dropped") {
+  // The question is obeyed at 4, and its answer is there at 7. Then the instructions are dropped, the first at 7, and
+  // the end is obeyed in the clock after the last; each word of it takes as long as above.
+  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const machines::Skip none{.segment = 0, .index = 0};
+  Machine machine = machine_of(2, {.buffers = 2, .port_bits = 32, .port_fifo_depth = 8, .has_global_or = true});
+  for (std::uint64_t skipped = 1; skipped <= 3; ++skipped) {
+    std::vector<Instruction> instructions(1 + skipped, set({0, 3}));
+    instructions[0] = question;
+    instructions[0].constant = skipped;
+    const isa::Program program = program_of(3, {square(2, std::move(instructions))});
+    CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + skipped - 1);
+    CHECK(time(program, machine).clocks == 13 + 3 * skipped);
+  }
+  machines::own<Figures>(machine).or_fan_in = 2;
+  const isa::Program program = program_of(3, {square(2, {question, set({0, 3})})});
+  CHECK(pixel_square::time_squares(program, machine, {{none}}).clocks == 14 + 2);
+  CHECK(machines::clocks(question, machine) == 1 + 2 + 2);
+}
+
 TEST_CASE("one place between host and renderer, and renderer and frame buffer, takes a word every other clock") {
   // Words leave the host at 1, 3, 5, 7 and are taken at 2, 4, 6, 8; the end is obeyed at 10 and arrives at 12; words
   // of the square leave at 13, 15, 17.
@@ -287,6 +388,36 @@ TEST_CASE("a finished square waits until the one before it has left the output b
   CHECK(timing.clocks == 143);
   CHECK(timing.account.renderers == std::vector<Clocks>{{6, 0, 2, 0, 66, 69}});
   CHECK(timing.account.frame_buffer == Clocks{136, 0, 0, 7, 0, 0});
+}
+
+TEST_CASE("a backing store holds as many finished squares as its bits make, and words of one follow those of another") {
+  // The first is drawn at 5. A square is 68 words; with a second buffer the next comes there a clock after the last
+  // word of the one before, and leaves from the clock after that on.
+  const isa::Program program = program_of(4, {square(1, {enable}), square(1, {enable}), square(1, {enable})});
+  const auto time_with = [&](Figures figures) {
+    figures.port_bits = 1;
+    figures.port_fifo_depth = 8;
+    return time(program, machine_of(1, figures));
+  };
+  CHECK(time_with({.buffers = 2}).clocks == 5 + 3 * 68 + 1 + 2);
+  CHECK(time_with({.backing_bits = 8}).clocks == 5 + 3 * 68 + 1);
+  CHECK(time_with({.backing_bits = 4}).clocks == time_with({.buffers = 2}).clocks);
+  CHECK(time_with({.backing_bits = 8, .backing_width = 2}).clocks == 5 + 2 + 3 * 68 + 1);
+  const auto waited = [&](std::uint32_t bits) {
+    return time_with({.backing_bits = bits})
+        .account.renderers.at(0)
+        .of(pixel_square::SquareActivity::waiting_for_frame_buffer);
+  };
+  CHECK(waited(12) == 0);
+  CHECK(waited(8) == 73 - 11 + 1);
+  const Machine machine = machine_of(1, {.backing_bits = 3});
+  isa::Program whole = program_of(4, {});
+  for (const isa::Region& region : machines::regions(machine))
+    whole.segments.push_back({.region = region, .instructions = {}});
+  CHECK(
+      error_of([&] { machines::check_runs_on(whole, machine); }) ==
+      "a pixel has 4 bits of colour, and 3 of squares where finished squares wait; give backing.bits more, or 0 for a "
+      "second buffer");
 }
 
 TEST_CASE("with one buffer the next square begins when the last word of the one before has left") {
@@ -574,6 +705,23 @@ TEST_CASE("a machine that works on parts of the picture refuses questions, and s
           "model for this machine, or take one whose global_or.present is 1");
   }
   CHECK_NOTHROW(machines::check_runs_on(program, machines::blank(pixel_planes::kind)));
+}
+
+TEST_CASE(
+    "renderers with an OR of their own skip, but have no answer for the host; a divider of the machine asks none") {
+  isa::Program program = program_of(2, {});
+  Machine machine = machine_of(2, {.has_global_or = true});
+  for (const isa::Region& region : machines::regions(machine))
+    program.segments.push_back({.region = region, .instructions = {}});
+  program.segments[1].instructions = {{.opcode = Opcode::skip_if_none, .constant = 1}, enable};
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  CHECK(machines::has_global_or(machine));
+  program.segments[1].instructions[1] = {.opcode = Opcode::global_or};
+  CHECK(error_of([&] { machines::check_runs_on(program, machine); }) ==
+        "segment 1, instruction 1: global_or asks for an answer to the host, to which the renderers of squares have no "
+        "way back; leave it out, or take a machine of the kind frame-buffer, such as pixel-planes-4");
+  machines::own<Figures>(machine).divider = pixel_square::DividerKind::corners;
+  CHECK_FALSE(machines::has_global_or(machine));
 }
 
 TEST_CASE("a Program whose segments are not the machine's squares is refused") {

@@ -32,7 +32,7 @@ struct Board {
         buffer("buffer", machine_of(figures, clock_hz)) {
     buffer.clock(bench.clock);
     buffer.colours(colours);
-    buffer.clears(clears);
+    buffer.clears[0](clears);
     buffer.frames(frames);
   }
 

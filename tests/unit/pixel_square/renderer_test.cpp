@@ -117,6 +117,69 @@ void check_finished_at(Board& board, std::uint64_t edge) {
 
 }  // namespace
 
+TEST_CASE("finished squares wait in the backing store, and the next is drawn meanwhile, until that is full") {
+  // Two squares of 4 bits a pixel fit. One word of the first finds room.
+  Board board({.backing_bits = 8, .port_bits = port_bits}, 1);
+  for (int i = 0; i < 3; ++i) board.send({enable_all, ramp});
+  board.bench.edges(100);
+  CHECK(board.finished.read() == 2);
+  std::vector<PortWord> words;
+  while (words.size() < square_words) {
+    words.push_back(board.colours.read());
+    board.bench.edges(1);
+  }
+  board.bench.edges(2);
+  CHECK(board.finished.read() == 3);
+  CHECK(testing::bits_of(words, port_bits) ==
+        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+}
+
+TEST_CASE("a square moves to the backing store a few bits a clock, those of all pixels of the renderer") {
+  // Eight pixels of 4 bits.
+  Board board({.backing_bits = 4, .backing_width = 5, .port_bits = port_bits}, 100);
+  board.send({enable_all, ramp});
+  board.bench.edges(drawn_at + 6);
+  CHECK(board.finished.read() == 0);
+  CHECK(board.colours.num_available() == 0);
+  board.bench.edges(1);
+  CHECK(board.finished.read() == 1);
+  board.bench.edges(1);
+  CHECK(board.colours.num_available() == 1);
+}
+
+TEST_CASE("where no pixel is enabled the instructions that a question names are dropped, a word a clock") {
+  // The question is issued at 7, and its answer is there when its step has come through three levels of the tree,
+  // at 11. Then the one that waits is dropped, the next at 12, and SegmentEnd is taken at 13.
+  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 2};
+  Board board(2, 0, 100);
+  board.send({question, ramp, enable_all});
+  check_finished_at(board, 16);
+  REQUIRE(board.listener.instructions.size() == 1);
+  CHECK(board.listener.instructions[0].clocks == 4);
+  CHECK(board.listener.instructions[0].skipped == 2);
+  CHECK(board.renderer.skipped() == 2);
+  CHECK(board.renderer.account(20).of(SquareActivity::working) == clear_clocks + 4 + 4);
+}
+
+TEST_CASE("a pixel that is enabled answers, so that all instructions are carried out") {
+  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  Board board(2, 0, 100);
+  board.send({enable_all, question, ramp});
+  check_finished_at(board, drawn_at + 4);
+  REQUIRE(board.listener.instructions.size() == 3);
+  CHECK(board.listener.instructions[1].skipped == 0);
+  CHECK(board.renderer.skipped() == 0);
+}
+
+TEST_CASE("each level of the OR costs a question a clock") {
+  // Eight pixels meet in gates of three lines, three gates in one.
+  const Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  Board board({.buffers = 2, .port_bits = port_bits, .has_global_or = true, .or_fan_in = 3}, 100);
+  board.send({question, ramp});
+  check_finished_at(board, 15 + 2);
+  CHECK(board.listener.instructions.at(0).clocks == 4 + 2);
+}
+
 TEST_CASE("a square is drawn in its clocks, moves to the second buffer in none, and leaves from the next edge on") {
   Board board(2, pixel_square::all_planes, 100);
   board.send({enable_all, ramp});

@@ -1,0 +1,121 @@
+#include "hw/pixel_square/graphics_processors.h"
+
+#include <algorithm>
+
+#include "hw/base/quotient.h"
+#include "hw/pixel_square/commands.h"
+#include "hw/pixel_square/figures.h"
+#include "hw/systemc/clear_view.h"
+
+namespace csgsim::pixel_square {
+
+GraphicsProcessors::GraphicsProcessors(sc_core::sc_module_name name, const machines::Machine& machine)
+    : systemc::ClockedModule(name),
+      words("words", machines::own<Figures>(machine).processors),
+      targets("targets", words.size()),
+      finished("finished", machines::own<Figures>(machine).renderers),
+      word_bits_(machines::own<Figures>(machine).ring_bits),
+      latency_(machine.link.latency),
+      fifo_depth_(machines::own<Figures>(machine).port_fifo_depth),
+      processors_(words.size()),
+      kept_(finished.size()),
+      handed_(finished.size()) {}
+
+void GraphicsProcessors::begin(std::span<const isa::Segment> segments) {
+  segments_ = segments;
+  next_ = 0;
+  latency_left_ = latency_;
+  std::ranges::fill(processors_, Processor{});
+  kept_.assign(kept_.size(), false);
+  skipped_ = 0;
+  begun_.notify(sc_core::SC_ZERO_TIME);
+}
+
+bool GraphicsProcessors::are_done() const {
+  return next_ == segments_.size() &&
+         std::ranges::none_of(processors_, [](const Processor& processor) { return processor.square.has_value(); });
+}
+
+/// Sleeps when all are done.
+void GraphicsProcessors::on_clock() {
+  if (are_done()) return next_trigger(begun_);
+  if (!clock.posedge()) return;
+  for (std::size_t i = 0; i < processors_.size(); ++i) let_go(i);
+  for (std::size_t i = 0; i < processors_.size(); ++i) note(i, act(i));
+  if (latency_left_ > 0) --latency_left_;
+}
+
+/// Of a processor whose words have all gone: its square and its renderer.
+void GraphicsProcessors::let_go(std::size_t number) {
+  Processor& processor = processors_[number];
+  if (!processor.all_sent || static_cast<std::size_t>(words[number].num_free()) < fifo_depth_) return;
+  if (processor.renderer) kept_[*processor.renderer] = false;
+  processor.renderer.reset();
+  processor.square.reset();
+  processor.all_sent = false;
+}
+
+SquareActivity GraphicsProcessors::act(std::size_t number) {
+  Processor& processor = processors_[number];
+  if (latency_left_ > 0) return SquareActivity::waiting_for_host;
+  if (processor.all_sent) return SquareActivity::waiting_for_ring;
+  if (!processor.square && !take_square(processor)) return SquareActivity::done;
+  if (!is_ready(processor)) return SquareActivity::waiting_for_host;
+  if (!processor.is_clear && !processor.renderer && !ask_for_renderer(processor))
+    return SquareActivity::waiting_for_renderer;
+  if (words[number].num_free() == 0) return SquareActivity::waiting_for_ring;
+  send(number);
+  return SquareActivity::working;
+}
+
+bool GraphicsProcessors::take_square(Processor& processor) {
+  if (next_ == segments_.size()) return false;
+  const isa::Segment& segment = segments_[next_];
+  processor.square = next_++;
+  processor.commands = commands_of(segment.region, segment.instructions, word_bits_);
+  processor.is_clear = processor.commands.empty();
+  processor.sent = 0;
+  return true;
+}
+
+/// Whether the next word of the square at hand may leave: dividing and compiling take no clock.
+bool GraphicsProcessors::is_ready(const Processor& /*processor*/) { return true; }
+
+bool GraphicsProcessors::ask_for_renderer(Processor& processor) {
+  const auto unfinished = [&](std::size_t renderer) { return handed_[renderer] - finished[renderer].read(); };
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    if (kept_[i] || (processor.renderer && unfinished(i) >= unfinished(*processor.renderer))) continue;
+    processor.renderer = i;
+  }
+  if (!processor.renderer) return false;
+  kept_[*processor.renderer] = true;
+  ++handed_[*processor.renderer];
+  return true;
+}
+
+RingWord GraphicsProcessors::next_word(const Processor& processor) const {
+  if (!processor.is_clear) return {processor.commands[processor.sent], {}};
+  const std::uint64_t header = header_of(segments_[*processor.square].region);
+  return {{}, {slice_of({header}, processor.sent * word_bits_, word_bits_)}};
+}
+
+void GraphicsProcessors::send(std::size_t number) {
+  Processor& processor = processors_[number];
+  targets[number].write(processor.renderer.value_or(finished.size()));
+  words[number].nb_write(next_word(processor));
+  const std::size_t all = processor.is_clear ? quotient_up(header_bits, word_bits_) : processor.commands.size();
+  processor.all_sent = ++processor.sent == all;
+  if (!processor.all_sent || !processor.is_clear) return;
+  retirement->after_segment(static_cast<std::uint32_t>(*processor.square), systemc::ClearView());
+  ++skipped_;
+}
+
+void GraphicsProcessors::note(std::size_t number, SquareActivity activity) {
+  Processor& processor = processors_[number];
+  processor.clocks.add(activity);
+  processor.status = {.state = activity == SquareActivity::working ? "sending" : name_of(activity),
+                      .square = processor.square.value_or(segments_.size()),
+                      .renderer = processor.renderer};
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,116 @@
+#include "hw/pixel_square/timing_processors.h"
+
+#include "hw/pixel_square/figures.h"
+#include "hw/pixel_square/timing_commands.h"
+
+namespace csgsim::pixel_square {
+
+ProcessorsTiming::ProcessorsTiming(const isa::Program& program, const machines::Machine& machine,
+                                   std::vector<RendererTiming>& renderers, Agenda& agenda,
+                                   std::span<const machines::Skip> skips, machines::Timeline* told)
+    : program_(program),
+      machine_(machine),
+      renderers_(renderers),
+      agenda_(agenda),
+      skips_(skips),
+      told_(told),
+      keeps_(renderers.size()) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (!has_ring(figures)) return;
+  const PartNumbers parts{.renderers = renderers.size(), .processors = figures.processors};
+  for (std::size_t i = 0; i < figures.processors; ++i) {
+    processors_.push_back(
+        {.part = parts.processor(i), .words = {figures.port_fifo_depth, parts.processor(i), parts.ring(), agenda}});
+  }
+}
+
+void ProcessorsTiming::begin() {
+  for (const Processor& processor : processors_) agenda_.put(processor.part, 1 + machine_.link.latency);
+}
+
+void ProcessorsTiming::act(std::size_t number, Time now) {
+  Processor& processor = processors_[number];
+  if (processor.all_sent) return;
+  processor.clocks.wait(processor.waits, now);
+  if (!processor.square && !take_square(processor)) return sleep(processor, SquareActivity::done);
+  if (const Time when = ready(processor, now); when > now) {
+    agenda_.put(processor.part, when);
+    return sleep(processor, SquareActivity::waiting_for_host);
+  }
+  if (!processor.commands.empty() && !processor.renderer && !ask_for_renderer(processor, now))
+    return sleep(processor, SquareActivity::waiting_for_renderer);
+  if (!processor.words.has_room(now)) {
+    if (processor.words.room_follows()) agenda_.put(processor.part, now + 1);
+    return sleep(processor, SquareActivity::waiting_for_ring);
+  }
+  send(processor, now);
+}
+
+bool ProcessorsTiming::take_square(Processor& processor) {
+  if (next_ == program_.segments.size()) return false;
+  processor.square = next_++;
+  processor.commands = timed_commands(program_, *processor.square, machine_, skips_, told_);
+  processor.command = 0;
+  processor.sent = 0;
+  return true;
+}
+
+/// The edge at which the next word of the square at hand may leave: dividing and compiling take no clock.
+Time ProcessorsTiming::ready(const Processor& /*processor*/, Time now) { return now; }
+
+bool ProcessorsTiming::ask_for_renderer(Processor& processor, Time now) {
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < keeps_.size(); ++i) {
+    if (keeps_[i].kept) continue;
+    if (keeps_[i].free_from > now) {
+      agenda_.put(processor.part, keeps_[i].free_from);
+      continue;
+    }
+    if (!best || renderers_[i].unfinished(now) < renderers_[*best].unfinished(now)) best = i;
+  }
+  if (!best) return false;
+  processor.renderer = best;
+  keeps_[*best].kept = true;
+  renderers_[*best].hand();
+  return true;
+}
+
+void ProcessorsTiming::send(Processor& processor, Time now) {
+  TimedRingWord word = next_word(processor);
+  processor.all_sent = word.ends;
+  if (word.ends && !word.renderer) ++skipped_;
+  processor.words.write(now, std::move(word));
+  processor.clocks.work(1);
+  processor.waits = SquareActivity::waiting_for_ring;
+  if (!processor.all_sent) agenda_.put(processor.part, now + 1);
+}
+
+TimedRingWord ProcessorsTiming::next_word(Processor& processor) {
+  ++processor.sent;
+  if (processor.commands.empty()) {
+    const bool last = processor.sent == header_words(colour_word_bits(machines::own<Figures>(machine_)));
+    return {.renderer = std::nullopt,
+            .command = {},
+            .header = {.last = last, .row = std::nullopt, .cleared = *processor.square},
+            .ends = last};
+  }
+  const TimedCommand& command = processor.commands[processor.command];
+  if (processor.sent < command.words) return {.renderer = processor.renderer, .command = {}, .header = {}};
+  processor.sent = 0;
+  const bool ends = ++processor.command == processor.commands.size();
+  return {.renderer = processor.renderer, .command = {command}, .header = {}, .ends = ends};
+}
+
+void ProcessorsTiming::leave(std::size_t number, Time now) {
+  Processor& processor = processors_[number];
+  processor.clocks.wait(SquareActivity::waiting_for_ring, now + 1);
+  if (processor.renderer) keeps_[*processor.renderer] = {.kept = false, .free_from = now + 1};
+  processor.renderer.reset();
+  processor.square.reset();
+  processor.all_sent = false;
+  agenda_.put(processor.part, now + 1);
+  for (const Processor& other : processors_)
+    if (other.waits == SquareActivity::waiting_for_renderer) agenda_.wake(other.part, now + 1);
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,105 @@
+#include "hw/pixel_square/timing_ring.h"
+
+#include "hw/pixel_square/figures.h"
+
+namespace csgsim::pixel_square {
+
+RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& processors,
+                       std::vector<RendererTiming>& renderers, Agenda& agenda)
+    : word_clocks_(machines::own<Figures>(machine).ring_word_clocks),
+      banks_(machines::own<Figures>(machine).banks),
+      processors_(processors),
+      renderers_(renderers),
+      agenda_(agenda),
+      part_(PartNumbers{.renderers = renderers.size()}.ring()),
+      channels_(machines::own<Figures>(machine).ring_channels),
+      taken_(renderers.size()) {
+  const Figures& figures = machines::own<Figures>(machine);
+  if (!has_ring(figures)) return;
+  const std::size_t sources = renderers.size() + processors.count();
+  if (channels_ == all_channels) channels_ = sources;
+  const std::size_t frame_buffer = PartNumbers{.renderers = renderers.size()}.frame_buffer();
+  for (std::size_t i = 0; i < sources; ++i) carried_.emplace_back(figures.port_fifo_depth, part_, frame_buffer, agenda);
+}
+
+/// Sleeps while nothing but another part can let a word go.
+void RingTiming::carry(Time now) {
+  if (now % word_clocks_ != 0) return agenda_.put(part_, step_after(now));
+  const std::size_t sources = processors_.count() + renderers_.size();
+  taken_.assign(taken_.size(), false);
+  to_frame_buffer_ = 0;
+  std::size_t carried = 0;
+  bool look_again = false;
+  for (std::size_t i = 0, first = turn_; i < sources && carried < channels_; ++i) {
+    const std::size_t source = (first + i) % sources;
+    const Found found = carry_from(source, now);
+    look_again = look_again || found == Found::later || found == Found::carried;
+    if (found != Found::carried) continue;
+    ++carried;
+    turn_ = source + 1;
+  }
+  words_ += carried;
+  if (carried > 0) {
+    clocks_.wait(SquareActivity::waiting_for_divider, now + 1 - word_clocks_);
+    clocks_.work(word_clocks_);
+  }
+  if (carried == channels_ || to_frame_buffer_ == banks_) ++full_steps_;
+  if (look_again) agenda_.put(part_, step_after(now));
+}
+
+RingTiming::Found RingTiming::carry_from(std::size_t source, Time now) {
+  return source < processors_.count() ? carry_from_processor(source, now)
+                                      : carry_from_renderer(source - processors_.count(), now);
+}
+
+namespace {
+
+/// Whether words could go from one place to the other at that edge, or, if not, could at a later one though nothing
+/// else happens.
+template <class From, class To>
+bool passes(const Fifo<From>& from, const Fifo<To>& to, Time now) {
+  return from.has_word(now) && to.has_room(now);
+}
+
+template <class From, class To>
+bool will_pass(const Fifo<From>& from, const Fifo<To>& to) {
+  return from.word_follows() && to.room_follows();
+}
+
+}  // namespace
+
+RingTiming::Found RingTiming::carry_from_processor(std::size_t number, Time now) {
+  Fifo<TimedRingWord>& words = processors_.words(number);
+  if (!words.word_follows()) return Found::nothing;
+  const std::optional<std::size_t> renderer = words.oldest().renderer;
+  const bool is_taken = renderer ? taken_[*renderer] : to_frame_buffer_ == banks_;
+  const auto pass = [&](auto& to, const auto& word_of) {
+    if (is_taken || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
+    const TimedRingWord word = words.read(now);
+    to.write(now, word_of(word));
+    if (word.ends) processors_.leave(number, now);
+    return Found::carried;
+  };
+  const Found found =
+      renderer ? pass(renderers_[*renderer].link(), [](const TimedRingWord& word) { return word.command; })
+               : pass(carried_[renderers_.size() + number], [](const TimedRingWord& word) { return word.header; });
+  if (found == Found::carried)
+    renderer ? static_cast<void>(taken_[*renderer] = true) : static_cast<void>(++to_frame_buffer_);
+  return found;
+}
+
+RingTiming::Found RingTiming::carry_from_renderer(std::size_t number, Time now) {
+  Fifo<TimedPortWord>& words = renderers_[number].colours();
+  Fifo<TimedPortWord>& to = carried_[number];
+  if (to_frame_buffer_ == banks_ || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
+  to.write(now, words.read(now));
+  ++to_frame_buffer_;
+  return Found::carried;
+}
+
+RingAccount RingTiming::account(Time end) {
+  clocks_.wait(SquareActivity::waiting_for_divider, end + 1);
+  return {clocks_.whole(end), words_, full_steps_ * word_clocks_};
+}
+
+}  // namespace csgsim::pixel_square

@@ -1,0 +1,142 @@
+// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+
+#include "hw/pixel_square/ring.h"
+
+#include <doctest/doctest.h>
+
+#include <vector>
+
+#include "tests/unit/pixel_square/bench.h"
+
+using namespace csgsim;
+using pixel_square::PortWord;
+using pixel_square::Ring;
+using pixel_square::RingWord;
+using pixel_square::SquareActivity;
+using testing::Bench;
+
+namespace {
+
+template <class Word>
+auto deep(int depth) {
+  return [depth](const char* name, std::size_t /*index*/) { return new sc_core::sc_fifo<Word>(name, depth); };
+}
+
+/// A ring whose sources hold whatever a test writes, and whose targets have room for so many words.
+struct Board {
+  explicit Board(pixel_square::Figures figures, int room = 100)
+      : machine(testing::square_machine(with_ring(figures))),
+        bench(machine),
+        processors("processors", figures.processors, deep<RingWord>(100)),
+        targets("targets", figures.processors),
+        renderers("renderers", figures.renderers, deep<PortWord>(100)),
+        links("links", figures.renderers, deep<isa::LinkWord>(room)),
+        colours("colours", figures.renderers, deep<PortWord>(room)),
+        clears("clears", figures.processors, deep<PortWord>(room)),
+        ring("ring", machine) {
+    ring.clock(bench.clock);
+    ring.processors(processors);
+    ring.targets(targets);
+    ring.renderers(renderers);
+    ring.links(links);
+    ring.colours(colours);
+    ring.clears(clears);
+  }
+
+  static pixel_square::Figures with_ring(pixel_square::Figures figures) {
+    figures.divider = pixel_square::DividerKind::processors;
+    return figures;
+  }
+
+  void offer(std::size_t processor, std::uint64_t target, int count) {
+    targets[processor].write(target);
+    for (int i = 0; i < count; ++i) CHECK(processors[processor].nb_write({}));
+  }
+  void offer_colours(std::size_t renderer, int count) {
+    for (int i = 0; i < count; ++i) CHECK(renderers[renderer].nb_write({{static_cast<std::uint64_t>(i)}}));
+  }
+
+  machines::Machine machine;
+  Bench bench;
+  sc_core::sc_vector<sc_core::sc_fifo<RingWord>> processors;
+  sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> targets;
+  sc_core::sc_vector<sc_core::sc_fifo<PortWord>> renderers;
+  sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> links;
+  sc_core::sc_vector<sc_core::sc_fifo<PortWord>> colours;
+  sc_core::sc_vector<sc_core::sc_fifo<PortWord>> clears;
+  Ring ring;
+};
+
+}  // namespace
+
+TEST_CASE("the ring brings a word of each source where it belongs, in the last of a word's clocks") {
+  Board board({.renderers = 2, .banks = 2, .processors = 2, .ring_word_clocks = 3});
+  board.ring.begin();
+  board.offer(0, 1, 2);
+  board.offer(1, 2, 2);
+  board.offer_colours(1, 2);
+  for (int carried = 0; carried < 2; ++carried) {
+    board.bench.edges(2);
+    CHECK(board.links[1].num_available() == carried);
+    board.bench.edges(1);
+    CHECK(board.links[1].num_available() == carried + 1);
+    CHECK(board.clears[1].num_available() == carried + 1);
+    CHECK(board.colours[1].num_available() == carried + 1);
+  }
+  CHECK(board.links[0].num_available() == 0);
+  CHECK(board.clears[0].num_available() == 0);
+  CHECK(board.colours[0].num_available() == 0);
+  board.bench.edges(4);
+  const pixel_square::RingAccount account = board.ring.account(10);
+  CHECK(account.words == 6);
+  CHECK(account.clocks.of(SquareActivity::working) == 6);
+  CHECK(account.clocks.of(SquareActivity::waiting_for_divider) == 4);
+  CHECK(account.full_clocks == 6);  // the frame buffer took one through each bank
+}
+
+TEST_CASE("a renderer takes one word at a time, and the frame buffer as many as it has banks, the sources in turn") {
+  Board board({.renderers = 3, .banks = 2, .processors = 2});
+  board.ring.begin();
+  board.offer(0, 0, 3);
+  board.offer(1, 0, 3);
+  for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 3);
+  const auto left = [&](std::size_t source) {
+    return source < 2 ? board.processors[source].num_available() : board.renderers[source - 2].num_available();
+  };
+  const auto check = [&](const std::vector<int>& expected) {
+    board.bench.edges(1);
+    for (std::size_t i = 0; i < expected.size(); ++i) CHECK(left(i) == expected[i]);
+  };
+  check({2, 3, 2, 2, 3});  // the second processor finds the renderer taken, the third renderer the banks
+  check({1, 3, 1, 2, 2});  // from the third renderer on: it, the first processor, the first renderer
+  check({0, 3, 1, 1, 1});  // from the second renderer on: it, the third, the first processor
+  check({0, 2, 0, 0, 1});  // from the second processor on: it, the first two renderers
+}
+
+TEST_CASE("as many sources as there are channels are served, then those after them") {
+  Board board({.renderers = 3, .banks = 9, .processors = 1, .ring_channels = 2});
+  board.ring.begin();
+  for (std::size_t i = 0; i < 3; ++i) board.offer_colours(i, 2);
+  const auto carried = [&] {
+    board.bench.edges(1);
+    return std::vector<int>{board.colours[0].num_available(), board.colours[1].num_available(),
+                            board.colours[2].num_available()};
+  };
+  CHECK(carried() == std::vector<int>{1, 1, 0});
+  CHECK(carried() == std::vector<int>{2, 1, 1});
+  CHECK(carried() == std::vector<int>{2, 2, 2});
+  CHECK(board.ring.account(9).full_clocks == 3);
+}
+
+TEST_CASE("a source whose target has no room is passed over") {
+  Board board({.renderers = 2, .banks = 2, .processors = 2, .ring_channels = 1}, 1);
+  board.ring.begin();
+  board.offer(0, 0, 2);
+  board.offer(1, 1, 1);
+  board.bench.edges(3);
+  CHECK(board.processors[0].num_available() == 1);
+  CHECK(board.processors[1].num_available() == 0);
+  static_cast<void>(board.links[0].read());
+  board.bench.edges(1);
+  CHECK(board.processors[0].num_available() == 0);
+}
