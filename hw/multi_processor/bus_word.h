@@ -16,6 +16,7 @@ enum class WordKind : std::uint8_t {
   command,  ///< part of a command of hw/isa/wire.h
   frame,    ///< part of a record of the frame (records.h)
   segment,  ///< part of a record of a segment
+  pause,    ///< no more now: all render what has come
 };
 
 /// A master's word for the bus.

@@ -1,5 +1,7 @@
 #include "hw/multi_processor/display_processor.h"
 
+#include <utility>
+
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
 #include "hw/multi_processor/model_host.h"
@@ -18,6 +20,9 @@ DisplayProcessor::DisplayProcessor(sc_core::sc_module_name name, const machines:
   SC_METHOD(on_host_word);
   dont_initialize();
   sensitive << host;
+  SC_METHOD(on_bus_word);
+  dont_initialize();
+  sensitive << bus;
   SC_THREAD(work);
 }
 
@@ -105,7 +110,19 @@ void DisplayProcessor::draw_segment(const isa::Region& segment) {
   broadcast(segment, left, is_active);
   ++counted_.segment_count;
   if (is_active) ++counted_.active_segments;
-  barriers_ += is_active ? 1 + parts : 1;
+  ++barriers_;
+  lists_to_come_ = is_active ? parts : 0;
+}
+
+/// Nodes come to the barrier once for each message with a list, or a part of it.
+void DisplayProcessor::on_bus_word() {
+  const BusLines& lines = bus.read();
+  if (lines.master == display_master) return;
+  const bool is_command = lines.sent.kind == WordKind::command;
+  is_list_ = is_list_ || is_command;
+  if (!lines.sent.last) return;
+  if (std::exchange(is_list_, false)) ++barriers_;
+  if (is_command) --lists_to_come_;
 }
 
 division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
@@ -172,7 +189,7 @@ void DisplayProcessor::send(const BusRequest& word) {
 }
 
 void DisplayProcessor::wait_for_nodes() {
-  while (released.read() < barriers_) wait(released.value_changed_event());
+  while (lists_to_come_ > 0 || released.read() < barriers_) wait(released.value_changed_event());
 }
 
 }  // namespace csgsim::multi_processor

@@ -42,6 +42,7 @@ class DisplayProcessor final : public sc_core::sc_module {
 
  private:
   void on_host_word();
+  void on_bus_word();
   void work();
   void draw();
   void receive_model();
@@ -67,7 +68,9 @@ class DisplayProcessor final : public sc_core::sc_module {
   division::DisplayModel model_;
   std::optional<division::Divider> divider_;  ///< once the model is in
   std::uint64_t words_ = 0;                   ///< sent, of all frames
-  std::uint64_t barriers_ = 0;                ///< that the nodes come to with what they have been sent, of all frames
+  std::uint64_t barriers_ = 0;                ///< that the nodes come to with what has been sent, of all frames
+  std::uint64_t lists_to_come_ = 0;           ///< of the segment, from the nodes
+  bool is_list_ = false;                      ///< the message on the bus has commands of one
   std::uint64_t drawn_ = 0;
   isa::Region segment_;  ///< that was divided last
   sc_core::sc_event start_{"start"};

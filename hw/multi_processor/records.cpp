@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 #include "hw/division/encoding.h"
 #include "hw/division/stream_parts.h"
 
@@ -125,10 +126,12 @@ Records segment_records(const DisplayModel& model, const division::Candidates& l
 
 void RecordReader::begin_frame() {
   model_ = {};
+  frame_words_ = segment_words_ = 0;
   await(Record::header);
 }
 
 void RecordReader::begin_segment() {
+  segment_words_ = 0;
   model_.planes.clear();
   for (division::Primitive& primitive : model_.primitives) primitive.halfspaces.clear();
   left_ = {};
@@ -161,6 +164,7 @@ void RecordReader::await(Record record) {
 /// After a record comes the first kind of which any are to come.
 void RecordReader::await_next() {
   const bool of_frame = next_ == Record::header || next_ == Record::primitive || next_ == Record::node;
+  (of_frame ? frame_words_ : segment_words_) += quotient_up(bits_of(next_), memory_word_bits_);
   if (of_frame) {
     if (model_.primitives.size() < primitives_) return await(Record::primitive);
     if (model_.nodes.size() < nodes_) return await(Record::node);

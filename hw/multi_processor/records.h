@@ -42,7 +42,9 @@ Records segment_records(const division::DisplayModel& model, const division::Can
 /// The receiving end: gathers words into records, and these into the model and what a segment leaves of it.
 class RecordReader {
  public:
-  explicit RecordReader(unsigned word_bits) : word_bits_(word_bits) {}
+  /// Words of the bus, and of the memory that records are kept in.
+  RecordReader(unsigned word_bits, unsigned memory_word_bits)
+      : word_bits_(word_bits), memory_word_bits_(memory_word_bits) {}
 
   /// The words to come are of a frame, or of a segment of the frame that has come.
   void begin_frame();
@@ -58,6 +60,8 @@ class RecordReader {
   [[nodiscard]] const division::DisplayModel& model() const { return model_; }
   /// What the segment leaves.
   [[nodiscard]] const division::Candidates& left() const { return left_; }
+  /// That the records of the frame and of the segment take, each from a new one on.
+  [[nodiscard]] std::uint64_t memory_words() const { return frame_words_ + segment_words_; }
 
  private:
   enum class Record : std::uint8_t { none, header, primitive, node, count, left, halfspace };
@@ -73,6 +77,9 @@ class RecordReader {
   [[nodiscard]] unsigned bits_of(Record record) const;
 
   unsigned word_bits_;
+  unsigned memory_word_bits_;
+  std::uint64_t frame_words_ = 0;  ///< of memory
+  std::uint64_t segment_words_ = 0;
   Record next_ = Record::none;
   division::BitWriter gathered_;
   unsigned wanted_ = 0;  ///< bits of the record at hand that have not come

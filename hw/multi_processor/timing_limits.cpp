@@ -6,6 +6,7 @@
 #include "hw/multi_processor/timing.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
+#include "hw/multi_processor/timing_passes.h"
 
 namespace csgsim::multi_processor {
 
@@ -15,19 +16,6 @@ using machines::Machine;
 
 constexpr double most_seconds = 1e6;
 constexpr double most_clocks_told = 1e18;
-
-void check_node_memory(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const SegmentDivision division = division_of(parts);
-  std::uint64_t words = frame_words(sizes, figures.word_bits) +
-                        segment_words(sizes, division.primitives, division.halfspaces, figures.word_bits);
-  for (const isa::Segment& part : parts) words += list_words(part, figures.word_bits);
-  if (words <= figures.memory_words) return;
-  throw InputError(
-      fmt::format("the segment at {},{} asks for {} words of a node, and the nodes of {} have {}; take a machine file "
-                  "with more node.memory_words or subdivision.levels",
-                  parts.front().region.x, parts.front().region.y, words, machine.name, figures.memory_words));
-}
 
 void check_display_memory(Subsegments parts, const ModelSizes& sizes, std::uint64_t model_words,
                           const Machine& machine) {
@@ -73,6 +61,9 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
     const double words = static_cast<double>(list_words(part, machine.link.width)) + 100 + data_words(part, sizes);
     clocks += test_clocks(part, figures) + words * machine.link.word_clocks + 2.0 * machine.link.latency +
               3.0 * figures.barrier_clocks;
+    // A message for each command at most, and a word more.
+    const double messages = static_cast<double>(part.instructions.size()) + 3;
+    clocks += 2.0 * messages * (machine.link.latency + machine.link.word_clocks + figures.barrier_clocks);
     clocks += most_rendering_clocks(part.instructions, part.region, machine);
   }
   if (clocks <= most_clocks_told && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
@@ -93,7 +84,7 @@ void check_fits(const isa::Program& program, const Machine& machine) {
   check_time(program, sizes, machine);
   const std::uint64_t model_words = host_words(program, machines::own<Figures>(machine).word_bits);
   for (const Subsegments parts : by_segment(program, machine)) {
-    check_node_memory(parts, sizes, machine);
+    list_room(parts, sizes, machine);
     check_display_memory(parts, sizes, model_words, machine);
   }
 }
