@@ -6,6 +6,8 @@
 #include <variant>
 
 #include "hw/base/quotient.h"
+#include "hw/division/divide.h"
+#include "hw/division/encoding.h"
 #include "hw/isa/link_word.h"
 #include "hw/multi_processor/list_renderer.h"
 
@@ -59,6 +61,7 @@ void Node::on_word() {
 }
 
 void Node::take_from_display(const BusRequest& sent) {
+  if (sent.kind == WordKind::answer) return take_answer(sent);
   if (!receiving_) begin_receiving();
   if (sent.kind != WordKind::command) return take_record(sent);
   const std::optional<isa::Command> command = decoder_.take(sent.word);
@@ -76,12 +79,13 @@ void Node::begin_segment(const isa::Region& segment) {
 }
 
 void Node::take_from_node(const BusRequest& sent) {
+  if (sent.kind == WordKind::request) return;
   if (!shares_) begin_sharing(time_.now() - bus_word_clocks_ - bus_latency_);
   if (sent.kind == WordKind::command) {
     if (const std::optional<isa::Command> command = decoder_.take(sent.word)) take_of_list(*command);
   }
   if (!sent.last) return;
-  paused_ = sent.kind == WordKind::pause;
+  paused_ = sent.kind == WordKind::pause || is_far_;
   if (paused_ || lists_received_ == parts_.size()) {
     shares_ = false;
     stays_.change(NodeActivity::waiting, time_.now());
@@ -127,7 +131,10 @@ void Node::begin_receiving() {
 }
 
 void Node::take_record(const BusRequest& sent) {
-  if (sent.kind == WordKind::segment && !std::exchange(is_active_, true)) records_.begin_segment();
+  if (is_of_segment(sent.kind) && !std::exchange(is_active_, true)) {
+    is_far_ = sent.kind == WordKind::heads;
+    records_.begin_segment(!is_far_);
+  }
   records_.take(sent.word);
   if (sent.kind == WordKind::frame && sent.last) begin_frame();
 }
@@ -167,7 +174,7 @@ void Node::wait_for_others() {
 /// nodes have.
 void Node::prune() {
   own_.clear();
-  if (number_ < parts_.size()) {
+  if (number_ < parts_.size() && !is_far_) {
     own_.begin(parts_[number_], records_, parts_.size() == 1 ? room_for_lists() : room_for_lists() / 2);
     tests_ += own_.counts();
     spend(NodeActivity::pruning, own_.make());
@@ -178,21 +185,26 @@ void Node::prune() {
 
 /// Node after node sends its list, which all take in, and all render what has come whenever they have to or can.
 void Node::draw_lists() {
-  begin_sharing(time_.now());
+  if (!is_far_) begin_sharing(time_.now());
   while (lists_received_ < parts_.size()) {
-    if (lists_received_ == number_) send_list();
+    const bool is_own_turn = lists_received_ == number_;
+    if (is_own_turn && is_far_) {
+      divide_from_afar();
+      continue;
+    }
+    if (is_own_turn) send_list();
     wait(message_ended_);
     if (paused_) render_lists();
   }
-  render_lists();
+  if (!lists_.empty()) render_lists();
 }
 
 /// What the node has of its list and the others have room for.
 void Node::send_list() {
   if (!own_.is_waiting()) {
-    const std::uint64_t clocks = own_.make();
-    divided_in_turn_ += clocks;
-    spend(NodeActivity::pruning, clocks);
+    divides_from_ = time_.now();
+    spend(NodeActivity::pruning, own_.make());
+    divided_in_turn_ += time_.now() - divides_from_;
   }
   if (!shares_) begin_sharing(time_.now());
   sends_ = true;
@@ -207,6 +219,87 @@ void Node::send_list() {
   if (!ends) send_word(WordKind::pause, {}, true);
   sends_ = false;
   tell_room();
+}
+
+/// Reads each half-space that is tested, and makes the list as it goes on.
+class Node::FarDatapath final : public division::Datapath {
+ public:
+  explicit FarDatapath(Node& node) : Datapath(node.records_.model()), node_(node), each_(node.figures_.node_tests) {}
+
+ private:
+  division::PrimitiveHead read_primitive(std::uint32_t primitive) override {
+    return node_.records_.model().primitives[primitive];
+  }
+  division::Halfspace read_halfspace(std::uint32_t primitive, std::uint32_t number) override {
+    read_ = node_.read_halfspace({primitive, number});
+    return read_.halfspace;
+  }
+  division::Plane read_plane(std::uint32_t /*index*/) override { return read_.plane; }
+
+  void on_box() override { spend(each_.primitive); }
+  void on_corner_test(bool /*is_last*/) override { spend(each_.halfspace); }
+  void on_cell(std::uint64_t halfspaces) override { spend(halfspaces * each_.cell); }
+  void on_node() override { spend(each_.tree_node); }
+  void on_instruction(const isa::Instruction& instruction) override {
+    node_.put(instruction);
+    spend(each_.instruction);
+  }
+
+  void spend(std::uint64_t clocks) {
+    if (clocks > 0) node_.wait(node_.time_.of(clocks));
+  }
+
+  Node& node_;
+  const TestClocks each_;
+  ReadHalfspace read_;
+};
+
+/// From the beginning of the node's turn to its list's end, which all render before the next divides.
+void Node::divide_from_afar() {
+  own_.begin(room_for_lists());
+  divides_from_ = time_.now();
+  stays_.change(NodeActivity::pruning, divides_from_);
+  put(isa::SegmentStart{parts_[number_]});
+  FarDatapath path(*this);
+  tests_ += division::Divider(records_.model()).divide(parts_[number_], records_.left(), path).counts();
+  put(isa::SegmentEnd{});
+  send_made();
+}
+
+void Node::put(const isa::Command& command) {
+  if (!own_.has_room_for(command)) {
+    send_made();
+    divides_from_ = time_.now();
+    stays_.change(NodeActivity::pruning, divides_from_);
+  }
+  own_.put(command);
+}
+
+/// And has it rendered.
+void Node::send_made() {
+  divided_in_turn_ += time_.now() - divides_from_;
+  while (own_.is_waiting()) {
+    send_list();
+    wait(message_ended_);
+    render_lists();
+  }
+}
+
+ReadHalfspace Node::read_halfspace(const HalfspaceName& name) {
+  const std::vector<isa::LinkWord> words = division::to_link(records_.request_for(name), bus_width_);
+  asks_ = true;
+  for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());
+  while (asks_) wait(answered_);
+  divides_from_ = time_.now();
+  return records_.halfspace_of(std::exchange(answer_, {}).take());
+}
+
+void Node::take_answer(const BusRequest& sent) {
+  if (!asks_) return;
+  append(answer_, sent.word, bus_width_);
+  if (!sent.last) return;
+  asks_ = false;
+  answered_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Node::send(const isa::Command& command, bool last) {

@@ -6,6 +6,7 @@
 #include <systemc>
 #include <vector>
 
+#include "hw/division/bit_stream.h"
 #include "hw/division/counts.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/machine.h"
@@ -50,9 +51,10 @@ struct Rendering {
 /// number. When all have done so, each sends its list in turn; then all render subsegment by subsegment, each its own
 /// pixels, and wait for the slowest after each. Where the lists do not fit the memory of all nodes, who sends stops
 /// before a command that has no room in some node, all render what has come, and the sender goes on; so it is where a
-/// node has no room to make more of its own list before it has sent what there is. What a node does to its pixels no
-/// other part can see until it comes to the barrier: it does all of a subsegment at once and then sleeps for the clocks
-/// that this takes.
+/// node has no room to make more of its own list before it has sent what there is. Where half-spaces stay with the
+/// display processor, nodes divide in turn, and read each one that they test over the bus. What a node does to its
+/// pixels no other part can see until it comes to the barrier: it does all of a subsegment at once and then sleeps for
+/// the clocks that this takes.
 class Node final : public sc_core::sc_module {
  public:
   sc_core::sc_in<BusLines> bus{"bus"};
@@ -83,6 +85,8 @@ class Node final : public sc_core::sc_module {
   }
 
  private:
+  class FarDatapath;
+
   void on_word();
   void take_from_display(const BusRequest& sent);
   void take_from_node(const BusRequest& sent);
@@ -95,6 +99,11 @@ class Node final : public sc_core::sc_module {
   void prune();
   void draw_lists();
   void send_list();
+  void divide_from_afar();
+  void put(const isa::Command& command);
+  void send_made();
+  ReadHalfspace read_halfspace(const HalfspaceName& name);
+  void take_answer(const BusRequest& sent);
   void send_word(WordKind kind, const isa::LinkWord& word, bool last);
   void send(const isa::Command& command, bool last);
   void render_lists();
@@ -126,6 +135,7 @@ class Node final : public sc_core::sc_module {
   bool receiving_ = false;  ///< from the display processor
   isa::Region segment_;     ///< the last that has come
   bool is_active_ = false;  ///< with records
+  bool is_far_ = false;     ///< half-spaces stay with the display processor
   std::vector<isa::Region> parts_;
   OwnList own_;                     ///< of the node's own subsegment
   std::vector<List> lists_;         ///< as much as has come, and is not rendered
@@ -138,6 +148,10 @@ class Node final : public sc_core::sc_module {
   Kept kept_;
   sc_core::sc_event segment_received_{"segment_received"};
   sc_core::sc_event message_ended_{"message_ended"};
+  bool asks_ = false;               ///< for a half-space
+  division::BitWriter answer_;      ///< as much of it as has come
+  std::uint64_t divides_from_ = 0;  ///< clock, since the simulation began, in which it went on with dividing
+  sc_core::sc_event answered_{"answered"};
 
   Rendering rendering_;
 

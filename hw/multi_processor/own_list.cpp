@@ -43,8 +43,7 @@ class TimedDatapath final : public division::Datapath {
 }  // namespace
 
 void OwnList::begin(const isa::Region& part, const RecordReader& records, std::uint64_t room) {
-  clear();
-  room_ = room;
+  begin(room);
   TimedDatapath path(records.model(), figures_.node_tests);
   const division::Divided divided = division::Divider(records.model()).divide(part, records.left(), path);
   counts_ = divided.counts();
@@ -56,6 +55,17 @@ void OwnList::begin(const isa::Region& part, const RecordReader& records, std::u
   commands_.push_back({isa::SegmentEnd{}, path.now(), path.now()});
 }
 
+void OwnList::begin(std::uint64_t room) {
+  clear();
+  room_ = room;
+}
+
+void OwnList::put(const isa::Command& command) {
+  commands_.push_back({command});
+  words_ += words_of(command);
+  ++made_;
+}
+
 void OwnList::clear() {
   commands_.clear();
   counts_ = {};
@@ -65,12 +75,11 @@ void OwnList::clear() {
 
 std::uint64_t OwnList::make() {
   const std::uint64_t before = now_;
-  for (; !is_whole(); ++made_) {
+  for (; made_ < commands_.size(); ++made_) {
     const Timed& next = commands_[made_];
     now_ = next.begun;
-    const std::uint64_t words = words_of(next.command);
-    if (words_ + words > room_) break;
-    words_ += words;
+    if (!has_room_for(next.command)) break;
+    words_ += words_of(next.command);
     now_ = next.made;
   }
   return now_ - before;

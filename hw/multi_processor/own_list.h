@@ -25,7 +25,11 @@ class OwnList {
   /// Returns the clocks in which the list is made until it is whole, or the next command has no room.
   std::uint64_t make();
 
-  [[nodiscard]] bool is_whole() const { return made_ == commands_.size(); }
+  /// Another way: a list is begun and its commands come from elsewhere, each where there is room for it.
+  void begin(std::uint64_t room);
+  [[nodiscard]] bool has_room_for(const isa::Command& command) const { return words_ + words_of(command) <= room_; }
+  void put(const isa::Command& command);
+
   /// Something is made and not sent.
   [[nodiscard]] bool is_waiting() const { return sent_ < made_; }
   /// Words of what is made and not sent.

@@ -25,7 +25,8 @@ std::string place_of(const isa::Region& region) {
 }
 
 std::string_view kind_of(const BusLines& lines) {
-  constexpr auto names = std::to_array<std::string_view>({"command", "frame", "segment", "pause"});
+  constexpr auto names =
+      std::to_array<std::string_view>({"command", "frame", "segment", "heads", "request", "answer", "pause"});
   return lines.number == 0 ? "" : names.at(static_cast<std::size_t>(lines.sent.kind));
 }
 

@@ -40,6 +40,7 @@ class FrameModel {
         wanted_(wanted),
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
+        memory_(display_memory(program, sizes_, figures_)),
         colour_(program.colour) {
     counted_.nodes.resize(std::size_t{machine.array.width} * machine.array.height);
   }
@@ -60,9 +61,9 @@ class FrameModel {
   }
 
   void transform() {
+    if (!memory_.has_planes) return;
     counted_.stages.transformation = sizes_.planes * figures_.transform_clocks;
     display_free_ += counted_.stages.transformation;
-    nodes_free_ = display_free_;
   }
 
   void broadcast_frame() {
@@ -74,6 +75,7 @@ class FrameModel {
     const SegmentDivision division = division_of(parts);
     ++counted_.segment_count;
     divide(division);
+    is_far_ = division.active && list_room(parts, sizes_, machine_).is_far;
     broadcast_segment(division);
     std::uint64_t now = display_free_;
     if (division.active) {
@@ -87,7 +89,7 @@ class FrameModel {
 
   /// From the first list's division on; returns when all are rendered.
   std::uint64_t draw_lists(Subsegments parts, std::uint64_t now) {
-    const Passes passes = passes_of(parts, list_room(parts, sizes_, machine_), machine_);
+    const Passes passes = passes_of(parts, sizes_, machine_);
     now += prune(parts, passes.divided);
     std::vector<Piece> come;
     for (const Message& message : passes.messages) {
@@ -105,25 +107,30 @@ class FrameModel {
     return now;
   }
 
+  /// Twice where there is no memory for what is left.
   void divide(const SegmentDivision& division) {
     const TestClocks& each = figures_.display_tests;
+    const std::uint64_t times = memory_.holds(division, sizes_, figures_) ? 1 : 2;
+    const std::uint64_t plane = memory_.has_planes ? 0 : far_plane_clocks(sizes_, figures_);
     const std::uint64_t clocks =
-        division.boxes * each.primitive + division.halfspace_tests * each.halfspace + division.cell_tests * each.cell;
-    counted_.first_box_tests += division.boxes;
-    counted_.first_halfspace_tests += division.halfspace_tests;
-    counted_.first_cell_tests += division.cell_tests;
+        times * (division.boxes * each.primitive + division.halfspace_tests * (each.halfspace + plane) +
+                 division.cell_tests * each.cell);
+    counted_.first_box_tests += times * division.boxes;
+    counted_.first_halfspace_tests += times * division.halfspace_tests;
+    counted_.first_cell_tests += times * division.cell_tests;
     counted_.stages.first_pruning += clocks;
-    display_free_ = (figures_.divides_ahead ? display_free_ : std::max(display_free_, nodes_free_)) + clocks;
+    const bool ahead = figures_.divides_ahead && !is_far_;
+    display_free_ = (ahead ? display_free_ : std::max(display_free_, nodes_free_)) + clocks;
   }
 
   void broadcast_segment(const SegmentDivision& division) {
     const std::uint32_t width = machine_.link.width;
     const std::uint64_t commands =
         quotient_up(isa::wire_bits(isa::SegmentStart{}), width) + quotient_up(isa::wire_bits(isa::SegmentEnd{}), width);
+    const std::uint64_t halfspaces = is_far_ ? 0 : division.halfspaces;
     counted_.broadcast_primitives += division.primitives;
-    counted_.broadcast_halfspaces += division.halfspaces;
-    broadcast(commands +
-              (division.active ? segment_words(sizes_, division.primitives, division.halfspaces, width) : 0));
+    counted_.broadcast_halfspaces += halfspaces;
+    broadcast(commands + (division.active ? segment_words(sizes_, division.primitives, halfspaces, width) : 0));
   }
 
   void broadcast(std::uint64_t words) {
@@ -157,8 +164,16 @@ class FrameModel {
     return slowest + barrier();
   }
 
-  /// Of a node alone.
+  /// Of a node alone, which may read what it divides over the bus.
   std::uint64_t divide_on(const Message& message) {
+    const ReadClocks read = read_clocks(sizes_, machine_);
+    counted_.broadcast_halfspaces += message.reads;
+    counted_.broadcast_words += message.reads * read.answer_words;
+    counted_.shared_words += message.reads * read.request_words;
+    counted_.bus.add(BusActivity::busy,
+                     message.reads * (read.request_words + read.answer_words) * machine_.link.word_clocks);
+    counted_.bus.add(BusActivity::granting, 2 * message.reads * machine_.link.latency);
+    counted_.display.add(DisplayActivity::broadcasting, message.reads * read.answer);
     counted_.nodes[message.node].add(NodeActivity::pruning, message.divided);
     counted_.stages.second_pruning += message.divided;
     return message.divided;
@@ -238,8 +253,10 @@ class FrameModel {
   const Wanted wanted_;
   const Figures& figures_;
   const ModelSizes sizes_;
+  const DisplayMemory memory_;
   isa::Field colour_;
   FrameAccount counted_;
+  bool is_far_ = false;             ///< half-spaces of the segment at hand stay with the display processor
   std::uint64_t display_free_ = 0;  ///< when the display processor has sent what it has divided
   std::uint64_t nodes_free_ = 0;    ///< when they have rendered the segment
 };
@@ -249,7 +266,7 @@ bool comes_in_pieces(const isa::Program& program, const Machine& machine, std::u
   const isa::Segment* const part = &program.segments[segment];
   for (const Subsegments parts : by_segment(program, machine)) {
     if (part < parts.data() || part >= parts.data() + parts.size()) continue;
-    const Passes passes = passes_of(parts, list_room(parts, sizes_of(program.display_model), machine), machine);
+    const Passes passes = passes_of(parts, sizes_of(program.display_model), machine);
     const auto is_of_part = [&](const Message& message) {
       return message.piece && &parts[message.piece->subsegment] == part;
     };

@@ -24,6 +24,7 @@ struct Piece {
 struct Message {
   std::uint64_t node = 0;
   std::uint64_t divided = 0;   ///< clocks in which the node goes on with its list before it asks for the bus
+  std::uint64_t reads = 0;     ///< in these, of half-spaces that it reads over the bus
   std::uint64_t words = 0;     ///< of the bus
   std::optional<Piece> piece;  ///< none where a node has no room before the first command
   bool pauses = false;         ///< all render what has come, and the sender goes on
@@ -35,10 +36,28 @@ struct Passes {
   std::vector<Message> messages;
 };
 
-/// Words of a node that the records of the frame and of the segment leave for lists. Throws InputError where that is
-/// too little for any.
-std::uint64_t list_room(Subsegments parts, const ModelSizes& sizes, const machines::Machine& machine);
+/// What the records of the frame and of the segment leave of a node's memory.
+struct ListRoom {
+  std::uint64_t words = 0;
+  bool is_far = false;  ///< half-spaces stay with the display processor
+};
 
-Passes passes_of(Subsegments parts, std::uint64_t room, const machines::Machine& machine);
+/// Throws InputError where that is too little for any list.
+ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const machines::Machine& machine);
+
+/// Of a half-space that stays with the display processor: words and clocks of the bus for the request and for the
+/// answer.
+struct ReadClocks {
+  std::uint64_t request_words = 0;
+  std::uint64_t answer_words = 0;
+  std::uint64_t request = 0;
+  std::uint64_t answer = 0;
+
+  [[nodiscard]] std::uint64_t clocks() const { return request + answer; }
+};
+
+ReadClocks read_clocks(const ModelSizes& sizes, const machines::Machine& machine);
+
+Passes passes_of(Subsegments parts, const ModelSizes& sizes, const machines::Machine& machine);
 
 }  // namespace csgsim::multi_processor

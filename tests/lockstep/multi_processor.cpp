@@ -49,8 +49,8 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.levels = choice.between(0, 5);
   figures.order = static_cast<multi_processor::RenderingOrder>(seed % 3);
   figures.word_bits = choice.between(1, 64);
-  // Of three machines, lists do not fit two at once.
-  figures.memory_words = seed % 3 == 0 ? 1U << 31U : quotient_up(choice.between(3'000, 12'000), figures.word_bits);
+  // Lists, and then half-spaces, may not fit.
+  figures.memory_words = seed % 3 == 0 ? 1U << 31U : quotient_up(choice.between(2'000, 10'000), figures.word_bits);
   figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
                         choice.between(0, 20), choice.between(0, 20), choice.between(0, 90)};
   figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
@@ -58,7 +58,9 @@ machines::Machine random_machine(std::uint32_t seed) {
                         choice.between(0, 300)};
   figures.display_tests = {.primitive = choice.between(0, 50), .halfspace = choice.between(0, 500)};
   figures.host = {choice.between(1, 80), choice.between(1, 30), choice.between(0, 3) * 13};
-  figures.display_memory_words = 1U << 31U;
+  // Neither may planes, nor what a segment leaves.
+  figures.display_memory_words =
+      seed % 4 < 2 ? 1U << 31U : quotient_up(choice.between(2'000, 9'000), figures.word_bits);
   figures.transform_clocks = choice.between(0, 5000);
   figures.divides_ahead = seed % 2 == 1;
   figures.barrier_clocks = choice.between(0, 2) * 17;

@@ -39,8 +39,8 @@ const std::map<std::string_view, Ends> nearer{
     {"renderers.count", {1, 9}},
     {"divider.count", {1, 9}},
     {"divider.memory", {50'000, 4'000'000'000}},
-    {"display.memory_words", {200'000, std::int64_t{1} << 31}},
-    {"node.memory_words", {1'000, std::int64_t{1} << 31}},
+    {"display.memory_words", {500, std::int64_t{1} << 31}},
+    {"node.memory_words", {200, std::int64_t{1} << 31}},
     {"node.word_bits", {8, 64}},
     {"node.instruction_loop_clocks", {1, most_clocks}},  // without a clock it has no place in a timeline
 };
