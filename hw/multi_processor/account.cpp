@@ -46,6 +46,7 @@ machines::Account account(const FrameAccount& counted, const isa::ArrayShape& no
                                     {"broadcast_halfspaces", counted.broadcast_halfspaces},
                                     {"broadcast_words", counted.broadcast_words},
                                     {"shared_words", counted.shared_words},
+                                    {"list_passes", counted.list_passes},
                                     {"reception_clocks", stages.reception},
                                     {"transformation_clocks", stages.transformation},
                                     {"first_pruning_clocks", stages.first_pruning},

@@ -62,6 +62,7 @@ struct FrameAccount {
   std::uint64_t broadcast_halfspaces = 0;
   std::uint64_t broadcast_words = 0;
   std::uint64_t shared_words = 0;  ///< by the nodes
+  std::uint64_t list_passes = 0;   ///< times that the nodes rendered what had come of lists
   StageClocks stages;
   DisplayClocks display{};
   BusClocks bus{};

@@ -16,7 +16,17 @@ enum class WordKind : std::uint8_t {
   command,  ///< part of a command of hw/isa/wire.h
   frame,    ///< part of a record of the frame (records.h)
   segment,  ///< part of a record of a segment
+  heads,    ///< the same, of a segment whose half-spaces stay with the display processor
+  request,  ///< part of a node's request for one of these
+  answer,   ///< part of its record
+  pause,    ///< no more now: all render what has come
 };
+
+/// Does it belong to what a segment leaves?
+constexpr bool is_of_segment(WordKind kind) { return kind == WordKind::segment || kind == WordKind::heads; }
+
+/// Does a node divide between this and what was on the bus before?
+constexpr bool is_of_reading(WordKind kind) { return kind == WordKind::request || kind == WordKind::answer; }
 
 /// A master's word for the bus.
 struct BusRequest {

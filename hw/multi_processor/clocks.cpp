@@ -136,18 +136,21 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& m
          (1 + work.combines + shifts) * operations.logic + work.adds * operations.add + sum;
 }
 
-std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const NodePixels& own, isa::Field colour,
-                               const Machine& machine) {
+std::uint64_t rendering_clocks(const ListPart& part, const NodePixels& own, isa::Field colour, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
+  const bool has_instructions = !part.instructions.empty();
   if (own.count() == 0) return 0;
-  const std::uint64_t colour_words = words_of(colour.width, figures);
-  const std::uint64_t stored =
-      colour.width == 0 ? 0 : pass_clocks(own, colour_words * figures.operations.write, figures);
-  if (list.empty()) return stored;
-  std::uint64_t clocks = clearing_clocks(own, machine) + stored + own.count() * colour_words * figures.operations.read +
-                         outer_clocks(own, figures);
-  for (const isa::Instruction& instruction : list) clocks += instruction_clocks(instruction, own, machine);
-  return clocks;
+  std::uint64_t clocks = 0;
+  if (has_instructions) {
+    clocks += outer_clocks(own, figures);
+    if (part.begins) clocks += clearing_clocks(own, machine);
+  }
+  for (const isa::Instruction& instruction : part.instructions) clocks += instruction_clocks(instruction, own, machine);
+  if (!part.ends || colour.width == 0) return clocks;
+  const bool is_background = part.begins && !has_instructions;
+  const std::uint64_t words = words_of(colour.width, figures);
+  const std::uint64_t reads = is_background ? 0 : words * figures.operations.read;
+  return clocks + pass_clocks(own, reads + words * figures.operations.write, figures);
 }
 
 std::uint64_t clearing_clocks(const NodePixels& own, const Machine& machine) {
@@ -157,8 +160,9 @@ std::uint64_t clearing_clocks(const NodePixels& own, const Machine& machine) {
 }
 
 /// The loops of an order, from the outermost in, begin a row and a pixel of it as many times as there are before this.
-std::vector<machines::ClockSpan> spans_at_pixel(std::span<const isa::Instruction> list, const NodePixels& own,
-                                                std::uint32_t column, std::uint32_t row, const Machine& machine) {
+std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const NodePixels& own, std::uint32_t column,
+                                                std::uint32_t row, const Machine& machine) {
+  const std::span<const isa::Instruction> list = part.instructions;
   const Figures& figures = machines::own<Figures>(machine);
   const NodePixels rows_above{.columns = own.columns, .rows = row};
   const NodePixels one_row{.columns = own.columns, .rows = 1};
@@ -168,7 +172,7 @@ std::vector<machines::ClockSpan> spans_at_pixel(std::span<const isa::Instruction
     for (const isa::Instruction& instruction : list) clocks += instruction_clocks(instruction, pixels, machine);
     return clocks;
   };
-  std::uint64_t now = clearing_clocks(own, machine);
+  std::uint64_t now = part.begins ? clearing_clocks(own, machine) : 0;
   switch (figures.order) {
     case RenderingOrder::segment: break;
     case RenderingOrder::scan_line: now += all(rows_above); break;

@@ -14,16 +14,23 @@ namespace csgsim::multi_processor {
 /// Of an instruction at one pixel, without the loops around it and what begins a row.
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
 
-/// Of a subsegment's list at so many of the node's pixels: memory is cleared, the list carried out, the colours stored.
-/// Without a list they are set to the background. `colour`: of pixel memory; of width 0 where there is none.
-std::uint64_t rendering_clocks(std::span<const isa::Instruction> list, const NodePixels& own, isa::Field colour,
+/// What is rendered at once: the list of a subsegment, or as much of it as has come.
+struct ListPart {
+  std::span<const isa::Instruction> instructions;
+  bool begins = true;  ///< nothing of the list has been carried out before
+  bool ends = true;    ///< nothing of it comes after
+};
+
+/// Of that at so many of the node's pixels: where the list begins, memory is cleared; it is carried out; where it ends,
+/// the colours are stored. Without any instruction they are set to the background. `colour`: of pixel memory; of width
+/// 0 where there is none.
+std::uint64_t rendering_clocks(const ListPart& part, const NodePixels& own, isa::Field colour,
                                const machines::Machine& machine);
 
-/// For each instruction of the list, the clocks, counted from the rendering's first, in which it is carried out at one
-/// of the node's pixels.
-std::vector<machines::ClockSpan> spans_at_pixel(std::span<const isa::Instruction> list, const NodePixels& own,
-                                                std::uint32_t column, std::uint32_t row,
-                                                const machines::Machine& machine);
+/// For each of its instructions, the clocks, counted from the rendering's first, in which it is carried out at one of
+/// the node's pixels.
+std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const NodePixels& own, std::uint32_t column,
+                                                std::uint32_t row, const machines::Machine& machine);
 
 /// Of these, the first, in which memory and enable of all of the node's pixels become 0.
 std::uint64_t clearing_clocks(const NodePixels& own, const machines::Machine& machine);

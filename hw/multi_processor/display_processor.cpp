@@ -1,5 +1,8 @@
 #include "hw/multi_processor/display_processor.h"
 
+#include <utility>
+
+#include "hw/base/quotient.h"
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
 #include "hw/multi_processor/model_host.h"
@@ -18,6 +21,9 @@ DisplayProcessor::DisplayProcessor(sc_core::sc_module_name name, const machines:
   SC_METHOD(on_host_word);
   dont_initialize();
   sensitive << host;
+  SC_METHOD(on_bus_word);
+  dont_initialize();
+  sensitive << bus;
   SC_THREAD(work);
 }
 
@@ -68,8 +74,9 @@ void DisplayProcessor::work() {
 
 void DisplayProcessor::draw() {
   receive_model();
-  spend(DisplayActivity::transforming, model_.planes.size() * figures_.transform_clocks);
+  if (has_planes_) spend(DisplayActivity::transforming, model_.planes.size() * figures_.transform_clocks);
   broadcast_frame();
+  is_far_ = false;
   for (const isa::Region& segment : picture_segments({model_.width, model_.height}, figures_.levels)) {
     draw_segment(segment);
   }
@@ -81,6 +88,10 @@ void DisplayProcessor::receive_model() {
   wait(model_received_);
   model_ = division::display_model_of(memory_);
   divider_.emplace(model_);
+  const std::uint64_t bits = length_bits + 8 * std::uint64_t{model_bytes_};
+  const std::uint64_t plane_bits = model_.planes.size() * std::uint64_t{division::widths_of(model_).plane_record()};
+  has_planes_ = quotient_up(bits, figures_.word_bits) <= figures_.display_memory_words;
+  model_words_ = quotient_up(has_planes_ ? bits : bits - plane_bits, figures_.word_bits);
   counted_.stages.reception = time_.now() - begun;
   stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
@@ -95,45 +106,105 @@ void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
 }
 
 void DisplayProcessor::draw_segment(const isa::Region& segment) {
-  if (!figures_.divides_ahead) wait_for_nodes();
-  const division::Candidates left = prune(segment);
+  if (!figures_.divides_ahead || is_far_) wait_for_nodes();
+  division::Candidates left = prune(segment);
   const std::size_t parts = parts_of(segment, nodes_.width, nodes_.height).size();
   // A picture that is one subsegment has a list whatever is left.
   const bool is_picture = parts == 1 && segment == isa::Region{0, 0, model_.width, model_.height};
   const bool is_active = !left.primitives.empty() || is_picture;
   wait_for_nodes();
-  broadcast(segment, left, is_active);
+  left_ = std::move(left);
+  is_far_ = false;
+  broadcast(segment, is_active);
   ++counted_.segment_count;
   if (is_active) ++counted_.active_segments;
-  barriers_ += is_active ? 1 + parts : 1;
+  ++barriers_;
+  lists_to_come_ = is_active ? parts : 0;
 }
 
+/// Nodes come to the barrier once for each message with a list, or a part of it.
+void DisplayProcessor::on_bus_word() {
+  const BusLines& lines = bus.read();
+  if (lines.master == display_master) return;
+  if (lines.sent.kind == WordKind::request) return take_request(lines.sent);
+  const bool is_command = lines.sent.kind == WordKind::command;
+  is_list_ = is_list_ || is_command;
+  if (!lines.sent.last) return;
+  if (std::exchange(is_list_, false)) ++barriers_;
+  if (is_command) --lists_to_come_;
+}
+
+void DisplayProcessor::take_request(const BusRequest& sent) {
+  append(request_, sent.word, bus_width_);
+  if (!sent.last) return;
+  is_asked_ = true;
+  asked_.notify(sc_core::SC_ZERO_TIME);
+}
+
+/// What is left; a second time where there is no memory to keep it in until it is sent.
 division::Candidates DisplayProcessor::prune(const isa::Region& segment) {
   segment_ = segment;
   division::PlainDatapath path(model_);
   division::Candidates left = divider_->survivors(segment, path);
+  const bool fits = model_words_ + memory_words(segment_records(model_, left)) <= figures_.display_memory_words;
+  if (!fits) left = divider_->survivors(segment, path);
   const division::Counts counts = path.take_counts();
   counted_.first_box_tests += counts.boxes;
   counted_.first_halfspace_tests += counts.halfspaces;
   counted_.first_cell_tests += counts.cells;
-  spend(DisplayActivity::dividing, clocks_of(counts, figures_.display_tests));
+  const std::uint64_t planes = has_planes_ ? 0 : counts.halfspaces * far_plane_clocks();
+  spend(DisplayActivity::dividing, clocks_of(counts, figures_.display_tests) + planes);
   return left;
+}
+
+/// A plane that stays with the host is read over its link, and transformed.
+std::uint64_t DisplayProcessor::far_plane_clocks() const {
+  const unsigned bits = division::widths_of(model_).plane_record();
+  return figures_.host.latency + std::uint64_t{quotient_up(bits, figures_.host.width)} * figures_.host.word_clocks +
+         figures_.transform_clocks;
+}
+
+std::uint64_t DisplayProcessor::memory_words(const Records& records) const {
+  std::uint64_t words = 0;
+  for (const division::Bits& record : records) words += quotient_up(record.count, figures_.word_bits);
+  return words;
 }
 
 void DisplayProcessor::broadcast_frame() {
   begin_broadcast();
-  send(frame_records(model_), WordKind::frame, true);
+  const Records records = frame_records(model_);
+  frame_words_ = memory_words(records);
+  send(records, WordKind::frame, true);
   end_broadcast();
 }
 
-void DisplayProcessor::broadcast(const isa::Region& segment, const division::Candidates& left, bool is_active) {
+/// Half-spaces stay here where they leave no room for two commands in a node.
+void DisplayProcessor::broadcast(const isa::Region& segment, bool is_active) {
   begin_broadcast();
   send(isa::SegmentStart{segment}, false);
-  if (is_active) send(segment_records(model_, left), WordKind::segment, false);
+  if (is_active) {
+    const Records records = segment_records(model_, left_);
+    const std::uint64_t least = 2 * quotient_up(std::uint64_t{isa::LinkWord::most_bits}, figures_.word_bits);
+    is_far_ = frame_words_ + memory_words(records) + least > figures_.memory_words;
+    if (is_far_) {
+      send(segment_heads(model_, left_), WordKind::heads, false);
+    } else {
+      send(records, WordKind::segment, false);
+      counted_.broadcast_halfspaces += left_.entries() - left_.primitives.size();
+    }
+  }
   send(isa::SegmentEnd{}, true);
   end_broadcast();
-  counted_.broadcast_primitives += left.primitives.size();
-  counted_.broadcast_halfspaces += left.entries() - left.primitives.size();
+  counted_.broadcast_primitives += left_.primitives.size();
+}
+
+void DisplayProcessor::answer_request() {
+  is_asked_ = false;
+  const HalfspaceName name = requested(model_, left_, std::exchange(request_, {}).take());
+  stays_.change(DisplayActivity::broadcasting, time_.now());
+  send({halfspace_record(model_, left_, name)}, WordKind::answer, true);
+  stays_.change(DisplayActivity::waiting_for_nodes, time_.now());
+  ++counted_.broadcast_halfspaces;
 }
 
 void DisplayProcessor::begin_broadcast() { stays_.change(DisplayActivity::broadcasting, time_.now()); }
@@ -172,7 +243,13 @@ void DisplayProcessor::send(const BusRequest& word) {
 }
 
 void DisplayProcessor::wait_for_nodes() {
-  while (released.read() < barriers_) wait(released.value_changed_event());
+  while (lists_to_come_ > 0 || released.read() < barriers_) {
+    if (is_asked_) {
+      answer_request();
+    } else {
+      wait(released.value_changed_event() | asked_);
+    }
+  }
 }
 
 }  // namespace csgsim::multi_processor

@@ -6,6 +6,7 @@
 #include <systemc>
 #include <vector>
 
+#include "hw/division/bit_stream.h"
 #include "hw/division/divide.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/machine.h"
@@ -19,7 +20,10 @@ namespace csgsim::multi_processor {
 
 /// Takes the model into its memory, transforms its planes and broadcasts its tree. Then for each segment it holds all
 /// primitives against it, and the half-spaces of those that touch it; waits until the nodes have done with the segment
-/// before, and broadcasts what is left. It does not divide while the nodes work, unless it divides ahead.
+/// before, and broadcasts what is left. It does not divide while the nodes work, unless it divides ahead. Where the
+/// records of a segment do not fit the nodes, their half-spaces stay here, and nodes ask for them one by one. Where the
+/// model does not fit its own memory, it reads planes from the host whenever it tests them; where what a segment leaves
+/// does not, it tests the segment again as it broadcasts that.
 class DisplayProcessor final : public sc_core::sc_module {
  public:
   sc_core::sc_in<HostWord> host{"host"};
@@ -42,14 +46,19 @@ class DisplayProcessor final : public sc_core::sc_module {
 
  private:
   void on_host_word();
+  void on_bus_word();
   void work();
   void draw();
   void receive_model();
   void spend(DisplayActivity activity, std::uint64_t clocks);
   division::Candidates prune(const isa::Region& segment);
+  void take_request(const BusRequest& sent);
+  void answer_request();
+  [[nodiscard]] std::uint64_t far_plane_clocks() const;
   void draw_segment(const isa::Region& segment);
   void broadcast_frame();
-  void broadcast(const isa::Region& segment, const division::Candidates& left, bool is_active);
+  void broadcast(const isa::Region& segment, bool is_active);
+  [[nodiscard]] std::uint64_t memory_words(const Records& records) const;
   void begin_broadcast();
   void end_broadcast();
   void send(const isa::Command& command, bool last);
@@ -66,12 +75,22 @@ class DisplayProcessor final : public sc_core::sc_module {
   std::vector<std::uint8_t> memory_;  ///< the model's bytes that have come
   division::DisplayModel model_;
   std::optional<division::Divider> divider_;  ///< once the model is in
+  bool has_planes_ = true;                    ///< in its memory
+  std::uint64_t model_words_ = 0;             ///< of its memory, that the model takes
+  std::uint64_t frame_words_ = 0;             ///< of a node's memory
+  division::Candidates left_;                 ///< of the segment that was broadcast last
+  bool is_far_ = false;                       ///< half-spaces of that segment have stayed here
+  division::BitWriter request_;               ///< of a node, as much as has come
+  bool is_asked_ = false;                     ///< a request has come
   std::uint64_t words_ = 0;                   ///< sent, of all frames
-  std::uint64_t barriers_ = 0;                ///< that the nodes come to with what they have been sent, of all frames
+  std::uint64_t barriers_ = 0;                ///< that the nodes come to with what has been sent, of all frames
+  std::uint64_t lists_to_come_ = 0;           ///< of the segment, from the nodes
+  bool is_list_ = false;                      ///< the message on the bus has commands of one
   std::uint64_t drawn_ = 0;
   isa::Region segment_;  ///< that was divided last
   sc_core::sc_event start_{"start"};
   sc_core::sc_event model_received_{"model_received"};
+  sc_core::sc_event asked_{"asked"};
 
   std::uint64_t first_word_ = 0;  ///< sent before the frame
   FrameAccount counted_;

@@ -5,14 +5,15 @@
 namespace csgsim::multi_processor {
 
 ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
-                           std::span<const systemc::Keep> keeps, const NodePixels& own)
+                           std::span<const systemc::Keep> keeps, const NodePixels& own, const PixelMemory& before)
     : order_(figures.order),
       nodes_(nodes),
       list_(list),
       keeps_(keeps),
       own_(own),
+      begins_(before.pixels() == 0),
       processor_(figures),
-      memory_(own.count(), nodes.memory_bits),
+      memory_(begins_ ? PixelMemory(own.count(), nodes.memory_bits) : before),
       steps_(list.size()) {
   for (std::size_t i = 0; i < list_.size(); ++i) {
     if (keeps_[i] != systemc::Keep::nothing) steps_[i].pixels = memory_;
@@ -36,8 +37,8 @@ void ListRenderer::for_each_pixel(const Visit& visit) {
 }
 
 void ListRenderer::render() {
-  if (own_.count() == 0) return;  // nor is the list looked at
-  for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
+  if (own_.count() == 0 || list_.empty()) return;  // nor is the list looked at
+  if (begins_) for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
   switch (order_) {
     case RenderingOrder::segment: return by_segment();
     case RenderingOrder::scan_line: return by_scan_line();

@@ -27,15 +27,16 @@ struct PixelMoment {
 /// does so.
 class ListRenderer {
  public:
-  /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer.
+  /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer. `before`: what the
+  /// instructions of the list that came before have left of the pixels; empty if none did.
   ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
-               std::span<const systemc::Keep> keeps, const NodePixels& own);
+               std::span<const systemc::Keep> keeps, const NodePixels& own, const PixelMemory& before);
 
   /// Has what becomes of one of the pixels, counted row by row, told to `moments`, which has to live as long as the
   /// renderer.
   void watch(std::size_t pixel, std::vector<PixelMoment>& moments) { watched_.push_back({pixel, &moments}); }
 
-  /// Clears memory, and then carries out the list.
+  /// Carries out the list; before its first instruction memory is cleared.
   void render();
 
   /// Copies the colours of the pixels, in row order, into the image memory.
@@ -74,6 +75,7 @@ class ListRenderer {
   std::span<const isa::Instruction> list_;
   std::span<const systemc::Keep> keeps_;
   const NodePixels own_;
+  const bool begins_;
   WordProcessor processor_;
   PixelMemory memory_;
   std::vector<NodeState> steps_;

@@ -32,6 +32,7 @@ MultiProcessor::MultiProcessor(sc_core::sc_module_name name, const machines::Mac
              [&](const char* node, std::size_t number) {
                return new Node(node, machine, static_cast<std::uint32_t>(number));
              }),
+      room_("room_line", nodes_of(machine)),
       watch_("stage_watch", machine),
       collector_("collector", machine, names_) {
   SC_HAS_PROCESS(MultiProcessor);
@@ -68,6 +69,7 @@ void MultiProcessor::bind_masters() {
     nodes_[i].request(requests_[master_of(i)]);
     nodes_[i].arrival(arrivals_[i]);
     nodes_[i].released(released_);
+    nodes_[i].room(room_);
     nodes_[i].collector(collector_);
   }
 }

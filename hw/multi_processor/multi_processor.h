@@ -14,6 +14,7 @@
 #include "hw/multi_processor/display_processor.h"
 #include "hw/multi_processor/model_host.h"
 #include "hw/multi_processor/node.h"
+#include "hw/multi_processor/room_line.h"
 #include "hw/multi_processor/stage_watch.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/retirement.h"
@@ -58,6 +59,7 @@ class MultiProcessor final : public sc_core::sc_module, public systemc::ClockedM
   ControlBus bus_;
   Barrier barrier_;
   sc_core::sc_vector<Node> nodes_;
+  RoomLine room_;
   StageWatch watch_;
   Collector collector_;
   systemc::Retirement retirement_{"retirement"};

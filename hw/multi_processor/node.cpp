@@ -5,8 +5,11 @@
 #include <utility>
 #include <variant>
 
+#include "hw/base/quotient.h"
+#include "hw/division/divide.h"
+#include "hw/division/encoding.h"
+#include "hw/isa/link_word.h"
 #include "hw/multi_processor/list_renderer.h"
-#include "hw/multi_processor/test_clocks.h"
 
 namespace csgsim::multi_processor {
 
@@ -18,8 +21,10 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
       number_(number),
       bus_width_(machine.link.width),
       bus_word_clocks_(machine.link.word_clocks),
+      bus_latency_(machine.link.latency),
       decoder_(machine.link.width),
-      records_(machine.link.width) {
+      records_(machine.link.width, figures_.word_bits),
+      own_(figures_) {
   SC_HAS_PROCESS(Node);
   SC_METHOD(on_word);
   dont_initialize();
@@ -30,6 +35,7 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
 void Node::begin() {
   first_word_ = words_;
   tests_ = {};
+  passes_ = divided_in_turn_ = 0;
   rendering_ = {};
   stays_.begin(NodeActivity::waiting, time_.now());
 }
@@ -41,15 +47,81 @@ void Node::tell(FrameAccount& counted) const {
   counted.second_tree_nodes += tests_.nodes;
   counted.shared_words += words_ - first_word_;
   counted.nodes.push_back(account());
+  // What is seen of the bus is that it waits.
+  counted.stages.second_pruning += divided_in_turn_;
+  counted.stages.sharing -= divided_in_turn_;
+  if (number_ == 0) counted.list_passes = passes_;
 }
 
 /// Every word takes the node the time that it is on the bus.
 void Node::on_word() {
   const BusLines& lines = bus.read();
-  if (lines.master == display_master && !receiving_) begin_receiving();
-  if (lines.sent.kind != WordKind::command) return take_record(lines.sent);
-  if (const std::optional<isa::Command> command = decoder_.take(lines.sent.word)) take(*command);
+  if (lines.master == display_master) return take_from_display(lines.sent);
+  take_from_node(lines.sent);
 }
+
+void Node::take_from_display(const BusRequest& sent) {
+  if (sent.kind == WordKind::answer) return take_answer(sent);
+  if (!receiving_) begin_receiving();
+  if (sent.kind != WordKind::command) return take_record(sent);
+  const std::optional<isa::Command> command = decoder_.take(sent.word);
+  if (!command) return;
+  if (const auto* start = std::get_if<isa::SegmentStart>(&*command)) return begin_segment(start->region);
+  receiving_ = false;
+  stays_.change(NodeActivity::waiting, time_.now());
+  segment_received_.notify(sc_core::SC_ZERO_TIME);
+}
+
+void Node::begin_segment(const isa::Region& segment) {
+  segment_ = segment;
+  parts_ = parts_of(segment, nodes_.width, nodes_.height);
+  lists_received_ = 0;
+}
+
+void Node::take_from_node(const BusRequest& sent) {
+  if (sent.kind == WordKind::request) return;
+  if (!shares_) begin_sharing(time_.now() - bus_word_clocks_ - bus_latency_);
+  if (sent.kind == WordKind::command) {
+    if (const std::optional<isa::Command> command = decoder_.take(sent.word)) take_of_list(*command);
+  }
+  if (!sent.last) return;
+  paused_ = sent.kind == WordKind::pause || is_far_;
+  if (paused_ || lists_received_ == parts_.size()) {
+    shares_ = false;
+    stays_.change(NodeActivity::waiting, time_.now());
+  }
+  message_ended_.notify(sc_core::SC_ZERO_TIME);
+}
+
+void Node::begin_sharing(std::uint64_t clock) {
+  shares_ = true;
+  stays_.change(NodeActivity::sharing, clock);
+}
+
+/// A message has commands of one list.
+void Node::take_of_list(const isa::Command& command) {
+  if (const auto* start = std::get_if<isa::SegmentStart>(&command))
+    open_ = {.region = start->region, .first = 0, .instructions = {}, .ends = false};
+  if (lists_.empty() || lists_.back().ends) lists_.push_back(open_);
+  List& list = lists_.back();
+  if (const auto* instruction = std::get_if<isa::Instruction>(&command)) list.instructions.push_back(*instruction);
+  if (std::holds_alternative<isa::SegmentEnd>(command)) {
+    list.ends = true;
+    ++lists_received_;
+  }
+  open_.first = list.first + list.instructions.size();
+  list_words_ += quotient_up(isa::wire_bits(command), figures_.word_bits);
+  if (bus.read().master == master_of(number_)) own_.send();
+  tell_room();
+}
+
+/// A node that sends has what it sends in memory, whatever room there is.
+void Node::tell_room() {
+  const std::uint32_t most = quotient_up(std::uint32_t{isa::LinkWord::most_bits}, figures_.word_bits);
+  room->pull(number_, !sends_ && room_for_lists() - own_.words() - list_words_ < most);
+}
+
+std::uint64_t Node::room_for_lists() const { return figures_.memory_words - records_.memory_words(); }
 
 void Node::begin_receiving() {
   receiving_ = true;
@@ -59,7 +131,10 @@ void Node::begin_receiving() {
 }
 
 void Node::take_record(const BusRequest& sent) {
-  if (sent.kind == WordKind::segment && !std::exchange(is_active_, true)) records_.begin_segment();
+  if (is_of_segment(sent.kind) && !std::exchange(is_active_, true)) {
+    is_far_ = sent.kind == WordKind::heads;
+    records_.begin_segment(!is_far_);
+  }
   records_.take(sent.word);
   if (sent.kind == WordKind::frame && sent.last) begin_frame();
 }
@@ -72,27 +147,6 @@ void Node::begin_frame() {
   image_.assign(std::size_t{most.columns} * most.rows, 0);
 }
 
-void Node::take(const isa::Command& command) {
-  if (const auto* start = std::get_if<isa::SegmentStart>(&command)) {
-    if (receiving_) {
-      segment_ = start->region;
-      lists_.clear();
-      lists_received_ = 0;
-    } else {
-      lists_.push_back({start->region, {}});
-    }
-  } else if (const auto* instruction = std::get_if<isa::Instruction>(&command)) {
-    lists_.back().instructions.push_back(*instruction);
-  } else if (receiving_) {
-    receiving_ = false;
-    stays_.change(NodeActivity::waiting, time_.now());
-    segment_received_.notify(sc_core::SC_ZERO_TIME);
-  } else {
-    ++lists_received_;
-    list_received_.notify(sc_core::SC_ZERO_TIME);
-  }
-}
-
 void Node::work() {
   while (true) {
     wait(segment_received_);
@@ -100,10 +154,8 @@ void Node::work() {
       clear_segment();
       continue;
     }
-    const std::vector<isa::Region> parts = parts_of(segment_, nodes_.width, nodes_.height);
-    prune(parts);
-    share(parts);
-    for (const List& list : lists_) render(list);
+    prune();
+    draw_lists();
   }
 }
 
@@ -118,67 +170,188 @@ void Node::wait_for_others() {
   while (released.read() < arrivals_) wait(released.value_changed_event());
 }
 
-/// Makes the list of the node's own subsegment of what has come.
-void Node::prune(const std::vector<isa::Region>& parts) {
-  if (number_ < parts.size()) {
-    division::PlainDatapath path(records_.model());
-    divided_ = division::Divider(records_.model()).divide(parts[number_], records_.left(), path);
-    const division::Counts counts = divided_.counts();
-    tests_ += counts;
-    spend(NodeActivity::pruning, clocks_of(counts, figures_.node_tests));
+/// Makes as much of the list of the node's own subsegment as there is room for, of which the half is for what other
+/// nodes have.
+void Node::prune() {
+  own_.clear();
+  if (number_ < parts_.size() && !is_far_) {
+    own_.begin(parts_[number_], records_, parts_.size() == 1 ? room_for_lists() : room_for_lists() / 2);
+    tests_ += own_.counts();
+    spend(NodeActivity::pruning, own_.make());
   }
+  tell_room();
   wait_for_others();
 }
 
-/// Node after node sends its list, which all take in.
-void Node::share(const std::vector<isa::Region>& parts) {
-  stays_.change(NodeActivity::sharing, time_.now());
-  while (lists_received_ < parts.size()) {
-    const std::size_t turn = lists_received_;
-    if (turn == number_) send_list(parts[turn]);
-    while (lists_received_ == turn) wait(list_received_);
+/// Node after node sends its list, which all take in, and all render what has come whenever they have to or can.
+void Node::draw_lists() {
+  if (!is_far_) begin_sharing(time_.now());
+  while (lists_received_ < parts_.size()) {
+    const bool is_own_turn = lists_received_ == number_;
+    if (is_own_turn && is_far_) {
+      divide_from_afar();
+      continue;
+    }
+    if (is_own_turn) send_list();
+    wait(message_ended_);
+    if (paused_) render_lists();
   }
-  stays_.change(NodeActivity::waiting, time_.now());
+  if (!lists_.empty()) render_lists();
 }
 
-void Node::send_list(const isa::Region& part) {
-  send(isa::SegmentStart{part}, false);
-  for (const isa::Instruction& instruction : divided_.instructions) send(instruction, false);
-  send(isa::SegmentEnd{}, true);
+/// What the node has of its list and the others have room for.
+void Node::send_list() {
+  if (!own_.is_waiting()) {
+    divides_from_ = time_.now();
+    spend(NodeActivity::pruning, own_.make());
+    divided_in_turn_ += time_.now() - divides_from_;
+  }
+  if (!shares_) begin_sharing(time_.now());
+  sends_ = true;
+  tell_room();
+  bool ends = false;
+  while (!ends && own_.is_waiting() && !room->is_pulled()) {
+    const isa::Command next = own_.next();
+    ends = std::holds_alternative<isa::SegmentEnd>(next);
+    send(next, ends);
+    if (!ends) wait(sc_core::SC_ZERO_TIME);  // until all have taken it in
+  }
+  if (!ends) send_word(WordKind::pause, {}, true);
+  sends_ = false;
+  tell_room();
+}
+
+/// Reads each half-space that is tested, and makes the list as it goes on.
+class Node::FarDatapath final : public division::Datapath {
+ public:
+  explicit FarDatapath(Node& node) : Datapath(node.records_.model()), node_(node), each_(node.figures_.node_tests) {}
+
+ private:
+  division::PrimitiveHead read_primitive(std::uint32_t primitive) override {
+    return node_.records_.model().primitives[primitive];
+  }
+  division::Halfspace read_halfspace(std::uint32_t primitive, std::uint32_t number) override {
+    read_ = node_.read_halfspace({primitive, number});
+    return read_.halfspace;
+  }
+  division::Plane read_plane(std::uint32_t /*index*/) override { return read_.plane; }
+
+  void on_box() override { spend(each_.primitive); }
+  void on_corner_test(bool /*is_last*/) override { spend(each_.halfspace); }
+  void on_cell(std::uint64_t halfspaces) override { spend(halfspaces * each_.cell); }
+  void on_node() override { spend(each_.tree_node); }
+  void on_instruction(const isa::Instruction& instruction) override {
+    node_.put(instruction);
+    spend(each_.instruction);
+  }
+
+  void spend(std::uint64_t clocks) {
+    if (clocks > 0) node_.wait(node_.time_.of(clocks));
+  }
+
+  Node& node_;
+  const TestClocks each_;
+  ReadHalfspace read_;
+};
+
+/// From the beginning of the node's turn to its list's end, which all render before the next divides.
+void Node::divide_from_afar() {
+  own_.begin(room_for_lists());
+  divides_from_ = time_.now();
+  stays_.change(NodeActivity::pruning, divides_from_);
+  put(isa::SegmentStart{parts_[number_]});
+  FarDatapath path(*this);
+  tests_ += division::Divider(records_.model()).divide(parts_[number_], records_.left(), path).counts();
+  put(isa::SegmentEnd{});
+  send_made();
+}
+
+void Node::put(const isa::Command& command) {
+  if (!own_.has_room_for(command)) {
+    send_made();
+    divides_from_ = time_.now();
+    stays_.change(NodeActivity::pruning, divides_from_);
+  }
+  own_.put(command);
+}
+
+/// And has it rendered.
+void Node::send_made() {
+  divided_in_turn_ += time_.now() - divides_from_;
+  while (own_.is_waiting()) {
+    send_list();
+    wait(message_ended_);
+    render_lists();
+  }
+}
+
+ReadHalfspace Node::read_halfspace(const HalfspaceName& name) {
+  const std::vector<isa::LinkWord> words = division::to_link(records_.request_for(name), bus_width_);
+  asks_ = true;
+  for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());
+  while (asks_) wait(answered_);
+  divides_from_ = time_.now();
+  return records_.halfspace_of(std::exchange(answer_, {}).take());
+}
+
+void Node::take_answer(const BusRequest& sent) {
+  if (!asks_) return;
+  append(answer_, sent.word, bus_width_);
+  if (!sent.last) return;
+  asks_ = false;
+  answered_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Node::send(const isa::Command& command, bool last) {
   std::vector<isa::LinkWord> words;
   isa::encode(command, bus_width_, [&](const isa::LinkWord& word) { words.push_back(word); });
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    request.write(
-        {.number = ++words_, .kind = WordKind::command, .last = last && i + 1 == words.size(), .word = words[i]});
-    do {
-      wait(bus.value_changed_event());
-    } while (bus.read().master != master_of(number_) || bus.read().sent.number != words_);
-  }
+  for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::command, words[i], last && i + 1 == words.size());
+}
+
+/// Returns when the word has gone.
+void Node::send_word(WordKind kind, const isa::LinkWord& word, bool last) {
+  request.write({.number = ++words_, .kind = kind, .last = last, .word = word});
+  do {
+    wait(bus.value_changed_event());
+  } while (bus.read().master != master_of(number_) || bus.read().sent.number != words_);
+}
+
+void Node::render_lists() {
+  ++passes_;
+  list_words_ = 0;
+  tell_room();
+  for (const List& list : lists_) render(list);
+  lists_.clear();
 }
 
 void Node::render(const List& list) {
-  if (list.instructions.empty()) {
-    clear(list.region);
-    collector->after_subsegment(number_, list.region, {});
+  const NodePixels own = own_pixels(list.region);
+  if (list.begins() && list.instructions.empty()) {
+    if (list.ends) {
+      clear(list.region);
+      collector->after_subsegment(number_, list.region, {});
+    }
     return wait_for_others();
   }
   std::vector<systemc::Keep> keeps;
-  for (std::uint32_t index = 0; index < list.instructions.size(); ++index) {
-    keeps.push_back(collector->keeps_after(list.region, index));
+  for (std::size_t i = 0; i < list.instructions.size(); ++i) {
+    keeps.push_back(collector->keeps_after(list.region, static_cast<std::uint32_t>(list.first + i)));
   }
-  const NodePixels own = own_pixels(list.region);
-  ListRenderer renderer(figures_, nodes_, list.instructions, keeps, own);
+  const PixelMemory before = std::exchange(kept_, {}).pixels;
+  ListRenderer renderer(figures_, nodes_, list.instructions, keeps, own, before);
   renderer.render();
-  const std::vector<std::uint32_t> colours = renderer.store_colours(records_.model().fields.colour);
-  rendering_ = {&list, time_.now()};
+  std::vector<std::uint32_t> colours;
+  if (list.ends) colours = renderer.store_colours(records_.model().fields.colour);
+  rendering_ = {&list, time_.now(), &before};
   spend(NodeActivity::rendering, renderer.clocks());
   rendering_ = {};
-  store(list.region, own, colours);
   for (NodeState& step : renderer.steps()) collector->after_instruction(number_, std::move(step));
-  collector->after_subsegment(number_, list.region, {.pixels = std::move(renderer.memory())});
+  if (list.ends) {
+    store(list.region, own, colours);
+    collector->after_subsegment(number_, list.region, {.pixels = std::move(renderer.memory())});
+  } else {
+    kept_ = {list.region, std::move(renderer.memory())};
+  }
   wait_for_others();
 }
 

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <initializer_list>
+#include <numeric>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 #include "hw/division/encoding.h"
 #include "hw/division/stream_parts.h"
 
@@ -99,6 +101,17 @@ void require(bool holds, const char* what) {
   if (!holds) throw InputError(std::string("the records on the bus: ") + what);
 }
 
+ReadHalfspace take_halfspace(BitReader& in, const RecordFormat& format) {
+  ReadHalfspace read;
+  read.plane.is_edge = in.take(1) != 0;
+  read.halfspace.forward = in.take(1) != 0;
+  read.plane.a = in.take_signed(format.slope);
+  read.plane.b = in.take_signed(format.slope);
+  read.plane.c = in.take_signed(format.constant);
+  read.halfspace.colour = static_cast<std::uint32_t>(in.take(format.colour));
+  return read;
+}
+
 }  // namespace
 
 unsigned RecordFormat::primitive_record() const { return 4 * Widths::side + 2 * depth + 2 + colour; }
@@ -112,23 +125,59 @@ Records frame_records(const DisplayModel& model) {
 }
 
 Records segment_records(const DisplayModel& model, const division::Candidates& left) {
-  const RecordFormat format = format_of(model);
-  Records records{numbers_record({{left.primitives.size(), format.primitives}})};
+  Records records = segment_heads(model, left);
+  auto next = records.begin();
   for (const std::uint32_t index : left.primitives) {
-    const std::vector<std::uint32_t>& own = left.halfspaces[index];
-    records.push_back(numbers_record({{index, format.index}, {own.size(), format.halfspaces}}));
-    for (const std::uint32_t number : own)
-      records.push_back(halfspace_record(model, model.primitives[index].halfspaces[number], format));
+    ++next;
+    for (std::uint32_t number = 0; number < left.halfspaces[index].size(); ++number)
+      next = records.insert(next + 1, halfspace_record(model, left, {index, number}));
   }
   return records;
 }
 
+Records segment_heads(const DisplayModel& model, const division::Candidates& left) {
+  const RecordFormat format = format_of(model);
+  Records records{numbers_record({{left.primitives.size(), format.primitives}})};
+  for (const std::uint32_t index : left.primitives) {
+    const std::uint64_t own = left.halfspaces[index].size();
+    records.push_back(numbers_record({{index, format.index}, {own, format.halfspaces}}));
+  }
+  return records;
+}
+
+void append(BitWriter& gathered, const isa::LinkWord& word, unsigned word_bits) {
+  for (unsigned at = 0; at < word_bits; at += most_bits) {
+    const unsigned count = std::min(most_bits, word_bits - at);
+    gathered.put(word.number(at, count), count);
+  }
+}
+
+HalfspaceName requested(const DisplayModel& model, const division::Candidates& left, const division::Bits& request) {
+  const RecordFormat format = format_of(model);
+  BitReader in(request);
+  HalfspaceName name;
+  name.primitive = static_cast<std::uint32_t>(in.take(format.index));
+  name.number = static_cast<std::uint32_t>(in.take(format.halfspaces));
+  require(name.primitive < left.halfspaces.size() && name.number < left.halfspaces[name.primitive].size(),
+          "a request for a half-space that is not left");
+  return name;
+}
+
+division::Bits halfspace_record(const DisplayModel& model, const division::Candidates& left,
+                                const HalfspaceName& name) {
+  const std::uint32_t number = left.halfspaces[name.primitive][name.number];
+  return halfspace_record(model, model.primitives[name.primitive].halfspaces[number], format_of(model));
+}
+
 void RecordReader::begin_frame() {
   model_ = {};
+  frame_words_ = segment_words_ = 0;
   await(Record::header);
 }
 
-void RecordReader::begin_segment() {
+void RecordReader::begin_segment(bool brings_halfspaces) {
+  brings_halfspaces_ = brings_halfspaces;
+  segment_words_ = 0;
   model_.planes.clear();
   for (division::Primitive& primitive : model_.primitives) primitive.halfspaces.clear();
   left_ = {};
@@ -161,6 +210,7 @@ void RecordReader::await(Record record) {
 /// After a record comes the first kind of which any are to come.
 void RecordReader::await_next() {
   const bool of_frame = next_ == Record::header || next_ == Record::primitive || next_ == Record::node;
+  (of_frame ? frame_words_ : segment_words_) += quotient_up(bits_of(next_), memory_word_bits_);
   if (of_frame) {
     if (model_.primitives.size() < primitives_) return await(Record::primitive);
     if (model_.nodes.size() < nodes_) return await(Record::node);
@@ -238,22 +288,30 @@ void RecordReader::read_left(BitReader& in) {
           "a primitive out of order");
   left_.primitives.push_back(index);
   left_.listed[index] = true;
+  if (brings_halfspaces_) return;
+  left_.halfspaces[index].resize(static_cast<std::size_t>(own_));
+  std::iota(left_.halfspaces[index].begin(), left_.halfspaces[index].end(), 0U);
+  own_ = 0;
 }
 
 void RecordReader::read_halfspace(BitReader& in) {
   --own_;
-  division::Plane plane;
-  plane.is_edge = in.take(1) != 0;
-  const bool forward = in.take(1) != 0;
-  plane.a = in.take_signed(format_.slope);
-  plane.b = in.take_signed(format_.slope);
-  plane.c = in.take_signed(format_.constant);
-  const auto colour = static_cast<std::uint32_t>(in.take(format_.colour));
+  ReadHalfspace read = take_halfspace(in, format_);
   const std::uint32_t primitive = left_.primitives.back();
   std::vector<division::Halfspace>& own = model_.primitives[primitive].halfspaces;
   left_.halfspaces[primitive].push_back(static_cast<std::uint32_t>(own.size()));
-  own.push_back({static_cast<std::uint32_t>(model_.planes.size()), forward, colour});
-  model_.planes.push_back(plane);
+  read.halfspace.plane = static_cast<std::uint32_t>(model_.planes.size());
+  own.push_back(read.halfspace);
+  model_.planes.push_back(read.plane);
+}
+
+division::Bits RecordReader::request_for(const HalfspaceName& name) const {
+  return numbers_record({{name.primitive, format_.index}, {name.number, format_.halfspaces}});
+}
+
+ReadHalfspace RecordReader::halfspace_of(const division::Bits& record) const {
+  BitReader in(record);
+  return take_halfspace(in, format_);
 }
 
 }  // namespace csgsim::multi_processor

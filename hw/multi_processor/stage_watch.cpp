@@ -25,10 +25,14 @@ std::uint64_t StageWatch::passed() {
 
 void StageWatch::on_word() {
   const BusLines& lines = bus.read();
-  if (lines.sent.kind == WordKind::segment) prunes_ = true;
+  if (is_of_segment(lines.sent.kind)) prunes_ = true;
   if (!lines.sent.last) return;
   const std::uint64_t clocks = passed();
-  if (lines.master != display_master) stages_.sharing += clocks;
+  if (is_of_reading(lines.sent.kind)) {
+    stages_.second_pruning += clocks;
+  } else if (lines.master != display_master) {
+    stages_.sharing += clocks;
+  }
 }
 
 void StageWatch::on_gathered() {

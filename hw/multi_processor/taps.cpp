@@ -25,7 +25,8 @@ std::string place_of(const isa::Region& region) {
 }
 
 std::string_view kind_of(const BusLines& lines) {
-  constexpr auto names = std::to_array<std::string_view>({"command", "frame", "segment"});
+  constexpr auto names =
+      std::to_array<std::string_view>({"command", "frame", "segment", "heads", "request", "answer", "pause"});
   return lines.number == 0 ? "" : names.at(static_cast<std::size_t>(lines.sent.kind));
 }
 
@@ -41,22 +42,29 @@ class PixelStory {
         place_(std::size_t{(pixel.y - region.y - own_.first_y) / machine.array.height} * own_.columns +
                (pixel.x - region.x - own_.first_x) / machine.array.width) {}
 
-  /// Of the instruction that is carried out there, in the list.
+  /// Of the instruction that is carried out there, in the subsegment's list.
   [[nodiscard]] Number instruction() {
     if (!renders()) return std::nullopt;
     const auto found = std::ranges::find_if(moments_, [now = elapsed()](const PixelMoment& one) {
       return one.clocks.begin <= now && now < one.clocks.end;
     });
-    return found == moments_.end() ? std::nullopt : Number(found->index);
+    return found == moments_.end() ? std::nullopt : Number(told_.list->first + found->index);
   }
 
   /// Of the pixel as it is; nothing, where it is none.
   template <class Read>
   [[nodiscard]] Number state(const Read& read) {
-    if (!renders() || elapsed() < clearing_clocks(own_, machine_)) return std::nullopt;
+    if (!renders()) {
+      const Kept& kept = node_.kept();
+      if (kept.pixels.pixels() == 0 || !(kept.region == region_)) return std::nullopt;
+      return Number(read(kept.pixels.of(place_)));
+    }
+    const bool begins = before_.pixels() == 0;
+    if (begins && elapsed() < clearing_clocks(own_, machine_)) return std::nullopt;
     const auto after =
         std::ranges::find_if(moments_, [now = elapsed()](const PixelMoment& one) { return one.clocks.end > now; });
-    return after == moments_.begin() ? 0 : Number(read(std::prev(after)->after));
+    if (after == moments_.begin()) return begins ? 0 : Number(read(before_));
+    return Number(read(std::prev(after)->after));
   }
 
  private:
@@ -69,7 +77,9 @@ class PixelStory {
     told_ = now;
     moments_.clear();
     const std::vector<systemc::Keep> keeps(now.list->instructions.size(), systemc::Keep::nothing);
-    ListRenderer renderer(machines::own<Figures>(machine_), machine_.array, now.list->instructions, keeps, own_);
+    before_ = now.before->pixels() == 0 ? PixelMemory() : now.before->of(place_);
+    ListRenderer renderer(machines::own<Figures>(machine_), machine_.array, now.list->instructions, keeps, own_,
+                          *now.before);
     renderer.watch(place_, moments_);
     renderer.render();
     return true;
@@ -82,6 +92,7 @@ class PixelStory {
   const NodePixels own_;
   const std::size_t place_;  ///< of the pixel among the node's own
   Rendering told_;           ///< what `moments_` are of
+  PixelMemory before_;       ///< of the pixel; empty where the list begins
   std::vector<PixelMoment> moments_;
 };
 

@@ -10,6 +10,7 @@
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
+#include "hw/multi_processor/timing_passes.h"
 
 namespace csgsim::multi_processor {
 
@@ -18,23 +19,28 @@ namespace {
 using machines::ClockSpan;
 using machines::FrameTiming;
 using machines::Machine;
-/// Of the nodes, for a subsegment.
-std::uint64_t division_clocks(const isa::Segment& part, const TestClocks& each) {
-  const isa::DivisionStep counts = part.division.sum();
-  return counts.boxes * each.primitive + counts.halfspaces * each.halfspace + counts.cells * each.cell +
-         counts.nodes * each.tree_node + part.instructions.size() * each.instruction;
+
+/// What is looked for besides the account, where it is not null.
+struct Wanted {
+  machines::Timeline* timeline = nullptr;  ///< blank, to be filled
+  std::uint32_t segment = 0;               ///< of the Program, whose parts are looked for
+  std::vector<BegunPart>* parts = nullptr;
+};
+
+ListPart part_of(const isa::Segment& segment, const Piece& piece) {
+  return {std::span(segment.instructions).subspan(piece.first, piece.count), piece.first == 0, piece.ends};
 }
 
 /// A frame, stage after stage.
 class FrameModel {
  public:
-  /// `told`, unless null, is a blank timeline, which run() fills.
-  FrameModel(const isa::Program& program, const Machine& machine, machines::Timeline* told)
+  FrameModel(const isa::Program& program, const Machine& machine, const Wanted& wanted)
       : program_(program),
         machine_(machine),
-        told_(told),
+        wanted_(wanted),
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
+        memory_(display_memory(program, sizes_, figures_)),
         colour_(program.colour) {
     counted_.nodes.resize(std::size_t{machine.array.width} * machine.array.height);
   }
@@ -55,9 +61,9 @@ class FrameModel {
   }
 
   void transform() {
+    if (!memory_.has_planes) return;
     counted_.stages.transformation = sizes_.planes * figures_.transform_clocks;
     display_free_ += counted_.stages.transformation;
-    nodes_free_ = display_free_;
   }
 
   void broadcast_frame() {
@@ -69,41 +75,62 @@ class FrameModel {
     const SegmentDivision division = division_of(parts);
     ++counted_.segment_count;
     divide(division);
+    is_far_ = division.active && list_room(parts, sizes_, machine_).is_far;
     broadcast_segment(division);
     std::uint64_t now = display_free_;
     if (division.active) {
       ++counted_.active_segments;
-      now += prune(parts);
-      now += share(parts);
-      for (const isa::Segment& part : parts) {
-        if (told_ != nullptr) tell(part, now - 1);
-        now += render(part.instructions, part.region);
-      }
+      now = draw_lists(parts, now);
     } else {
       now += render({}, whole_of(parts));
     }
     nodes_free_ = now;
   }
 
+  /// From the first list's division on; returns when all are rendered.
+  std::uint64_t draw_lists(Subsegments parts, std::uint64_t now) {
+    const Passes passes = passes_of(parts, sizes_, machine_);
+    now += prune(parts, passes.divided);
+    std::vector<Piece> come;
+    for (const Message& message : passes.messages) {
+      now += divide_on(message) + share(message.words);
+      if (message.piece) come.push_back(*message.piece);
+      if (!message.pauses && &message != &passes.messages.back()) continue;
+      ++counted_.list_passes;
+      for (const Piece& piece : come) {
+        const isa::Segment& part = parts[piece.subsegment];
+        tell(part, piece, now - 1);
+        now += render(part_of(part, piece), part.region);
+      }
+      come.clear();
+    }
+    return now;
+  }
+
+  /// Twice where there is no memory for what is left.
   void divide(const SegmentDivision& division) {
     const TestClocks& each = figures_.display_tests;
+    const std::uint64_t times = memory_.holds(division, sizes_, figures_) ? 1 : 2;
+    const std::uint64_t plane = memory_.has_planes ? 0 : far_plane_clocks(sizes_, figures_);
     const std::uint64_t clocks =
-        division.boxes * each.primitive + division.halfspace_tests * each.halfspace + division.cell_tests * each.cell;
-    counted_.first_box_tests += division.boxes;
-    counted_.first_halfspace_tests += division.halfspace_tests;
-    counted_.first_cell_tests += division.cell_tests;
+        times * (division.boxes * each.primitive + division.halfspace_tests * (each.halfspace + plane) +
+                 division.cell_tests * each.cell);
+    counted_.first_box_tests += times * division.boxes;
+    counted_.first_halfspace_tests += times * division.halfspace_tests;
+    counted_.first_cell_tests += times * division.cell_tests;
     counted_.stages.first_pruning += clocks;
-    display_free_ = (figures_.divides_ahead ? display_free_ : std::max(display_free_, nodes_free_)) + clocks;
+    const bool ahead = figures_.divides_ahead && !is_far_;
+    display_free_ = (ahead ? display_free_ : std::max(display_free_, nodes_free_)) + clocks;
   }
 
   void broadcast_segment(const SegmentDivision& division) {
     const std::uint32_t width = machine_.link.width;
     const std::uint64_t commands =
         quotient_up(isa::wire_bits(isa::SegmentStart{}), width) + quotient_up(isa::wire_bits(isa::SegmentEnd{}), width);
+    const std::uint64_t halfspaces = is_far_ ? 0 : division.halfspaces;
     counted_.broadcast_primitives += division.primitives;
-    counted_.broadcast_halfspaces += division.halfspaces;
-    broadcast(commands +
-              (division.active ? segment_words(sizes_, division.primitives, division.halfspaces, width) : 0));
+    counted_.broadcast_halfspaces += halfspaces;
+    broadcast(commands + (division.active ? segment_words(sizes_, division.primitives, halfspaces, width) : 0));
   }
 
   void broadcast(std::uint64_t words) {
@@ -121,20 +148,35 @@ class FrameModel {
     return machine_.link.latency + words * machine_.link.word_clocks;
   }
 
-  std::uint64_t prune(Subsegments parts) {
+  /// `clocks`: of each node.
+  std::uint64_t prune(Subsegments parts, std::span<const std::uint64_t> clocks) {
     std::uint64_t slowest = 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const isa::DivisionStep counts = parts[i].division.sum();
-      const std::uint64_t clocks = division_clocks(parts[i], figures_.node_tests);
       counted_.second_box_tests += counts.boxes;
       counted_.second_halfspace_tests += counts.halfspaces;
       counted_.second_cell_tests += counts.cells;
       counted_.second_tree_nodes += counts.nodes;
-      counted_.nodes[i].add(NodeActivity::pruning, clocks);
-      slowest = std::max(slowest, clocks);
+      counted_.nodes[i].add(NodeActivity::pruning, clocks[i]);
+      slowest = std::max(slowest, clocks[i]);
     }
     counted_.stages.second_pruning += slowest;
     return slowest + barrier();
+  }
+
+  /// Of a node alone, which may read what it divides over the bus.
+  std::uint64_t divide_on(const Message& message) {
+    const ReadClocks read = read_clocks(sizes_, machine_);
+    counted_.broadcast_halfspaces += message.reads;
+    counted_.broadcast_words += message.reads * read.answer_words;
+    counted_.shared_words += message.reads * read.request_words;
+    counted_.bus.add(BusActivity::busy,
+                     message.reads * (read.request_words + read.answer_words) * machine_.link.word_clocks);
+    counted_.bus.add(BusActivity::granting, 2 * message.reads * machine_.link.latency);
+    counted_.display.add(DisplayActivity::broadcasting, message.reads * read.answer);
+    counted_.nodes[message.node].add(NodeActivity::pruning, message.divided);
+    counted_.stages.second_pruning += message.divided;
+    return message.divided;
   }
 
   std::uint64_t barrier() {
@@ -142,23 +184,22 @@ class FrameModel {
     return figures_.barrier_clocks;
   }
 
-  std::uint64_t share(Subsegments parts) {
-    std::uint64_t clocks = 0;
-    for (const isa::Segment& part : parts) {
-      const std::uint64_t words = list_words(part, machine_.link.width);
-      counted_.shared_words += words;
-      clocks += message(words);
-    }
+  std::uint64_t share(std::uint64_t words) {
+    counted_.shared_words += words;
+    const std::uint64_t clocks = message(words);
     for (NodeClocks& node : counted_.nodes) node.add(NodeActivity::sharing, clocks);
     counted_.stages.sharing += clocks;
     return clocks;
   }
 
-  std::uint64_t render(std::span<const isa::Instruction> list, const isa::Region& region) {
+  [[nodiscard]] NodePixels own_pixels(const isa::Region& region, std::uint32_t node) const {
+    return pixels_of(region, machine_.array, node / machine_.array.width, node % machine_.array.width);
+  }
+
+  std::uint64_t render(const ListPart& part, const isa::Region& region) {
     std::uint64_t slowest = 0;
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
-      const NodePixels own = pixels_of(region, machine_.array, i / machine_.array.width, i % machine_.array.width);
-      const std::uint64_t clocks = rendering_clocks(list, own, colour_, machine_);
+      const std::uint64_t clocks = rendering_clocks(part, own_pixels(region, i), colour_, machine_);
       counted_.nodes[i].add(NodeActivity::rendering, clocks);
       slowest = std::max(slowest, clocks);
     }
@@ -166,23 +207,26 @@ class FrameModel {
     return slowest + barrier();
   }
 
-  /// When the subsegment is rendered, which begins with that clock of the timeline: its clock 0 begins a clock after
-  /// the frame, where edges of the clock would first be.
-  void tell(const isa::Segment& part, std::uint64_t now) {
-    if (part.instructions.empty()) return;
-    const auto number = static_cast<std::size_t>(&part - program_.segments.data());
+  /// When the piece is rendered, which begins with that clock of the timeline: its clock 0 begins a clock after the
+  /// frame, where edges of the clock would first be.
+  void tell(const isa::Segment& segment, const Piece& piece, std::uint64_t now) {
+    const auto number = static_cast<std::uint32_t>(&segment - program_.segments.data());
+    const ListPart part = part_of(segment, piece);
+    if (wanted_.parts != nullptr && number == wanted_.segment) wanted_.parts->push_back({part, now});
+    if (wanted_.timeline == nullptr || piece.count == 0) return;
     const auto widen = [now](ClockSpan& whole, const ClockSpan& one) {
       whole.begin = whole.empty() ? now + one.begin : std::min(whole.begin, now + one.begin);
       whole.end = std::max(whole.end, now + one.end);
     };
+    std::vector<ClockSpan>& issued = wanted_.timeline->issued[number];
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
-      const NodePixels own = pixels_of(part.region, machine_.array, i / machine_.array.width, i % machine_.array.width);
+      const NodePixels own = own_pixels(segment.region, i);
       if (own.count() == 0) continue;
-      widen(told_->cleared[number], {0, clearing_clocks(own, machine_)});
-      const auto first = spans_at_pixel(part.instructions, own, 0, 0, machine_);
-      const auto last = spans_at_pixel(part.instructions, own, own.columns - 1, own.rows - 1, machine_);
+      if (part.begins) widen(wanted_.timeline->cleared[number], {0, clearing_clocks(own, machine_)});
+      const auto first = spans_at_pixel(part, own, 0, 0, machine_);
+      const auto last = spans_at_pixel(part, own, own.columns - 1, own.rows - 1, machine_);
       for (std::size_t index = 0; index < first.size(); ++index)
-        widen(told_->issued[number][index], {first[index].begin, last[index].end});
+        widen(issued[piece.first + index], {first[index].begin, last[index].end});
     }
   }
 
@@ -206,20 +250,42 @@ class FrameModel {
 
   const isa::Program& program_;
   const Machine& machine_;
-  machines::Timeline* told_;
+  const Wanted wanted_;
   const Figures& figures_;
   const ModelSizes sizes_;
+  const DisplayMemory memory_;
   isa::Field colour_;
   FrameAccount counted_;
+  bool is_far_ = false;             ///< half-spaces of the segment at hand stay with the display processor
   std::uint64_t display_free_ = 0;  ///< when the display processor has sent what it has divided
   std::uint64_t nodes_free_ = 0;    ///< when they have rendered the segment
 };
+
+/// Is a subsegment's list rendered in more than one pass?
+bool comes_in_pieces(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
+  const isa::Segment* const part = &program.segments[segment];
+  for (const Subsegments parts : by_segment(program, machine)) {
+    if (part < parts.data() || part >= parts.data() + parts.size()) continue;
+    const Passes passes = passes_of(parts, sizes_of(program.display_model), machine);
+    const auto is_of_part = [&](const Message& message) {
+      return message.piece && &parts[message.piece->subsegment] == part;
+    };
+    return std::count_if(passes.messages.begin(), passes.messages.end(), is_of_part) > 1;
+  }
+  return false;
+}
 
 }  // namespace
 
 FrameClocks time_stages(const isa::Program& program, const Machine& machine) {
   check_fits(program, machine);
-  return FrameModel(program, machine, nullptr).run();
+  return FrameModel(program, machine, {}).run();
+}
+
+std::vector<BegunPart> begun_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
+  std::vector<BegunPart> parts;
+  FrameModel(program, machine, {.segment = segment, .parts = &parts}).run();
+  return parts;
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
@@ -232,7 +298,7 @@ std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, co
                                                  std::span<const machines::Skip> /*skips*/) const {
   check_fits(program, machine);
   machines::Timeline told = machines::blank_timeline(program);
-  FrameModel(program, machine, &told).run();
+  FrameModel(program, machine, {.timeline = &told}).run();
   return told;
 }
 
@@ -244,7 +310,15 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const NodePixels own = pixels_of(part.region, nodes, y % nodes.height, x % nodes.width);
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
-  return machines::later(spans_at_pixel(part.instructions, own, column, row, machine), timeline.cleared[segment].begin);
+  std::vector<BegunPart> parts{{{.instructions = part.instructions}, timeline.cleared[segment].begin}};
+  if (comes_in_pieces(program, machine, segment)) parts = begun_parts(program, machine, segment);
+  std::vector<ClockSpan> all;
+  for (const BegunPart& one : parts) {
+    const std::vector<ClockSpan> spans = spans_at_pixel(one.part, own, column, row, machine);
+    const std::vector<ClockSpan> later = machines::later(spans, one.clock);
+    all.insert(all.end(), later.begin(), later.end());
+  }
+  return all;
 }
 
 }  // namespace csgsim::multi_processor

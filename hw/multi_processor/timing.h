@@ -1,14 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "hw/machines/machine.h"
 #include "hw/multi_processor/account.h"
+#include "hw/multi_processor/clocks.h"
 
 namespace csgsim::multi_processor {
 
-/// Throws InputError for a Program without a display model, where that, a segment's half-spaces and its lists do not
-/// fit the memory of the display processor or of a node, and where a frame takes longer than is simulated.
+/// Throws InputError for a Program without a display model, where that, a segment's half-spaces and a few instructions
+/// do not fit the memory of the display processor or of a node, and where a frame takes longer than is simulated.
 void check_fits(const isa::Program& program, const machines::Machine& machine);
 
 struct FrameClocks {
@@ -18,5 +20,15 @@ struct FrameClocks {
 
 /// Worked out stage by stage (the modules count the same).
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine);
+
+/// Part of a subsegment's list, and the clock of the timeline in which the nodes begin to render it.
+struct BegunPart {
+  ListPart part;
+  std::uint64_t clock = 0;
+};
+
+/// A subsegment's, in order.
+std::vector<BegunPart> begun_parts(const isa::Program& program, const machines::Machine& machine,
+                                   std::uint32_t segment);
 
 }  // namespace csgsim::multi_processor

@@ -6,6 +6,7 @@
 #include "hw/multi_processor/timing.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
+#include "hw/multi_processor/timing_passes.h"
 
 namespace csgsim::multi_processor {
 
@@ -16,39 +17,40 @@ using machines::Machine;
 constexpr double most_seconds = 1e6;
 constexpr double most_clocks_told = 1e18;
 
-void check_node_memory(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const SegmentDivision division = division_of(parts);
-  std::uint64_t words = frame_words(sizes, figures.word_bits) +
-                        segment_words(sizes, division.primitives, division.halfspaces, figures.word_bits);
-  for (const isa::Segment& part : parts) words += list_words(part, figures.word_bits);
-  if (words <= figures.memory_words) return;
+void check_display_memory(const DisplayMemory& memory, const Machine& machine) {
+  const std::uint64_t most = machines::own<Figures>(machine).display_memory_words;
+  if (memory.model_words <= most) return;
   throw InputError(
-      fmt::format("the segment at {},{} asks for {} words of a node, and the nodes of {} have {}; take a machine file "
-                  "with more node.memory_words or subdivision.levels",
-                  parts.front().region.x, parts.front().region.y, words, machine.name, figures.memory_words));
+      fmt::format("the model without its planes is {} words, and the display processor of {} has {}; take a machine "
+                  "file with more display.memory_words, or give the model fewer faces",
+                  memory.model_words, machine.name, most));
 }
 
-void check_display_memory(Subsegments parts, const ModelSizes& sizes, std::uint64_t model_words,
+/// What a segment leaves has to be in the memory of all nodes or in the display processor's.
+void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const DisplayMemory& memory,
                           const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const SegmentDivision division = division_of(parts);
-  const std::uint64_t words =
-      model_words + segment_words(sizes, division.primitives, division.halfspaces, figures.word_bits);
-  if (words <= figures.display_memory_words) return;
-  throw InputError(
-      fmt::format("the model and what the segment at {},{} leaves of it are {} words, and the display processor of {} "
-                  "has {}; take a machine file with more display.memory_words, or give the model fewer faces",
-                  parts.front().region.x, parts.front().region.y, words, machine.name, figures.display_memory_words));
+  const bool is_far = list_room(parts, sizes, machine).is_far;
+  if (!is_far || memory.holds(division_of(parts), sizes, machines::own<Figures>(machine))) return;
+  throw InputError(fmt::format(
+      "what the segment at {},{} leaves of the model fits neither the memory of the nodes of {} nor that of "
+      "its display processor; take a machine file with more node.memory_words, display.memory_words or "
+      "subdivision.levels",
+      parts.front().region.x, parts.front().region.y, machine.name));
 }
 
-double test_clocks(const isa::Segment& part, const Figures& figures) {
+/// Where nothing fits: half-spaces are read over the bus, planes from the host, and the first pruning is done twice.
+double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const auto plane = static_cast<double>(far_plane_clocks(sizes, figures));
+  const auto read = static_cast<double>(read_clocks(sizes, machine).clocks());
   const isa::DivisionCounts& counts = part.division;
   const isa::DivisionStep own = counts.sum();
   const auto clocks = [](std::uint64_t count, std::uint32_t each) { return static_cast<double>(count) * each; };
-  return clocks(counts.group_boxes, figures.display_tests.primitive) +
-         clocks(counts.group_halfspaces, figures.display_tests.halfspace) +
-         clocks(counts.group_cells, figures.display_tests.cell) + clocks(own.boxes, figures.node_tests.primitive) +
+  const double first = clocks(counts.group_boxes, figures.display_tests.primitive) +
+                       clocks(counts.group_halfspaces, figures.display_tests.halfspace) +
+                       clocks(counts.group_cells, figures.display_tests.cell);
+  return 2 * (first + plane * static_cast<double>(counts.group_halfspaces)) +
+         read * static_cast<double>(own.halfspaces) + clocks(own.boxes, figures.node_tests.primitive) +
          clocks(own.halfspaces, figures.node_tests.halfspace) + clocks(own.cells, figures.node_tests.cell) +
          clocks(own.nodes, figures.node_tests.tree_node) +
          clocks(part.instructions.size(), figures.node_tests.instruction);
@@ -71,8 +73,11 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
                   static_cast<double>(frame_words(sizes, machine.link.width)) * machine.link.word_clocks;
   for (const isa::Segment& part : program.segments) {
     const double words = static_cast<double>(list_words(part, machine.link.width)) + 100 + data_words(part, sizes);
-    clocks += test_clocks(part, figures) + words * machine.link.word_clocks + 2.0 * machine.link.latency +
+    clocks += test_clocks(part, sizes, machine) + words * machine.link.word_clocks + 2.0 * machine.link.latency +
               3.0 * figures.barrier_clocks;
+    // A message for each command at most, and a word more.
+    const double messages = static_cast<double>(part.instructions.size()) + 3;
+    clocks += 2.0 * messages * (machine.link.latency + machine.link.word_clocks + figures.barrier_clocks);
     clocks += most_rendering_clocks(part.instructions, part.region, machine);
   }
   if (clocks <= most_clocks_told && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
@@ -91,11 +96,9 @@ void check_fits(const isa::Program& program, const Machine& machine) {
         "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
   }
   check_time(program, sizes, machine);
-  const std::uint64_t model_words = host_words(program, machines::own<Figures>(machine).word_bits);
-  for (const Subsegments parts : by_segment(program, machine)) {
-    check_node_memory(parts, sizes, machine);
-    check_display_memory(parts, sizes, model_words, machine);
-  }
+  const DisplayMemory memory = display_memory(program, sizes, machines::own<Figures>(machine));
+  check_display_memory(memory, machine);
+  for (const Subsegments parts : by_segment(program, machine)) check_segment_memory(parts, sizes, memory, machine);
 }
 
 }  // namespace csgsim::multi_processor

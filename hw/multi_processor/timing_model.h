@@ -14,4 +14,9 @@ std::uint64_t frame_words(const ModelSizes& sizes, std::uint32_t word_bits);
 std::uint64_t segment_words(const ModelSizes& sizes, std::uint64_t primitives, std::uint64_t halfspaces,
                             std::uint32_t word_bits);
 
+/// Bits of a half-space's record, of the request for one, and of a plane of the display model.
+std::uint64_t halfspace_bits(const ModelSizes& sizes);
+std::uint64_t request_bits(const ModelSizes& sizes);
+std::uint64_t plane_bits(const ModelSizes& sizes);
+
 }  // namespace csgsim::multi_processor

@@ -6,7 +6,6 @@
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/regions.h"
-#include "hw/multi_processor/timing_model.h"
 
 namespace csgsim::multi_processor {
 
@@ -47,9 +46,34 @@ std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits) {
   return words;
 }
 
-std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits) {
+namespace {
+
+std::uint64_t host_bits(const isa::Program& program) {
   constexpr std::uint64_t length = 32;
-  return quotient_up(length + 8 * std::uint64_t{program.display_model.size()}, word_bits);
+  return length + 8 * std::uint64_t{program.display_model.size()};
+}
+
+}  // namespace
+
+std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits) {
+  return quotient_up(host_bits(program), word_bits);
+}
+
+bool DisplayMemory::holds(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const {
+  const std::uint64_t left = segment_words(sizes, division.primitives, division.halfspaces, figures.word_bits);
+  return model_words + left <= figures.display_memory_words;
+}
+
+DisplayMemory display_memory(const isa::Program& program, const ModelSizes& sizes, const Figures& figures) {
+  const std::uint64_t whole = host_words(program, figures.word_bits);
+  if (whole <= figures.display_memory_words) return {whole, true};
+  const std::uint64_t planes = std::min(sizes.planes * plane_bits(sizes), host_bits(program));
+  return {quotient_up(host_bits(program) - planes, figures.word_bits), false};
+}
+
+std::uint64_t far_plane_clocks(const ModelSizes& sizes, const Figures& figures) {
+  const HostLink& host = figures.host;
+  return host.latency + quotient_up(plane_bits(sizes), host.width) * host.word_clocks + figures.transform_clocks;
 }
 
 }  // namespace csgsim::multi_processor

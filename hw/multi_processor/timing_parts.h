@@ -6,6 +6,8 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/timing_model.h"
 
 /// What of a Program takes the machine's time and memory.
 namespace csgsim::multi_processor {
@@ -32,5 +34,20 @@ std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits);
 
 /// Of the host's link.
 std::uint64_t host_words(const isa::Program& program, std::uint32_t word_bits);
+
+/// What is in the display processor's memory.
+struct DisplayMemory {
+  std::uint64_t model_words = 0;
+  bool has_planes =
+      true;  ///< else the model is there without its planes, which are read from the host when they are tested
+
+  /// Is there memory for what a segment leaves, besides?
+  [[nodiscard]] bool holds(const SegmentDivision& division, const ModelSizes& sizes, const Figures& figures) const;
+};
+
+DisplayMemory display_memory(const isa::Program& program, const ModelSizes& sizes, const Figures& figures);
+
+/// To read a plane from the host and transform it.
+std::uint64_t far_plane_clocks(const ModelSizes& sizes, const Figures& figures);
 
 }  // namespace csgsim::multi_processor

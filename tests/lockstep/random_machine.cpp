@@ -41,8 +41,8 @@ const std::map<std::string_view, Ends> nearer{
     {"processors.count", {1, 9}},
     {"ring.channels", {1, 20}},
     {"divider.memory", {50'000, 4'000'000'000}},
-    {"display.memory_words", {200'000, std::int64_t{1} << 31}},
-    {"node.memory_words", {200'000, std::int64_t{1} << 31}},
+    {"display.memory_words", {500, std::int64_t{1} << 31}},
+    {"node.memory_words", {200, std::int64_t{1} << 31}},
     {"node.word_bits", {8, 64}},
     {"node.instruction_loop_clocks", {1, most_clocks}},  // without a clock it has no place in a timeline
 };

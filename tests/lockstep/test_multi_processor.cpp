@@ -14,6 +14,7 @@
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
 #include "hw/kinds/load.h"
+#include "hw/multi_processor/figures.h"
 #include "sim/engine/engine.h"
 #include "tests/support/two_cubes.h"
 #include "tests/unit/division/hand_models.h"
@@ -102,4 +103,16 @@ TEST_CASE("the machine counts its own tests: what a Program says of them changes
   CHECK(after.clocks == before.clocks);
   CHECK(after.account == before.account);
   CHECK(engine::make_functional_engine(machine)->run(program, {}).clocks > before.clocks);
+}
+
+/// What they draw, random models show (tests/lockstep/multi_processor.cpp).
+TEST_CASE("nodes with little memory render lists in more passes, as many as are worked out") {
+  machines::Machine machine = machine_32x32();
+  const isa::Program program = program_for(machine);
+  const engine::RunResult whole = engine::make_functional_engine(machine)->run(program, {});
+  CHECK(whole.account.count("list_passes") == whole.account.count("active_segments"));
+  machines::own<multi_processor::Figures>(machine).memory_words = 200;
+  const engine::RunResult parts = engine::make_cycle_engine(machine)->run(program, {});
+  CHECK(parts.account.count("list_passes") > parts.account.count("active_segments"));
+  CHECK(parts.clocks == engine::make_functional_engine(machine)->run(program, {}).clocks);
 }

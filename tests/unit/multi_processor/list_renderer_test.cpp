@@ -67,7 +67,8 @@ void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>&
                    const NodePixels& own, const machines::Machine& machine) {
   for (std::uint32_t pixel = 0; pixel < moments.size(); ++pixel) {
     RC_ASSERT(moments[pixel].size() == list.size());
-    const auto spans = multi_processor::spans_at_pixel(list, own, pixel % own.columns, pixel / own.columns, machine);
+    const auto spans =
+        multi_processor::spans_at_pixel({.instructions = list}, own, pixel % own.columns, pixel / own.columns, machine);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const multi_processor::PixelMoment& moment = moments[pixel][i];
       RC_ASSERT(moment.index == i);
@@ -92,7 +93,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
       const NodePixels own =
           multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
-      multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
+      multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own, {});
       std::vector<std::vector<multi_processor::PixelMoment>> moments(own.count());
       for (std::size_t pixel = 0; pixel < own.count(); ++pixel) renderer.watch(pixel, moments[pixel]);
       renderer.render();
@@ -104,7 +105,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
         if (own.count() > 0) RC_ASSERT(renderer.steps()[i].clocks == multi_processor::pixel_clocks(list[i], machine));
       }
       RC_ASSERT(renderer.store_colours(colour).size() == own.count());
-      RC_ASSERT(renderer.clocks() == multi_processor::rendering_clocks(list, own, colour, machine));
+      RC_ASSERT(renderer.clocks() == multi_processor::rendering_clocks({.instructions = list}, own, colour, machine));
     }
   }));
 }
@@ -130,7 +131,7 @@ TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference d
         {.opcode = Opcode::add, .fields = {isa::Field{0, 7}, isa::Field{10, 3}}}};
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const NodePixels own = multi_processor::pixels_of(region, machine.array, 0, 0);
-    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own);
+    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own, {});
     renderer.render();
     reference::ReferenceArray reference(region, machine.array.memory_bits);
     for (std::size_t i = 0; i < list.size(); ++i) {

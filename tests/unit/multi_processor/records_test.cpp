@@ -113,7 +113,7 @@ void flip(Words& words, std::uint64_t bit, unsigned width) {
 TEST_CASE("what a node divides from the bus is the host's list of its subsegment, word for word, and its counts") {
   CHECK(rc::check([] {
     const Display display(any_machine());
-    RecordReader reader(display.machine.link.width);
+    RecordReader reader(display.machine.link.width, 16);
     reader.begin_frame();
     take_all(reader, display.frame());
     RC_ASSERT(reader.whole());
@@ -133,10 +133,20 @@ TEST_CASE("records take the words that are worked out for them, on the bus and i
     const multi_processor::ModelSizes sizes = multi_processor::sizes_of(display.program.display_model);
     RC_ASSERT(sizes.planes == display.model.planes.size());
     RC_ASSERT(display.frame().size() == frame_words(sizes, width));
+    const auto memory_width = *rc::gen::inRange<std::uint32_t>(1, 70);
+    RecordReader reader(width, memory_width);
+    reader.begin_frame();
+    take_all(reader, display.frame());
+    RC_ASSERT(reader.memory_words() == frame_words(sizes, memory_width));
     for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
       const multi_processor::SegmentDivision division = multi_processor::division_of(parts);
-      RC_ASSERT(display.segment(display.whole_of(parts)).size() ==
-                segment_words(sizes, division.primitives, division.halfspaces, width));
+      const auto words_of = [&](std::uint32_t bits) {
+        return segment_words(sizes, division.primitives, division.halfspaces, bits);
+      };
+      RC_ASSERT(display.segment(display.whole_of(parts)).size() == words_of(width));
+      reader.begin_segment();
+      take_all(reader, display.segment(display.whole_of(parts)));
+      RC_ASSERT(reader.memory_words() == frame_words(sizes, memory_width) + words_of(memory_width));
     }
   }));
 }
@@ -150,7 +160,7 @@ TEST_CASE("a bit that changes on the bus is refused, or is in what the node has;
     const isa::Region whole{0, 0, display.program.shape.width, display.program.shape.height};
     const Words frame = display.frame();
     Words words = display.segment(whole);
-    RecordReader expected(width);
+    RecordReader expected(width, 16);
     expected.begin_frame();
     take_all(expected, frame);
     RecordReader actual = expected;
@@ -186,7 +196,7 @@ TEST_CASE("a coefficient that changes on the bus changes the list") {
   testing::ModelDivider divider(model);
   Words words = words_of(segment_records(model, divider.survivors({0, 0, 8, 8})), 256);
   const auto list_of = [&] {
-    RecordReader reader(256);
+    RecordReader reader(256, 16);
     reader.begin_frame();
     take_all(reader, words_of(frame_records(model), 256));
     reader.begin_segment();

@@ -1,0 +1,94 @@
+#include "hw/multi_processor/own_list.h"
+
+#include <utility>
+
+#include "hw/base/quotient.h"
+#include "hw/division/divide.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+/// Divides from the records in the node's memory, and tells in which clock each instruction is begun.
+class TimedDatapath final : public division::Datapath {
+ public:
+  TimedDatapath(const division::DisplayModel& model, const TestClocks& each)
+      : Datapath(model), model_(model), each_(each) {}
+
+  [[nodiscard]] std::uint64_t now() const { return now_; }
+  [[nodiscard]] const std::vector<std::uint64_t>& begun() const { return begun_; }
+
+ private:
+  division::PrimitiveHead read_primitive(std::uint32_t primitive) override { return model_.primitives[primitive]; }
+  division::Halfspace read_halfspace(std::uint32_t primitive, std::uint32_t number) override {
+    return model_.primitives[primitive].halfspaces[number];
+  }
+  division::Plane read_plane(std::uint32_t index) override { return model_.planes[index]; }
+
+  void on_box() override { now_ += each_.primitive; }
+  void on_corner_test(bool /*is_last*/) override { now_ += each_.halfspace; }
+  void on_cell(std::uint64_t halfspaces) override { now_ += halfspaces * each_.cell; }
+  void on_node() override { now_ += each_.tree_node; }
+  void on_instruction(const isa::Instruction& /*instruction*/) override {
+    begun_.push_back(now_);
+    now_ += each_.instruction;
+  }
+
+  const division::DisplayModel& model_;
+  const TestClocks each_;
+  std::uint64_t now_ = 0;
+  std::vector<std::uint64_t> begun_;
+};
+
+}  // namespace
+
+void OwnList::begin(const isa::Region& part, const RecordReader& records, std::uint64_t room) {
+  begin(room);
+  TimedDatapath path(records.model(), figures_.node_tests);
+  const division::Divided divided = division::Divider(records.model()).divide(part, records.left(), path);
+  counts_ = divided.counts();
+  commands_.push_back({isa::SegmentStart{part}});
+  for (std::size_t i = 0; i < divided.instructions.size(); ++i) {
+    const std::uint64_t begun = path.begun()[i];
+    commands_.push_back({divided.instructions[i], begun, begun + figures_.node_tests.instruction});
+  }
+  commands_.push_back({isa::SegmentEnd{}, path.now(), path.now()});
+}
+
+void OwnList::begin(std::uint64_t room) {
+  clear();
+  room_ = room;
+}
+
+void OwnList::put(const isa::Command& command) {
+  commands_.push_back({command});
+  words_ += words_of(command);
+  ++made_;
+}
+
+void OwnList::clear() {
+  commands_.clear();
+  counts_ = {};
+  made_ = sent_ = 0;
+  words_ = now_ = 0;
+}
+
+std::uint64_t OwnList::make() {
+  const std::uint64_t before = now_;
+  for (; made_ < commands_.size(); ++made_) {
+    const Timed& next = commands_[made_];
+    now_ = next.begun;
+    if (!has_room_for(next.command)) break;
+    words_ += words_of(next.command);
+    now_ = next.made;
+  }
+  return now_ - before;
+}
+
+void OwnList::send() { words_ -= words_of(commands_[sent_++].command); }
+
+std::uint64_t OwnList::words_of(const isa::Command& command) const {
+  return quotient_up(isa::wire_bits(command), figures_.word_bits);
+}
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <systemc>
+#include <vector>
+
+namespace csgsim::multi_processor {
+
+/// A common line that any node pulls.
+class RoomPort : virtual public sc_core::sc_interface {
+ public:
+  virtual void pull(std::uint32_t node, bool pulls) = 0;
+  [[nodiscard]] virtual bool is_pulled() const = 0;
+};
+
+/// Pulled by nodes that have no room for another command. It follows at once: who looks at it has to let all that
+/// belongs to the clock happen first.
+class RoomLine final : public sc_core::sc_module, public RoomPort {
+ public:
+  RoomLine(sc_core::sc_module_name name, std::uint32_t nodes);
+
+  void pull(std::uint32_t node, bool pulls) override { pulls_[node] = pulls; }
+  [[nodiscard]] bool is_pulled() const override;
+
+ private:
+  std::vector<bool> pulls_;
+};
+
+}  // namespace csgsim::multi_processor

@@ -1,0 +1,212 @@
+#include "hw/multi_processor/timing_passes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/quotient.h"
+#include "hw/isa/link_word.h"
+#include "hw/isa/wire.h"
+#include "hw/multi_processor/figures.h"
+
+namespace csgsim::multi_processor {
+
+namespace {
+
+using machines::Machine;
+
+/// What a node makes of its list until its memory is full.
+struct Made {
+  std::size_t commands = 0;
+  std::uint64_t words = 0;  ///< of the node
+  std::uint64_t clocks = 0;
+  std::uint64_t reads = 0;  ///< of far half-spaces
+};
+
+/// No command takes more of a node's words.
+std::uint64_t most_command_words(const Machine& machine) {
+  return quotient_up(isa::LinkWord::most_bits, machines::own<Figures>(machine).word_bits);
+}
+
+/// The commands of a list: its start, the instructions, its end.
+std::uint64_t command_words(const isa::Segment& part, std::size_t command, std::uint32_t word_bits) {
+  if (command == 0) return quotient_up(isa::wire_bits(isa::SegmentStart{}), word_bits);
+  if (command <= part.instructions.size())
+    return quotient_up(isa::wire_bits(part.instructions[command - 1]), word_bits);
+  return quotient_up(isa::wire_bits(isa::SegmentEnd{}), word_bits);
+}
+
+std::size_t commands_of(const isa::Segment& part) { return part.instructions.size() + 2; }
+
+std::uint64_t test_clocks(const isa::DivisionStep& step, const TestClocks& each) {
+  return step.boxes * each.primitive + step.halfspaces * each.halfspace + step.cells * each.cell +
+         step.nodes * each.tree_node;
+}
+
+/// Cuts a list into what fits so many words at a time. Tests come before the instructions that they lead to.
+class Maker {
+ public:
+  /// `read`: clocks to read a half-space over the bus; 0 where they are in the node's memory.
+  Maker(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const Machine& machine)
+      : part_(part), room_(room), read_(read), figures_(machines::own<Figures>(machine)) {}
+
+  std::vector<Made> make() {
+    const std::uint64_t each = figures_.node_tests.instruction;
+    put(0);
+    for (const isa::DivisionStep& step : part_.division.steps) {
+      now_.clocks += test_clocks(step, figures_.node_tests) + step.halfspaces * read_;
+      if (read_ > 0) now_.reads += step.halfspaces;
+      for (std::uint64_t i = 0; i < step.instructions && next_ <= part_.instructions.size(); ++i) put(each);
+    }
+    while (next_ <= part_.instructions.size()) put(each);
+    put(0);
+    all_.push_back(now_);
+    return all_;
+  }
+
+ private:
+  void put(std::uint64_t clocks) {
+    const std::uint64_t words = command_words(part_, next_++, figures_.word_bits);
+    if (now_.words + words > room_) all_.push_back(std::exchange(now_, {}));
+    ++now_.commands;
+    now_.words += words;
+    now_.clocks += clocks;
+  }
+
+  const isa::Segment& part_;
+  const std::uint64_t room_;
+  const std::uint64_t read_;
+  const Figures& figures_;
+  std::size_t next_ = 0;
+  Made now_;
+  std::vector<Made> all_;
+};
+
+/// Lists travel, node after node.
+class Traffic {
+ public:
+  Traffic(Subsegments parts, const ListRoom& room, std::uint64_t read, const Machine& machine)
+      : parts_(parts),
+        room_(room.words),
+        is_far_(room.is_far),
+        is_alone_(machine.array.width * machine.array.height == 1),
+        most_command_(most_command_words(machine)),
+        node_bits_(machines::own<Figures>(machine).word_bits),
+        bus_bits_(machine.link.width) {
+    const std::uint64_t own_room = parts.size() == 1 || is_far_ ? room_ : room_ / 2;
+    for (const isa::Segment& part : parts) made_.push_back(Maker(part, own_room, is_far_ ? read : 0, machine).make());
+  }
+
+  Passes run() {
+    for (const std::vector<Made>& list : made_) passes_.divided.push_back(is_far_ ? 0 : list.front().clocks);
+    for (std::size_t node = 0; node < parts_.size(); ++node) send_list(node);
+    return passes_;
+  }
+
+ private:
+  /// Has another node no room for one more command? Of the lists to come, the first parts are in memory.
+  [[nodiscard]] bool is_full() const { return !is_alone_ && room_ - waiting_ - received_ < most_command_; }
+
+  void send_list(std::size_t node) {
+    waiting_ = 0;
+    for (std::size_t other = node + 1; other < made_.size() && !is_far_; ++other)
+      waiting_ = std::max(waiting_, made_[other].front().words);
+    std::size_t command = 0;
+    for (std::size_t i = 0; i < made_[node].size(); ++i) {
+      const Made& made = made_[node][i];
+      if (i > 0 || is_far_) {
+        begin(node, made.clocks, made.reads);
+      } else {
+        begin(node);
+      }
+      for (const std::size_t end = command + made.commands; command < end; ++command) {
+        if (is_full()) {
+          pause();
+          begin(node);
+        }
+        send(command);
+      }
+      if (i + 1 < made_[node].size()) pause();
+    }
+    if (is_far_) {
+      stop();
+    } else {
+      passes_.messages.push_back(std::exchange(now_, {}));
+    }
+  }
+
+  void begin(std::size_t node, std::uint64_t divided = 0, std::uint64_t reads = 0) {
+    now_ = {.node = node, .divided = divided, .reads = reads, .words = 0, .piece = {}, .pauses = false};
+  }
+
+  void send(std::size_t command) {
+    const isa::Segment& part = parts_[now_.node];
+    if (!now_.piece) now_.piece = Piece{.subsegment = now_.node, .first = command == 0 ? 0 : command - 1};
+    now_.words += command_words(part, command, bus_bits_);
+    received_ += command_words(part, command, node_bits_);
+    if (command > 0 && command <= part.instructions.size()) ++now_.piece->count;
+    if (command + 1 == commands_of(part)) now_.piece->ends = true;
+  }
+
+  /// A word that says so ends the message.
+  void pause() {
+    ++now_.words;
+    stop();
+  }
+
+  /// What is rendered leaves the memory.
+  void stop() {
+    now_.pauses = true;
+    passes_.messages.push_back(std::exchange(now_, {}));
+    received_ = 0;
+  }
+
+  const Subsegments parts_;
+  const std::uint64_t room_;
+  const bool is_far_;
+  const bool is_alone_;
+  const std::uint64_t most_command_;
+  const std::uint32_t node_bits_;
+  const std::uint32_t bus_bits_;
+  std::vector<std::vector<Made>> made_;
+  std::uint64_t received_ = 0;  ///< words of lists
+  std::uint64_t waiting_ = 0;   ///< words of the fullest node's own list
+  Message now_;
+  Passes passes_;
+};
+
+}  // namespace
+
+ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const SegmentDivision division = division_of(parts);
+  const std::uint64_t least = 2 * most_command_words(machine);
+  std::uint64_t records = 0;
+  for (const std::uint64_t halfspaces : {division.halfspaces, std::uint64_t{0}}) {
+    records = frame_words(sizes, figures.word_bits) +
+              segment_words(sizes, division.primitives, halfspaces, figures.word_bits);
+    if (records + least <= figures.memory_words)
+      return {figures.memory_words - records, halfspaces < division.halfspaces};
+  }
+  throw InputError(fmt::format(
+      "the segment at {},{} asks for {} words of a node at once, and the nodes of {} have {}; take a machine file "
+      "with more node.memory_words or subdivision.levels",
+      parts.front().region.x, parts.front().region.y, records + least, machine.name, figures.memory_words));
+}
+
+ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
+  const machines::Link& bus = machine.link;
+  ReadClocks read{.request_words = quotient_up(request_bits(sizes), bus.width),
+                  .answer_words = quotient_up(halfspace_bits(sizes), bus.width)};
+  read.request = bus.latency + read.request_words * bus.word_clocks;
+  read.answer = bus.latency + read.answer_words * bus.word_clocks;
+  return read;
+}
+
+Passes passes_of(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
+  return Traffic(parts, list_room(parts, sizes, machine), read_clocks(sizes, machine).clocks(), machine).run();
+}
+
+}  // namespace csgsim::multi_processor
