@@ -63,7 +63,7 @@ Operations operations_of(const isa::Program& program, const machines::Machine& m
 std::uint64_t compile_clocks(const isa::Program& program, const machines::Machine& machine) {
   if (machine.host.processor == machines::ideal_processor) return 0;
   const double seconds = processors::seconds(operations_of(program, machine), processor_of(machine));
-  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.host.count);
+  const double clocks = std::ceil(seconds * static_cast<double>(machine.clock_hz) / machine.kind->hosts(machine));
   if (!(clocks <= most_clocks)) {
     throw InputError(
         fmt::format("the host {} takes {:.3g} clocks for the frame, more than can be told; take a faster "

@@ -61,6 +61,8 @@ class Kind {
   [[nodiscard]] virtual bool keeps_active_list() const { return false; }
   /// Of the picture, in the order in which the machine draws them.
   [[nodiscard]] virtual std::vector<isa::Region> regions(const Machine& machine) const = 0;
+  /// Processors that share the host's work.
+  [[nodiscard]] virtual std::uint32_t hosts(const Machine& machine) const { return machine.host.count; }
   /// Whether and how it divides the model itself.
   [[nodiscard]] virtual std::optional<Division> division(const Machine& /*machine*/) const { return std::nullopt; }
   /// The machine as it draws, part by part, a picture that is halved so many times into segments, or the subsegments of

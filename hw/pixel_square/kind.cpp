@@ -137,6 +137,12 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 
 }  // namespace
 
+/// Graphics processors do it themselves.
+std::uint32_t Kind::hosts(const Machine& machine) const {
+  const Figures& figures = figures_of(machine);
+  return figures.divider == DividerKind::processors ? figures.processors : machine.host.count;
+}
+
 std::optional<machines::Division> Kind::division(const Machine& machine) const {
   const Figures& figures = figures_of(machine);
   if (figures.divider != DividerKind::corners) return std::nullopt;

@@ -15,6 +15,7 @@ class Kind final : public machines::KindOf<Figures> {
   std::vector<isa::Region> regions(const Machine& machine) const override;
   /// Of a renderer's pixels, for who skips instructions; no answer goes back to the host.
   bool has_global_or(const Machine& machine) const override;
+  std::uint32_t hosts(const Machine& machine) const override;
   std::optional<machines::Division> division(const Machine& machine) const override;
   /// With renderers as large as the parts. A segment has as many subsegments along a side as those of thesis 7.4.
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "hw/base/text.h"
+#include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
 #include "sim/observe/dearest.h"
 #include "sim/shell/numbers.h"
@@ -55,9 +56,10 @@ void print_host(const observe::Report& report) {
   const std::uint64_t clocks = report.result.host_clocks;
   if (clocks == 0) return;
   const machines::Host& host = report.machine.host;
+  const std::uint32_t count = report.machine.kind->hosts(report.machine);
   const std::string_view name = machines::host_processor_names.at(host.processor);
-  fmt::print("{:<18}{} compiles it in {} clocks = {}\n", "host",
-             host.count == 1 ? std::string(name) : fmt::format("{} {} together", host.count, name), grouped(clocks),
+  fmt::print("{:<18}{}: compiled in {} clocks = {}\n", "host",
+             count == 1 ? std::string(name) : fmt::format("{} {} together", count, name), grouped(clocks),
              time_text(static_cast<double>(clocks) / static_cast<double>(report.machine.clock_hz)));
 }
 

@@ -180,7 +180,7 @@ TEST_CASE("what does not count does nothing") {
 }
 
 TEST_CASE("a file that lacks an operation's price is refused") {
-  for (const software::OperationRow& row : software::operation_rows) {
+  for (const processors::OperationRow& row : software::operation_rows) {
     std::string text = text_of("mc68000");
     const std::size_t begin = text.find(fmt::format("[price.{}]", row.name));
     REQUIRE(begin != std::string::npos);
