@@ -10,6 +10,7 @@
 #include "hw/division/encoding.h"
 #include "hw/isa/link_word.h"
 #include "hw/multi_processor/list_renderer.h"
+#include "hw/multi_processor/test_clocks.h"
 
 namespace csgsim::multi_processor {
 
@@ -224,7 +225,8 @@ void Node::send_list() {
 /// Reads each half-space that is tested, and makes the list as it goes on.
 class Node::FarDatapath final : public division::Datapath {
  public:
-  explicit FarDatapath(Node& node) : Datapath(node.records_.model()), node_(node), each_(node.figures_.node_tests) {}
+  explicit FarDatapath(Node& node)
+      : Datapath(node.records_.model()), node_(node), each_(with_unpacking(node.records_.format(), node.figures_)) {}
 
  private:
   division::PrimitiveHead read_primitive(std::uint32_t primitive) override {

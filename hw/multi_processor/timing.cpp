@@ -1,6 +1,8 @@
 #include "hw/multi_processor/timing.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/wire.h"
@@ -198,8 +200,12 @@ class FrameModel {
 
   std::uint64_t render(const ListPart& part, const isa::Region& region) {
     std::uint64_t slowest = 0;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> known;  // by columns and rows
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
-      const std::uint64_t clocks = rendering_clocks(part, own_pixels(region, i), colour_, machine_);
+      const NodePixels own = own_pixels(region, i);
+      const auto [one, is_new] = known.try_emplace({own.columns, own.rows});
+      if (is_new) one->second = rendering_clocks(part, own, colour_, machine_);
+      const std::uint64_t clocks = one->second;
       counted_.nodes[i].add(NodeActivity::rendering, clocks);
       slowest = std::max(slowest, clocks);
     }

@@ -42,18 +42,18 @@ void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const Disp
 double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const auto plane = static_cast<double>(far_plane_clocks(sizes, figures));
+  const TestClocks each = node_test_clocks(sizes, figures);
   const auto read = static_cast<double>(read_clocks(sizes, machine).clocks());
   const isa::DivisionCounts& counts = part.division;
   const isa::DivisionStep own = counts.sum();
-  const auto clocks = [](std::uint64_t count, std::uint32_t each) { return static_cast<double>(count) * each; };
+  const auto clocks = [](std::uint64_t count, std::uint32_t price) { return static_cast<double>(count) * price; };
   const double first = clocks(counts.group_boxes, figures.display_tests.primitive) +
                        clocks(counts.group_halfspaces, figures.display_tests.halfspace) +
                        clocks(counts.group_cells, figures.display_tests.cell);
   return 2 * (first + plane * static_cast<double>(counts.group_halfspaces)) +
-         read * static_cast<double>(own.halfspaces) + clocks(own.boxes, figures.node_tests.primitive) +
-         clocks(own.halfspaces, figures.node_tests.halfspace) + clocks(own.cells, figures.node_tests.cell) +
-         clocks(own.nodes, figures.node_tests.tree_node) +
-         clocks(part.instructions.size(), figures.node_tests.instruction);
+         read * static_cast<double>(own.halfspaces) + clocks(own.boxes, each.primitive) +
+         clocks(own.halfspaces, each.halfspace) + clocks(own.cells, each.cell) + clocks(own.nodes, each.tree_node) +
+         clocks(part.instructions.size(), each.instruction);
 }
 
 /// In words of a bit: of which no width of the bus takes more.

@@ -36,20 +36,21 @@ Machine machine_4x4() {
   machine.picture = {4, 4};
   machine.clock_hz = 8'000'000;
   machine.link = {.width = 32, .word_clocks = 10, .fifo_depth = 1, .latency = 4};
-  machine.own =
-      Figures{.levels = 0,
-              .order = RenderingOrder::segment,
-              .word_bits = 16,
-              .memory_words = 1000,
-              .operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13},
-              .loop = {.pixel = 17, .row = 19, .instruction = 23},
-              .node_tests = {.primitive = 29, .halfspace = 31, .cell = 47, .tree_node = 53, .instruction = 59},
-              .display_tests = {.primitive = 37, .halfspace = 41, .cell = 61},
-              .host = {.width = 16, .word_clocks = 3, .latency = 5},
-              .display_memory_words = 1000,
-              .transform_clocks = 43,
-              .divides_ahead = false,
-              .barrier_clocks = 6};
+  machine.own = Figures{
+      .levels = 0,
+      .order = RenderingOrder::segment,
+      .word_bits = 16,
+      .memory_words = 1000,
+      .operations =
+          {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13, .shift = 67, .shift_bit = 71},
+      .loop = {.pixel = 17, .row = 19, .instruction = 23},
+      .node_tests = {.primitive = 29, .halfspace = 31, .cell = 47, .tree_node = 53, .instruction = 59},
+      .display_tests = {.primitive = 37, .halfspace = 41, .cell = 61},
+      .host = {.width = 16, .word_clocks = 3, .latency = 5},
+      .display_memory_words = 1000,
+      .transform_clocks = 43,
+      .divides_ahead = false,
+      .barrier_clocks = 6};
   return machine;
 }
 
@@ -167,21 +168,42 @@ TEST_CASE("each stage of a frame takes what a hand calculation says") {
   const std::uint64_t clear = 2 * 3 + 17 + 19;
   const std::uint64_t enable = (23 + 2) + (2 + 11 + 3) + 17 + 19;
   const std::uint64_t begin = 4 * 2 * 13 + 2 * 2 * 5;
-  const std::uint64_t at_pixel = 2 * 5 + 2 * 11 + 2 + 11 + 3 + 2 * 7 + 3;
+  // Two words by 4 places, and what comes into the lower one.
+  const std::uint64_t shift = 2 * (67 + 4 * 71) + (67 + 12 * 71 + 11);
+  const std::uint64_t at_pixel = 2 * 5 + shift + 2 + 11 + 3 + 2 * 7 + 3;
   const std::uint64_t load = (23 + 6 * 2) + begin + 2 * 5 + at_pixel + 17 + 19;
   const std::uint64_t store = 2 + 3 + 17 + 19;
   const std::uint64_t background = 3 + 17 + 19;
   CHECK(account.stages.rendering == clear + enable + load + store + 3 * background);
-  CHECK(clocks_of(program_for(machine), machine) == 2003);
+  CHECK(clocks_of(program_for(machine), machine) == 3613);
 }
 
 TEST_CASE("the order of rendering changes what goes round the pixels: hand calculations") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).order = RenderingOrder::scan_line;
-  CHECK(clocks_of(program, machine) == 1948);
+  CHECK(clocks_of(program, machine) == 3558);
   figures(machine).order = RenderingOrder::pixel;
-  CHECK(clocks_of(program, machine) == 1895);
+  CHECK(clocks_of(program, machine) == 3505);
+}
+
+TEST_CASE("a node unpacks what it looks at as it divides: a hand calculation") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const FrameAccount before = account_of(program, machine);
+  figures(machine).field_clocks = 73;
+  const FrameAccount account = account_of(program, machine);
+  const auto shift = [](std::uint64_t places) { return 67 + 71 * places; };
+  // Four sides of 15 bits from places 0, 15, 30 and 45 on, two depths of 5; each has a mask, and all but the first and
+  // the last end in another word than they begin in.
+  const std::uint64_t box = 6 * (73 + 11) + shift(15) + (shift(1) + 11) + shift(14) + (shift(2) + 11) + shift(13) +
+                            (shift(3) + 11) + shift(12) + (shift(4) + 11) + shift(1);
+  CHECK(account.nodes[1].of(NodeActivity::pruning) == 29 + box);
+  // Three half-spaces: two bits, A and B of 2 bits, C of 3; two nodes of the tree: two bits, and 2.
+  const std::uint64_t halfspace = 5 * (73 + 11) + shift(1) + shift(2) + shift(4) + shift(6);
+  const std::uint64_t node = 3 * (73 + 11) + shift(1) + shift(2);
+  CHECK(account.nodes[0].of(NodeActivity::pruning) ==
+        before.nodes[0].of(NodeActivity::pruning) + box + 3 * halfspace + 2 * node);
 }
 
 TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor shared, only set to the background") {
@@ -277,7 +299,7 @@ TEST_CASE("lists that do not fit the nodes at once are sent and rendered in part
   CHECK(account.stages.barriers == whole.stages.barriers + 2 * 6);
   CHECK(account.stages.second_pruning == whole.stages.second_pruning);
   CHECK(account.stages.rendering == whole.stages.rendering);
-  CHECK(clocks_of(program, machine) == 2003 + 2 * 4 + 2 * 10 + 2 * 6);
+  CHECK(clocks_of(program, machine) == 3613 + 2 * 4 + 2 * 10 + 2 * 6);
 }
 
 TEST_CASE("a list that is more than half of what is left of a node's memory is made in parts: a hand calculation") {
@@ -338,7 +360,7 @@ TEST_CASE(
   CHECK(account.list_passes == 4);
   CHECK(account.stages.sharing == whole.stages.sharing);
   CHECK(account.stages.rendering == whole.stages.rendering);
-  CHECK(clocks_of(program, machine) == 2003 + reads + 3 * 29 - 3 * 10);
+  CHECK(clocks_of(program, machine) == 3613 + reads + 3 * 29 - 3 * 10);
 }
 
 TEST_CASE("a segment of which the primitives leave no room for two commands in a node is refused, with what to do") {
@@ -363,7 +385,7 @@ TEST_CASE("what does not fit the display processor is read from the host, or tes
   --figures(machine).display_memory_words;
   CHECK(account_of(program, machine).stages.first_pruning == 2 * once);
   CHECK(account_of(program, machine).first_halfspace_tests == 6);
-  CHECK(clocks_of(program, machine) == 2003 + once);
+  CHECK(clocks_of(program, machine) == 3613 + once);
   // Its planes, 24 bits of 504, are not there: each takes a word of the host's link, and is transformed.
   figures(machine).display_memory_words = 31;
   CHECK(account_of(program, machine).stages.first_pruning == 2 * (once + 3 * (5 + 3 + 43)));
