@@ -58,6 +58,15 @@ struct HostLink {
   constexpr bool operator==(const HostLink&) const = default;
 };
 
+/// How the screen reads what the nodes have of the picture. In a turn it takes the memories of all.
+struct RefreshFigures {
+  std::uint32_t rate = 0;    ///< pictures a second; 0: they are shown for nothing
+  std::uint32_t bits = 1;    ///< of each node's in a turn
+  std::uint32_t clocks = 1;  ///< of a turn
+
+  constexpr bool operator==(const RefreshFigures&) const = default;
+};
+
 /// Of a node that has every number of a record or an instruction in words of its own, as soon as they come.
 inline constexpr std::uint32_t unpacked = 1'000'001;
 
@@ -76,7 +85,8 @@ struct Figures {
   std::uint32_t display_memory_words = 0;  ///< of the display processor, for the model and what a segment leaves of it
   std::uint32_t transform_clocks = 0;      ///< of the display processor, a plane of the model
   bool divides_ahead = false;              ///< the display processor divides the next segment while the nodes work
-  std::uint32_t barrier_clocks = 0;        ///< from the last node's arrival until all go on
+  RefreshFigures refresh{};
+  std::uint32_t barrier_clocks = 0;  ///< from the last node's arrival until all go on
 
   constexpr bool operator==(const Figures&) const = default;
 };

@@ -66,6 +66,13 @@ constexpr auto schema = std::to_array<FigureSchema>({
     shared::link_latency,
     own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, most_clocks,
                                                   "from the last node's arrival until all go on"),
+    machines::or_ideal(own_figure<Figures, &Figures::refresh, &RefreshFigures::rate>(
+                           "refresh.rate", "Hz", 1, 1000, "pictures a second on the screen; ideal: shown for nothing"),
+                       0),
+    own_figure<Figures, &Figures::refresh, &RefreshFigures::bits>(
+        "refresh.bits", "bits", 1, 1U << 24U, "of each node's pixels that go to the screen in a turn"),
+    own_figure<Figures, &Figures::refresh, &RefreshFigures::clocks>(
+        "refresh.clocks", "clocks", 1, 1000, "in which such a turn takes the memories of all nodes"),
     own_figure<Figures, &Figures::word_bits>("node.word_bits", "bits", 1, 64, "of a word"),
     own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, most_memory_words,
                                                 "for the tree, a segment's half-spaces and lists"),

@@ -3,6 +3,7 @@
 #include "hw/base/error.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/refresh.h"
 #include "hw/multi_processor/timing.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
@@ -80,6 +81,10 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
     clocks += 2.0 * messages * (machine.link.latency + machine.link.word_clocks + figures.barrier_clocks);
     clocks += most_rendering_clocks(part.instructions, part.region, machine);
   }
+  // The screen may leave a node one clock of so many.
+  const Refresh refresh(isa::frame_header(program), machine);
+  const double taken = static_cast<double>(refresh.turns_a_second()) * figures.refresh.clocks;
+  clocks *= static_cast<double>(machine.clock_hz) / (static_cast<double>(machine.clock_hz) - taken);
   if (clocks <= most_clocks_told && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
   throw InputError(
       fmt::format("a frame may take {:.3g} clocks of {}, which is longer than is simulated; give it a smaller model or "
@@ -95,6 +100,7 @@ void check_fits(const isa::Program& program, const Machine& machine) {
     throw InputError(fmt::format(
         "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
   }
+  check_refresh(isa::frame_header(program), machine);
   check_time(program, sizes, machine);
   const DisplayMemory memory = display_memory(program, sizes, machines::own<Figures>(machine));
   check_display_memory(memory, machine);

@@ -65,6 +65,7 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.transform_clocks = choice.between(0, 5000);
   figures.divides_ahead = seed % 2 == 1;
   figures.barrier_clocks = choice.between(0, 2) * 17;
+  figures.refresh = {seed % 2 == 0 ? 0 : choice.between(1, 100), choice.between(8, 400), choice.between(1, 9)};
   return machine;
 }
 
