@@ -34,6 +34,7 @@ class BitWriter {
 
   /// The same in two's complement.
   void put_signed(std::int64_t value, unsigned width) {
+    if (width == 0) return;
     put(static_cast<std::uint64_t>(value) & (~std::uint64_t{0} >> (64 - width)), width);
   }
 

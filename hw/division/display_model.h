@@ -99,6 +99,8 @@ struct ModelHeader {
   Fields fields;
 
   [[nodiscard]] std::int64_t farthest() const { return (std::int64_t{1} << z_bits) - 1; }
+  /// Of a model without all that follows it.
+  [[nodiscard]] const ModelHeader& header() const { return *this; }
   bool operator==(const ModelHeader&) const = default;
 };
 

@@ -49,7 +49,7 @@ Counts Divided::counts() const {
   return all;
 }
 
-Divider::Divider(const DisplayModel& model) : header_(model), tree_(make_tree(model)), all_(all_of(model)) {
+Divider::Divider(const DisplayModel& model) : header_(model.header()), tree_(make_tree(model)), all_(all_of(model)) {
   for (const Primitive& one : model.primitives) joined_.push_back(one.joined);
 }
 

@@ -215,6 +215,14 @@ unsigned wire_bits(const Command& command) {
   return std::visit([](const auto& one) { return bits_of(one); }, command);
 }
 
+WireFields::WireFields(const Instruction& instruction) {
+  const auto stream = [this](unsigned bits, const auto& /*number*/) {
+    if (bits > 0) widths_.at(count_++) = static_cast<std::uint8_t>(bits);
+  };
+  stream(opcode_bits, number_of(instruction));
+  pass(stream, instruction);
+}
+
 unsigned wire_words(const Command& command, unsigned link_width) {
   check_link_width(link_width);
   return quotient_up(wire_bits(command), link_width);

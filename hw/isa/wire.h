@@ -1,8 +1,11 @@
 #pragma once
 
+#include <array>
 #include <concepts>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <variant>
 
 #include "hw/isa/instruction.h"
@@ -62,6 +65,21 @@ Instruction as_received(const Instruction& instruction);
 /// Bits of a command, and words that it takes on a link of that many bits.
 unsigned wire_bits(const Command& command);
 unsigned wire_words(const Command& command, unsigned link_width);
+
+/// Bits of the numbers of an instruction that is on a link or kept as it came, in order, its own number first; numbers
+/// of no bits are left out.
+class WireFields {
+ public:
+  static constexpr std::size_t most = 13;
+
+  explicit WireFields(const Instruction& instruction);
+
+  [[nodiscard]] std::span<const std::uint8_t> widths() const { return std::span(widths_).first(count_); }
+
+ private:
+  std::array<std::uint8_t, most> widths_{};
+  std::size_t count_ = 0;
+};
 
 /// All bits of a command as one word. Throws std::invalid_argument unless it is valid.
 LinkWord packed(const Command& command);

@@ -21,9 +21,24 @@ struct Work {
   std::uint64_t compares = 0;
   std::uint64_t combines = 0;
   std::uint64_t adds = 0;
+  std::uint64_t shifts = 0;  ///< clocks
 };
 
 std::uint64_t words_of(std::uint64_t bits, const Figures& figures) { return quotient_up(bits, figures.word_bits); }
+
+std::uint64_t shift_clocks(std::uint64_t places, const OperationClocks& each) {
+  return each.shift + places * each.shift_bit;
+}
+
+/// Of a number of so many bits.
+std::uint64_t shift_clocks(std::uint64_t bits, std::uint64_t places, const Figures& figures) {
+  const std::uint64_t rest = places % figures.word_bits;
+  if (rest == 0) return 0;
+  const std::uint64_t words = words_of(bits, figures);
+  const std::uint64_t left = words - std::min(words - 1, places / figures.word_bits);
+  return left * shift_clocks(rest, figures.operations) +
+         (left - 1) * (shift_clocks(figures.word_bits - rest, figures.operations) + figures.operations.logic);
+}
 
 Work work_of(const isa::Instruction& instruction, const Figures& figures) {
   const std::uint64_t field = words_of(instruction.fields[0].width, figures);
@@ -68,9 +83,17 @@ Work work_of(const isa::Instruction& instruction, const Figures& figures) {
     case Opcode::linear_minus: return {.reads = field, .writes = field, .adds = sum};
     case Opcode::root: {
       std::uint64_t trials = 0;
-      for (unsigned found = 0; found < instruction.fields[0].width / 2U; ++found)
+      std::uint64_t shifts = 0;
+      for (unsigned found = 0; found < instruction.fields[0].width / 2U; ++found) {
         trials += words_of(found + 3, figures);
-      return {.reads = field, .writes = field, .compares = trials, .combines = 2 * trials, .adds = trials};
+        shifts += 2 * shift_clocks(found + 3, 2, figures);
+      }
+      return {.reads = field,
+              .writes = field,
+              .compares = trials,
+              .combines = 2 * trials,
+              .adds = trials,
+              .shifts = shifts};
     }
     case Opcode::squares: return {};  // which the kind does not take
   }
@@ -88,7 +111,8 @@ std::uint64_t add_clocks(const isa::Instruction& instruction, const Figures& fig
 }
 
 std::uint64_t fetch_clocks(const isa::Instruction& instruction, const Figures& figures) {
-  return figures.loop.instruction + words_of(isa::wire_bits(instruction), figures) * figures.operations.read;
+  return figures.loop.instruction + words_of(isa::wire_bits(instruction), figures) * figures.operations.read +
+         unpacking_clocks(isa::WireFields(instruction).widths(), figures);
 }
 
 /// Loops over the pixels around something that is done at each.
@@ -129,11 +153,31 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& m
   const Figures& figures = machines::own<Figures>(machine);
   const OperationClocks& operations = figures.operations;
   const Work work = work_of(instruction, figures);
-  const std::uint64_t shifts = instruction.linear.shift > 0 ? words_of(instruction.linear.width, figures) : 0;
+  const isa::Linear& linear = instruction.linear;
+  const std::uint64_t shifts = work.shifts + (linear.width > 0 ? shift_clocks(linear.width, linear.shift, figures) : 0);
   const std::uint64_t sum =
       figures.order == RenderingOrder::pixel ? sum_clocks(instruction, 0, figures) : add_clocks(instruction, figures);
   return (1 + work.reads) * operations.read + work.writes * operations.write + work.compares * operations.compare +
-         (1 + work.combines + shifts) * operations.logic + work.adds * operations.add + sum;
+         (1 + work.combines) * operations.logic + work.adds * operations.add + shifts + sum;
+}
+
+std::uint64_t unpacking_clocks(std::span<const std::uint8_t> widths, const Figures& figures) {
+  if (figures.field_clocks == unpacked) return 0;
+  const std::uint64_t word = figures.word_bits;
+  std::uint64_t clocks = 0;
+  std::uint64_t begin = 0;
+  for (const std::uint8_t width : widths) {
+    const std::uint64_t place = begin % word;
+    clocks += figures.field_clocks;
+    if (width % word != 0) clocks += figures.operations.logic;
+    if (place > 0) {
+      clocks += words_of(width, figures) * shift_clocks(place, figures.operations);
+      clocks +=
+          ((place + width - 1) / word) * (shift_clocks(word - place, figures.operations) + figures.operations.logic);
+    }
+    begin += width;
+  }
+  return clocks;
 }
 
 std::uint64_t rendering_clocks(const ListPart& part, const NodePixels& own, isa::Field colour, const Machine& machine) {

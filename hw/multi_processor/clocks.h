@@ -6,6 +6,7 @@
 
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
+#include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/regions.h"
 
 /// Clocks of a node, worked out from the figures.
@@ -13,6 +14,10 @@ namespace csgsim::multi_processor {
 
 /// Of an instruction at one pixel, without the loops around it and what begins a row.
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
+
+/// Of numbers of so many bits that follow each other from the beginning of a word on, to get each into words of its
+/// own.
+std::uint64_t unpacking_clocks(std::span<const std::uint8_t> widths, const Figures& figures);
 
 /// What is rendered at once: the list of a subsegment, or as much of it as has come.
 struct ListPart {

@@ -21,8 +21,10 @@ struct OperationClocks {
   std::uint32_t write = 1;
   std::uint32_t add = 1;
   std::uint32_t compare = 1;
-  std::uint32_t logic = 1;     ///< also a shift by whatever number of bits
-  std::uint32_t multiply = 1;  ///< with one word
+  std::uint32_t logic = 1;
+  std::uint32_t multiply = 1;   ///< with one word
+  std::uint32_t shift = 0;      ///< by any number of places below a word's, besides what each of them takes
+  std::uint32_t shift_bit = 0;  ///< a place of a shift
 
   constexpr bool operator==(const OperationClocks&) const = default;
 };
@@ -56,6 +58,18 @@ struct HostLink {
   constexpr bool operator==(const HostLink&) const = default;
 };
 
+/// How the screen reads what the nodes have of the picture. In a turn it takes the memories of all.
+struct RefreshFigures {
+  std::uint32_t rate = 0;    ///< pictures a second; 0: they are shown for nothing
+  std::uint32_t bits = 1;    ///< of each node's in a turn
+  std::uint32_t clocks = 1;  ///< of a turn
+
+  constexpr bool operator==(const RefreshFigures&) const = default;
+};
+
+/// Of a node that has every number of a record or an instruction in words of its own, as soon as they come.
+inline constexpr std::uint32_t unpacked = 1'000'001;
+
 /// What only this kind of machine has. The nodes are machine.array: `width` columns, `height` rows.
 struct Figures {
   std::uint32_t levels = 0;  ///< of binary subdivision of the picture, into segments
@@ -63,6 +77,7 @@ struct Figures {
   std::uint32_t word_bits = 16;    ///< of a node
   std::uint32_t memory_words = 0;  ///< of a node, for the frame's tree, a segment's half-spaces and lists
   OperationClocks operations;
+  std::uint32_t field_clocks = unpacked;  ///< to come to a number among bits, besides its shifts and mask; or unpacked
   LoopClocks loop;
   TestClocks node_tests;
   TestClocks display_tests;
@@ -70,7 +85,8 @@ struct Figures {
   std::uint32_t display_memory_words = 0;  ///< of the display processor, for the model and what a segment leaves of it
   std::uint32_t transform_clocks = 0;      ///< of the display processor, a plane of the model
   bool divides_ahead = false;              ///< the display processor divides the next segment while the nodes work
-  std::uint32_t barrier_clocks = 0;        ///< from the last node's arrival until all go on
+  RefreshFigures refresh{};
+  std::uint32_t barrier_clocks = 0;  ///< from the last node's arrival until all go on
 
   constexpr bool operator==(const Figures&) const = default;
 };

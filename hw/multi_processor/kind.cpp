@@ -66,6 +66,13 @@ constexpr auto schema = std::to_array<FigureSchema>({
     shared::link_latency,
     own_figure<Figures, &Figures::barrier_clocks>("barrier.clocks", "clocks", 0, most_clocks,
                                                   "from the last node's arrival until all go on"),
+    machines::or_ideal(own_figure<Figures, &Figures::refresh, &RefreshFigures::rate>(
+                           "refresh.rate", "Hz", 1, 1000, "pictures a second on the screen; ideal: shown for nothing"),
+                       0),
+    own_figure<Figures, &Figures::refresh, &RefreshFigures::bits>(
+        "refresh.bits", "bits", 1, 1U << 24U, "of each node's pixels that go to the screen in a turn"),
+    own_figure<Figures, &Figures::refresh, &RefreshFigures::clocks>(
+        "refresh.clocks", "clocks", 1, 1000, "in which such a turn takes the memories of all nodes"),
     own_figure<Figures, &Figures::word_bits>("node.word_bits", "bits", 1, 64, "of a word"),
     own_figure<Figures, &Figures::memory_words>("node.memory_words", "words", 1, most_memory_words,
                                                 "for the tree, a segment's half-spaces and lists"),
@@ -73,8 +80,18 @@ constexpr auto schema = std::to_array<FigureSchema>({
     part_clocks<&Figures::operations, &OperationClocks::write>("node.write_clocks", "to write a word of memory"),
     part_clocks<&Figures::operations, &OperationClocks::add>("node.add_clocks", "to add a word"),
     part_clocks<&Figures::operations, &OperationClocks::compare>("node.compare_clocks", "to compare a word"),
-    part_clocks<&Figures::operations, &OperationClocks::logic>("node.logic_clocks", "to combine or shift a word"),
+    part_clocks<&Figures::operations, &OperationClocks::logic>("node.logic_clocks", "to combine a word"),
     part_clocks<&Figures::operations, &OperationClocks::multiply>("node.multiply_clocks", "to multiply two words"),
+    part_clocks<&Figures::operations, &OperationClocks::shift>("node.shift_clocks",
+                                                               "to shift a word, besides each place"),
+    machines::or_ideal(part_clocks<&Figures::operations, &OperationClocks::shift_bit>(
+                           "node.shift_bit_clocks", "of a shift for each place; ideal: it takes all places at once"),
+                       0),
+    machines::or_ideal(own_figure<Figures, &Figures::field_clocks>(
+                           "node.field_clocks", "clocks", 0, most_clocks,
+                           "to come to a number among bits, besides its shifts and mask; ideal: each has words of its "
+                           "own as soon as it comes"),
+                       unpacked),
     part_clocks<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
     part_clocks<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
     part_clocks<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",

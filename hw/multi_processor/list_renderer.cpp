@@ -1,7 +1,5 @@
 #include "hw/multi_processor/list_renderer.h"
 
-#include "hw/isa/wire.h"
-
 namespace csgsim::multi_processor {
 
 ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
@@ -109,7 +107,7 @@ void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t
   });
 }
 
-void ListRenderer::fetch(const isa::Instruction& instruction) { processor_.fetch(isa::wire_bits(instruction)); }
+void ListRenderer::fetch(const isa::Instruction& instruction) { processor_.fetch(instruction); }
 
 void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) {
   NodeState& step = steps_[index];

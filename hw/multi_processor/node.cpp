@@ -6,8 +6,6 @@
 #include <variant>
 
 #include "hw/base/quotient.h"
-#include "hw/division/divide.h"
-#include "hw/division/encoding.h"
 #include "hw/isa/link_word.h"
 #include "hw/multi_processor/list_renderer.h"
 
@@ -24,7 +22,8 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
       bus_latency_(machine.link.latency),
       decoder_(machine.link.width),
       records_(machine.link.width, figures_.word_bits),
-      own_(figures_) {
+      own_(figures_),
+      screen_(figures_.refresh, machine.clock_hz) {
   SC_HAS_PROCESS(Node);
   SC_METHOD(on_word);
   dont_initialize();
@@ -37,6 +36,7 @@ void Node::begin() {
   tests_ = {};
   passes_ = divided_in_turn_ = 0;
   rendering_ = {};
+  frame_begun_ = time_.now();
   stays_.begin(NodeActivity::waiting, time_.now());
 }
 
@@ -144,6 +144,7 @@ void Node::begin_frame() {
   stays_.change(NodeActivity::waiting, time_.now());
   const NodePixels most = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
   image_columns_ = most.columns;
+  screen_.begin(frame_begun_, most.count(), records_.model().fields.colour.width);
   image_.assign(std::size_t{most.columns} * most.rows, 0);
 }
 
@@ -161,8 +162,26 @@ void Node::work() {
 
 void Node::spend(NodeActivity activity, std::uint64_t clocks) {
   stays_.change(activity, time_.now());
-  if (clocks > 0) wait(time_.of(clocks));
+  go_on(clocks);
   stays_.change(NodeActivity::waiting, time_.now());
+}
+
+/// Stands still in turns of the screen.
+void Node::go_on(std::uint64_t clocks) {
+  worked_ = 0;
+  while (worked_ < clocks) {
+    const std::uint64_t now = time_.now();
+    const std::uint64_t free = screen_.free_from(now, clocks - worked_);
+    if (free == 0) {
+      wait(time_.of(screen_.left_from(now)));
+      continue;
+    }
+    works_from_ = now;
+    is_working_ = true;
+    wait(time_.of(free));
+    is_working_ = false;
+    worked_ += free;
+  }
 }
 
 void Node::wait_for_others() {
@@ -219,87 +238,6 @@ void Node::send_list() {
   if (!ends) send_word(WordKind::pause, {}, true);
   sends_ = false;
   tell_room();
-}
-
-/// Reads each half-space that is tested, and makes the list as it goes on.
-class Node::FarDatapath final : public division::Datapath {
- public:
-  explicit FarDatapath(Node& node) : Datapath(node.records_.model()), node_(node), each_(node.figures_.node_tests) {}
-
- private:
-  division::PrimitiveHead read_primitive(std::uint32_t primitive) override {
-    return node_.records_.model().primitives[primitive];
-  }
-  division::Halfspace read_halfspace(std::uint32_t primitive, std::uint32_t number) override {
-    read_ = node_.read_halfspace({primitive, number});
-    return read_.halfspace;
-  }
-  division::Plane read_plane(std::uint32_t /*index*/) override { return read_.plane; }
-
-  void on_box() override { spend(each_.primitive); }
-  void on_corner_test(bool /*is_last*/) override { spend(each_.halfspace); }
-  void on_cell(std::uint64_t halfspaces) override { spend(halfspaces * each_.cell); }
-  void on_node() override { spend(each_.tree_node); }
-  void on_instruction(const isa::Instruction& instruction) override {
-    node_.put(instruction);
-    spend(each_.instruction);
-  }
-
-  void spend(std::uint64_t clocks) {
-    if (clocks > 0) node_.wait(node_.time_.of(clocks));
-  }
-
-  Node& node_;
-  const TestClocks each_;
-  ReadHalfspace read_;
-};
-
-/// From the beginning of the node's turn to its list's end, which all render before the next divides.
-void Node::divide_from_afar() {
-  own_.begin(room_for_lists());
-  divides_from_ = time_.now();
-  stays_.change(NodeActivity::pruning, divides_from_);
-  put(isa::SegmentStart{parts_[number_]});
-  FarDatapath path(*this);
-  tests_ += division::Divider(records_.model()).divide(parts_[number_], records_.left(), path).counts();
-  put(isa::SegmentEnd{});
-  send_made();
-}
-
-void Node::put(const isa::Command& command) {
-  if (!own_.has_room_for(command)) {
-    send_made();
-    divides_from_ = time_.now();
-    stays_.change(NodeActivity::pruning, divides_from_);
-  }
-  own_.put(command);
-}
-
-/// And has it rendered.
-void Node::send_made() {
-  divided_in_turn_ += time_.now() - divides_from_;
-  while (own_.is_waiting()) {
-    send_list();
-    wait(message_ended_);
-    render_lists();
-  }
-}
-
-ReadHalfspace Node::read_halfspace(const HalfspaceName& name) {
-  const std::vector<isa::LinkWord> words = division::to_link(records_.request_for(name), bus_width_);
-  asks_ = true;
-  for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());
-  while (asks_) wait(answered_);
-  divides_from_ = time_.now();
-  return records_.halfspace_of(std::exchange(answer_, {}).take());
-}
-
-void Node::take_answer(const BusRequest& sent) {
-  if (!asks_) return;
-  append(answer_, sent.word, bus_width_);
-  if (!sent.last) return;
-  asks_ = false;
-  answered_.notify(sc_core::SC_ZERO_TIME);
 }
 
 void Node::send(const isa::Command& command, bool last) {

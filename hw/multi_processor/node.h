@@ -19,6 +19,7 @@
 #include "hw/multi_processor/records.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/room_line.h"
+#include "hw/multi_processor/screen_turns.h"
 #include "hw/multi_processor/time_base.h"
 
 namespace csgsim::multi_processor {
@@ -75,6 +76,9 @@ class Node final : public sc_core::sc_module {
   // For waves.
   [[nodiscard]] std::string_view activity() const { return name_of(stays_.now()); }
   [[nodiscard]] const Rendering& rendering() const { return rendering_; }
+  /// Clocks of what it does that have gone by, without those of turns of the screen.
+  [[nodiscard]] std::uint64_t worked() const { return worked_ + (is_working_ ? time_.now() - works_from_ : 0); }
+  [[nodiscard]] bool stands_still() const { return screen_.has(time_.now()); }
   [[nodiscard]] const Kept& kept() const { return kept_; }
   /// It holds colours, of a frame that has begun or of the one before.
   [[nodiscard]] bool has_image() const { return !image_.empty(); }
@@ -103,6 +107,7 @@ class Node final : public sc_core::sc_module {
   void put(const isa::Command& command);
   void send_made();
   ReadHalfspace read_halfspace(const HalfspaceName& name);
+  [[nodiscard]] std::uint64_t turns_since(std::uint64_t begun);
   void take_answer(const BusRequest& sent);
   void send_word(WordKind kind, const isa::LinkWord& word, bool last);
   void send(const isa::Command& command, bool last);
@@ -111,6 +116,7 @@ class Node final : public sc_core::sc_module {
   void clear(const isa::Region& region);
   void clear_segment();
   void spend(NodeActivity activity, std::uint64_t clocks);
+  void go_on(std::uint64_t clocks);
   void wait_for_others();
   void begin_sharing(std::uint64_t clock);
   void tell_room();
@@ -154,6 +160,11 @@ class Node final : public sc_core::sc_module {
   sc_core::sc_event answered_{"answered"};
 
   Rendering rendering_;
+  ScreenTurns screen_;
+  bool is_working_ = false;        ///< in no turn of the screen
+  std::uint64_t worked_ = 0;       ///< clocks, of what it does, before it last went on
+  std::uint64_t works_from_ = 0;   ///< clock, since the simulation began, in which it did so
+  std::uint64_t frame_begun_ = 0;  ///< the same of the frame
 
   std::uint64_t words_ = 0;     ///< sent, of all frames
   std::uint64_t arrivals_ = 0;  ///< at the barrier, of all frames

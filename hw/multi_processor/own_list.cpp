@@ -4,6 +4,7 @@
 
 #include "hw/base/quotient.h"
 #include "hw/division/divide.h"
+#include "hw/multi_processor/test_clocks.h"
 
 namespace csgsim::multi_processor {
 
@@ -44,7 +45,7 @@ class TimedDatapath final : public division::Datapath {
 
 void OwnList::begin(const isa::Region& part, const RecordReader& records, std::uint64_t room) {
   begin(room);
-  TimedDatapath path(records.model(), figures_.node_tests);
+  TimedDatapath path(records.model(), with_unpacking(records.format(), figures_));
   const division::Divided divided = division::Divider(records.model()).divide(part, records.left(), path);
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});

@@ -116,6 +116,10 @@ ReadHalfspace take_halfspace(BitReader& in, const RecordFormat& format) {
 
 unsigned RecordFormat::primitive_record() const { return 4 * Widths::side + 2 * depth + 2 + colour; }
 
+std::array<unsigned, 6> RecordFormat::box_numbers() const {
+  return {Widths::side, Widths::side, Widths::side, Widths::side, depth, depth};
+}
+
 Records frame_records(const DisplayModel& model) {
   const RecordFormat format = format_of(model);
   Records records{header_record(model, format)};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -32,6 +33,10 @@ struct RecordFormat {
   [[nodiscard]] unsigned node_record() const { return 2 + operands; }
   [[nodiscard]] unsigned count_record() const { return primitives; }
   [[nodiscard]] unsigned left_record() const { return index + halfspaces; }
+  // Numbers that are looked at: of a primitive its box, of a half-space all but its colour.
+  [[nodiscard]] std::array<unsigned, 6> box_numbers() const;
+  [[nodiscard]] std::array<unsigned, 5> halfspace_numbers() const { return {1, 1, slope, slope, constant}; }
+  [[nodiscard]] std::array<unsigned, 3> node_numbers() const { return {1, 1, operands}; }
   [[nodiscard]] unsigned halfspace_record() const { return 2 + 2 * slope + constant + colour; }
 };
 
@@ -91,6 +96,8 @@ class RecordReader {
   /// Of a segment that does not bring them: the request for a half-space, and what its record says.
   [[nodiscard]] division::Bits request_for(const HalfspaceName& name) const;
   [[nodiscard]] ReadHalfspace halfspace_of(const division::Bits& record) const;
+  /// Of the frame that has come.
+  [[nodiscard]] const RecordFormat& format() const { return format_; }
   /// That the records of the frame and of the segment take, each from a new one on.
   [[nodiscard]] std::uint64_t memory_words() const { return frame_words_ + segment_words_; }
 

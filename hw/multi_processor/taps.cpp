@@ -37,7 +37,6 @@ class PixelStory {
       : node_(node),
         region_(region),
         machine_(machine),
-        time_(machine),
         own_(pixels_of(region, machine.array, pixel.y % machine.array.height, pixel.x % machine.array.width)),
         place_(std::size_t{(pixel.y - region.y - own_.first_y) / machine.array.height} * own_.columns +
                (pixel.x - region.x - own_.first_x) / machine.array.width) {}
@@ -45,8 +44,10 @@ class PixelStory {
   /// Of the instruction that is carried out there, in the subsegment's list.
   [[nodiscard]] Number instruction() {
     if (!renders()) return std::nullopt;
-    const auto found = std::ranges::find_if(moments_, [now = elapsed()](const PixelMoment& one) {
-      return one.clocks.begin <= now && now < one.clocks.end;
+    // What would begin in a turn of the screen begins after it.
+    const std::uint64_t still = node_.stands_still() ? 1 : 0;
+    const auto found = std::ranges::find_if(moments_, [now = elapsed(), still](const PixelMoment& one) {
+      return one.clocks.begin + still <= now && now < one.clocks.end;
     });
     return found == moments_.end() ? std::nullopt : Number(told_.list->first + found->index);
   }
@@ -68,7 +69,8 @@ class PixelStory {
   }
 
  private:
-  [[nodiscard]] std::uint64_t elapsed() const { return time_.now() - node_.rendering().begun; }
+  /// Clocks of the rendering.
+  [[nodiscard]] std::uint64_t elapsed() const { return node_.worked(); }
 
   bool renders() {
     const Rendering& now = node_.rendering();
@@ -88,7 +90,6 @@ class PixelStory {
   const Node& node_;
   const isa::Region region_;
   const machines::Machine& machine_;
-  const TimeBase time_;
   const NodePixels own_;
   const std::size_t place_;  ///< of the pixel among the node's own
   Rendering told_;           ///< what `moments_` are of

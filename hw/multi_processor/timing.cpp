@@ -1,12 +1,15 @@
 #include "hw/multi_processor/timing.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
+#include "hw/multi_processor/refresh.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
@@ -17,7 +20,6 @@ namespace csgsim::multi_processor {
 namespace {
 
 using machines::ClockSpan;
-using machines::FrameTiming;
 using machines::Machine;
 
 /// What is looked for besides the account, where it is not null.
@@ -31,6 +33,13 @@ ListPart part_of(const isa::Segment& segment, const Piece& piece) {
   return {std::span(segment.instructions).subspan(piece.first, piece.count), piece.first == 0, piece.ends};
 }
 
+/// Clocks of a rendering that begins with that clock of the frame, as a timeline has them: its clock 0 begins a clock
+/// after the frame, where edges of the clock would first be.
+ClockSpan told(const ClockSpan& span, std::uint64_t begin, const Refresh& refresh) {
+  const std::uint64_t end = refresh.end_of(begin, span.end) - 1;
+  return {span.empty() ? end : refresh.end_of(begin, span.begin + 1) - 2, end};
+}
+
 /// A frame, stage after stage.
 class FrameModel {
  public:
@@ -41,7 +50,8 @@ class FrameModel {
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
         memory_(display_memory(program, sizes_, figures_)),
-        colour_(program.colour) {
+        colour_(program.colour),
+        refresh_(isa::frame_header(program), machine) {
     counted_.nodes.resize(std::size_t{machine.array.width} * machine.array.height);
   }
 
@@ -82,7 +92,7 @@ class FrameModel {
       ++counted_.active_segments;
       now = draw_lists(parts, now);
     } else {
-      now += render({}, whole_of(parts));
+      now = render({}, whole_of(parts), now);
     }
     nodes_free_ = now;
   }
@@ -90,17 +100,19 @@ class FrameModel {
   /// From the first list's division on; returns when all are rendered.
   std::uint64_t draw_lists(Subsegments parts, std::uint64_t now) {
     const Passes passes = passes_of(parts, sizes_, machine_);
-    now += prune(parts, passes.divided);
+    now = prune(parts, passes.divided, now);
     std::vector<Piece> come;
     for (const Message& message : passes.messages) {
-      now += divide_on(message) + share(message.words);
+      now = divide_on(message, now);
+      now += share(message.words);
       if (message.piece) come.push_back(*message.piece);
       if (!message.pauses && &message != &passes.messages.back()) continue;
       ++counted_.list_passes;
       for (const Piece& piece : come) {
         const isa::Segment& part = parts[piece.subsegment];
-        tell(part, piece, now - 1);
-        now += render(part_of(part, piece), part.region);
+        const std::uint64_t begun = now;
+        now = render(part_of(part, piece), part.region, begun);
+        tell(part, piece, begun, now - figures_.barrier_clocks);
       }
       come.clear();
     }
@@ -148,24 +160,25 @@ class FrameModel {
     return machine_.link.latency + words * machine_.link.word_clocks;
   }
 
-  /// `clocks`: of each node.
-  std::uint64_t prune(Subsegments parts, std::span<const std::uint64_t> clocks) {
-    std::uint64_t slowest = 0;
+  /// `clocks`: of each node. Returns when all have come to the barrier and are let go on.
+  std::uint64_t prune(Subsegments parts, std::span<const std::uint64_t> clocks, std::uint64_t now) {
+    std::uint64_t slowest = now;
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const isa::DivisionStep counts = parts[i].division.sum();
+      const std::uint64_t end = refresh_.end_of(now, clocks[i]);
       counted_.second_box_tests += counts.boxes;
       counted_.second_halfspace_tests += counts.halfspaces;
       counted_.second_cell_tests += counts.cells;
       counted_.second_tree_nodes += counts.nodes;
-      counted_.nodes[i].add(NodeActivity::pruning, clocks[i]);
-      slowest = std::max(slowest, clocks[i]);
+      counted_.nodes[i].add(NodeActivity::pruning, end - now);
+      slowest = std::max(slowest, end);
     }
-    counted_.stages.second_pruning += slowest;
+    counted_.stages.second_pruning += slowest - now;
     return slowest + barrier();
   }
 
   /// Of a node alone, which may read what it divides over the bus.
-  std::uint64_t divide_on(const Message& message) {
+  std::uint64_t divide_on(const Message& message, std::uint64_t now) {
     const ReadClocks read = read_clocks(sizes_, machine_);
     counted_.broadcast_halfspaces += message.reads;
     counted_.broadcast_words += message.reads * read.answer_words;
@@ -174,9 +187,10 @@ class FrameModel {
                      message.reads * (read.request_words + read.answer_words) * machine_.link.word_clocks);
     counted_.bus.add(BusActivity::granting, 2 * message.reads * machine_.link.latency);
     counted_.display.add(DisplayActivity::broadcasting, message.reads * read.answer);
-    counted_.nodes[message.node].add(NodeActivity::pruning, message.divided);
-    counted_.stages.second_pruning += message.divided;
-    return message.divided;
+    const std::uint64_t end = refresh_.end_of(now, message.divided);
+    counted_.nodes[message.node].add(NodeActivity::pruning, end - now);
+    counted_.stages.second_pruning += end - now;
+    return end;
   }
 
   std::uint64_t barrier() {
@@ -196,37 +210,40 @@ class FrameModel {
     return pixels_of(region, machine_.array, node / machine_.array.width, node % machine_.array.width);
   }
 
-  std::uint64_t render(const ListPart& part, const isa::Region& region) {
-    std::uint64_t slowest = 0;
+  std::uint64_t render(const ListPart& part, const isa::Region& region, std::uint64_t now) {
+    std::uint64_t slowest = now;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> known;  // by columns and rows
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
-      const std::uint64_t clocks = rendering_clocks(part, own_pixels(region, i), colour_, machine_);
-      counted_.nodes[i].add(NodeActivity::rendering, clocks);
-      slowest = std::max(slowest, clocks);
+      const NodePixels own = own_pixels(region, i);
+      const auto [one, is_new] = known.try_emplace({own.columns, own.rows});
+      if (is_new) one->second = refresh_.end_of(now, rendering_clocks(part, own, colour_, machine_));
+      counted_.nodes[i].add(NodeActivity::rendering, one->second - now);
+      slowest = std::max(slowest, one->second);
     }
-    counted_.stages.rendering += slowest;
+    counted_.stages.rendering += slowest - now;
     return slowest + barrier();
   }
 
-  /// When the piece is rendered, which begins with that clock of the timeline: its clock 0 begins a clock after the
-  /// frame, where edges of the clock would first be.
-  void tell(const isa::Segment& segment, const Piece& piece, std::uint64_t now) {
+  /// When the piece is rendered.
+  void tell(const isa::Segment& segment, const Piece& piece, std::uint64_t begin, std::uint64_t end) {
     const auto number = static_cast<std::uint32_t>(&segment - program_.segments.data());
     const ListPart part = part_of(segment, piece);
-    if (wanted_.parts != nullptr && number == wanted_.segment) wanted_.parts->push_back({part, now});
+    if (wanted_.parts != nullptr && number == wanted_.segment) wanted_.parts->push_back({part, begin, end});
     if (wanted_.timeline == nullptr || piece.count == 0) return;
-    const auto widen = [now](ClockSpan& whole, const ClockSpan& one) {
-      whole.begin = whole.empty() ? now + one.begin : std::min(whole.begin, now + one.begin);
-      whole.end = std::max(whole.end, now + one.end);
+    const auto widen = [](ClockSpan& whole, const ClockSpan& one) {
+      whole.begin = whole.empty() ? one.begin : std::min(whole.begin, one.begin);
+      whole.end = std::max(whole.end, one.end);
     };
     std::vector<ClockSpan>& issued = wanted_.timeline->issued[number];
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = own_pixels(segment.region, i);
       if (own.count() == 0) continue;
-      if (part.begins) widen(wanted_.timeline->cleared[number], {0, clearing_clocks(own, machine_)});
+      if (part.begins)
+        widen(wanted_.timeline->cleared[number], told({0, clearing_clocks(own, machine_)}, begin, refresh_));
       const auto first = spans_at_pixel(part, own, 0, 0, machine_);
       const auto last = spans_at_pixel(part, own, own.columns - 1, own.rows - 1, machine_);
       for (std::size_t index = 0; index < first.size(); ++index)
-        widen(issued[piece.first + index], {first[index].begin, last[index].end});
+        widen(issued[piece.first + index], told({first[index].begin, last[index].end}, begin, refresh_));
     }
   }
 
@@ -255,6 +272,7 @@ class FrameModel {
   const ModelSizes sizes_;
   const DisplayMemory memory_;
   isa::Field colour_;
+  const Refresh refresh_;
   FrameAccount counted_;
   bool is_far_ = false;             ///< half-spaces of the segment at hand stay with the display processor
   std::uint64_t display_free_ = 0;  ///< when the display processor has sent what it has divided
@@ -310,13 +328,14 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const NodePixels own = pixels_of(part.region, nodes, y % nodes.height, x % nodes.width);
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
-  std::vector<BegunPart> parts{{{.instructions = part.instructions}, timeline.cleared[segment].begin}};
+  const Refresh refresh(isa::frame_header(program), machine);
+  // Of one that comes as a whole, the timeline tells the first clock in which a node works on it.
+  std::vector<BegunPart> parts{{{.instructions = part.instructions}, timeline.cleared[segment].begin + 1, 0}};
   if (comes_in_pieces(program, machine, segment)) parts = begun_parts(program, machine, segment);
   std::vector<ClockSpan> all;
   for (const BegunPart& one : parts) {
-    const std::vector<ClockSpan> spans = spans_at_pixel(one.part, own, column, row, machine);
-    const std::vector<ClockSpan> later = machines::later(spans, one.clock);
-    all.insert(all.end(), later.begin(), later.end());
+    for (const ClockSpan& span : spans_at_pixel(one.part, own, column, row, machine))
+      all.push_back(told(span, one.begin, refresh));
   }
   return all;
 }

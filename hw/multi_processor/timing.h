@@ -21,10 +21,12 @@ struct FrameClocks {
 /// Worked out stage by stage (the modules count the same).
 FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine);
 
-/// Part of a subsegment's list, and the clock of the timeline in which the nodes begin to render it.
+/// Part of a subsegment's list, and the clocks of the frame from when the nodes begin to render it until the slowest
+/// has.
 struct BegunPart {
   ListPart part;
-  std::uint64_t clock = 0;
+  std::uint64_t begin = 0;
+  std::uint64_t end = 0;
 };
 
 /// A subsegment's, in order.

@@ -3,6 +3,7 @@
 #include "hw/base/error.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/refresh.h"
 #include "hw/multi_processor/timing.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
@@ -42,18 +43,18 @@ void check_segment_memory(Subsegments parts, const ModelSizes& sizes, const Disp
 double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   const auto plane = static_cast<double>(far_plane_clocks(sizes, figures));
+  const TestClocks each = node_test_clocks(sizes, figures);
   const auto read = static_cast<double>(read_clocks(sizes, machine).clocks());
   const isa::DivisionCounts& counts = part.division;
   const isa::DivisionStep own = counts.sum();
-  const auto clocks = [](std::uint64_t count, std::uint32_t each) { return static_cast<double>(count) * each; };
+  const auto clocks = [](std::uint64_t count, std::uint32_t price) { return static_cast<double>(count) * price; };
   const double first = clocks(counts.group_boxes, figures.display_tests.primitive) +
                        clocks(counts.group_halfspaces, figures.display_tests.halfspace) +
                        clocks(counts.group_cells, figures.display_tests.cell);
   return 2 * (first + plane * static_cast<double>(counts.group_halfspaces)) +
-         read * static_cast<double>(own.halfspaces) + clocks(own.boxes, figures.node_tests.primitive) +
-         clocks(own.halfspaces, figures.node_tests.halfspace) + clocks(own.cells, figures.node_tests.cell) +
-         clocks(own.nodes, figures.node_tests.tree_node) +
-         clocks(part.instructions.size(), figures.node_tests.instruction);
+         read * static_cast<double>(own.halfspaces) + clocks(own.boxes, each.primitive) +
+         clocks(own.halfspaces, each.halfspace) + clocks(own.cells, each.cell) + clocks(own.nodes, each.tree_node) +
+         clocks(part.instructions.size(), each.instruction);
 }
 
 /// In words of a bit: of which no width of the bus takes more.
@@ -80,6 +81,10 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
     clocks += 2.0 * messages * (machine.link.latency + machine.link.word_clocks + figures.barrier_clocks);
     clocks += most_rendering_clocks(part.instructions, part.region, machine);
   }
+  // The screen may leave a node one clock of so many.
+  const Refresh refresh(isa::frame_header(program), machine);
+  const double taken = static_cast<double>(refresh.turns_a_second()) * figures.refresh.clocks;
+  clocks *= static_cast<double>(machine.clock_hz) / (static_cast<double>(machine.clock_hz) - taken);
   if (clocks <= most_clocks_told && clocks <= most_seconds * static_cast<double>(machine.clock_hz)) return;
   throw InputError(
       fmt::format("a frame may take {:.3g} clocks of {}, which is longer than is simulated; give it a smaller model or "
@@ -95,6 +100,7 @@ void check_fits(const isa::Program& program, const Machine& machine) {
     throw InputError(fmt::format(
         "the Program has no display model, which {} divides; compile the model for this machine", machine.name));
   }
+  check_refresh(isa::frame_header(program), machine);
   check_time(program, sizes, machine);
   const DisplayMemory memory = display_memory(program, sizes, machines::own<Figures>(machine));
   check_display_memory(memory, machine);

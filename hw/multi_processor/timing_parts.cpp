@@ -1,9 +1,12 @@
 #include "hw/multi_processor/timing_parts.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <span>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/wire.h"
+#include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/regions.h"
 
@@ -37,6 +40,20 @@ SegmentDivision division_of(Subsegments parts) {
           .cell_tests = counts.group_cells,
           .primitives = boxes,
           .halfspaces = counts.group_entries - std::min(boxes, counts.group_entries)};
+}
+
+TestClocks node_test_clocks(const ModelSizes& sizes, const Figures& figures) {
+  const auto bits = [](std::uint32_t width) { return static_cast<std::uint8_t>(width); };
+  constexpr std::uint8_t side = 15;
+  const std::uint8_t depth = bits(sizes.depth + 1);
+  const auto more = [&](std::uint32_t& clocks, std::initializer_list<std::uint8_t> widths) {
+    clocks += static_cast<std::uint32_t>(unpacking_clocks(std::span(widths.begin(), widths.size()), figures));
+  };
+  TestClocks each = figures.node_tests;
+  more(each.primitive, {side, side, side, side, depth, depth});
+  more(each.halfspace, {1, 1, bits(sizes.slope), bits(sizes.slope), bits(sizes.constant)});
+  more(each.tree_node, {1, 1, bits(sizes.operands)});
+  return each;
 }
 
 std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits) {

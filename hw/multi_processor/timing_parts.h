@@ -29,6 +29,9 @@ struct SegmentDivision {
 
 SegmentDivision division_of(Subsegments parts);
 
+/// Of a node that unpacks what it looks at: a box, a half-space without its colour, a node of the tree.
+TestClocks node_test_clocks(const ModelSizes& sizes, const Figures& figures);
+
 /// A subsegment's, in words of so many bits, each command beginning at a word.
 std::uint64_t list_words(const isa::Segment& part, std::uint32_t word_bits);
 

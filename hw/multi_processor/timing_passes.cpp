@@ -49,14 +49,15 @@ std::uint64_t test_clocks(const isa::DivisionStep& step, const TestClocks& each)
 class Maker {
  public:
   /// `read`: clocks to read a half-space over the bus; 0 where they are in the node's memory.
-  Maker(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const Machine& machine)
-      : part_(part), room_(room), read_(read), figures_(machines::own<Figures>(machine)) {}
+  Maker(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const TestClocks& each,
+        std::uint32_t word_bits)
+      : part_(part), room_(room), read_(read), each_(each), word_bits_(word_bits) {}
 
   std::vector<Made> make() {
-    const std::uint64_t each = figures_.node_tests.instruction;
+    const std::uint64_t each = each_.instruction;
     put(0);
     for (const isa::DivisionStep& step : part_.division.steps) {
-      now_.clocks += test_clocks(step, figures_.node_tests) + step.halfspaces * read_;
+      now_.clocks += test_clocks(step, each_) + step.halfspaces * read_;
       if (read_ > 0) now_.reads += step.halfspaces;
       for (std::uint64_t i = 0; i < step.instructions && next_ <= part_.instructions.size(); ++i) put(each);
     }
@@ -68,7 +69,7 @@ class Maker {
 
  private:
   void put(std::uint64_t clocks) {
-    const std::uint64_t words = command_words(part_, next_++, figures_.word_bits);
+    const std::uint64_t words = command_words(part_, next_++, word_bits_);
     if (now_.words + words > room_) all_.push_back(std::exchange(now_, {}));
     ++now_.commands;
     now_.words += words;
@@ -78,7 +79,8 @@ class Maker {
   const isa::Segment& part_;
   const std::uint64_t room_;
   const std::uint64_t read_;
-  const Figures& figures_;
+  const TestClocks each_;
+  const std::uint32_t word_bits_;
   std::size_t next_ = 0;
   Made now_;
   std::vector<Made> all_;
@@ -87,7 +89,7 @@ class Maker {
 /// Lists travel, node after node.
 class Traffic {
  public:
-  Traffic(Subsegments parts, const ListRoom& room, std::uint64_t read, const Machine& machine)
+  Traffic(Subsegments parts, const ListRoom& room, std::uint64_t read, const TestClocks& each, const Machine& machine)
       : parts_(parts),
         room_(room.words),
         is_far_(room.is_far),
@@ -96,7 +98,8 @@ class Traffic {
         node_bits_(machines::own<Figures>(machine).word_bits),
         bus_bits_(machine.link.width) {
     const std::uint64_t own_room = parts.size() == 1 || is_far_ ? room_ : room_ / 2;
-    for (const isa::Segment& part : parts) made_.push_back(Maker(part, own_room, is_far_ ? read : 0, machine).make());
+    for (const isa::Segment& part : parts)
+      made_.push_back(Maker(part, own_room, is_far_ ? read : 0, each, node_bits_).make());
   }
 
   Passes run() {
@@ -206,7 +209,8 @@ ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
 }
 
 Passes passes_of(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
-  return Traffic(parts, list_room(parts, sizes, machine), read_clocks(sizes, machine).clocks(), machine).run();
+  const TestClocks each = node_test_clocks(sizes, machines::own<Figures>(machine));
+  return Traffic(parts, list_room(parts, sizes, machine), read_clocks(sizes, machine).clocks(), each, machine).run();
 }
 
 }  // namespace csgsim::multi_processor

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "hw/isa/opcodes.h"
+#include "hw/isa/wire.h"
 
 namespace csgsim::multi_processor {
 
@@ -21,6 +22,40 @@ bool reads_first_bit(isa::Opcode opcode) {
 }
 
 }  // namespace
+
+void WordProcessor::fetch(const isa::Instruction& instruction) {
+  clocks_ += loop_.instruction;
+  read_words(isa::wire_bits(instruction));
+  unpack(isa::WireFields(instruction).widths());
+}
+
+/// Whole words are found elsewhere in memory; each of the others takes what comes in from the next.
+void WordProcessor::shift_words(unsigned bits, unsigned places) {
+  const unsigned rest = places % word_bits_;
+  const std::uint64_t whole = places / word_bits_;
+  if (rest == 0) return;
+  std::uint64_t left = words(bits) > whole ? words(bits) - whole : 1;
+  for (; left > 0; --left) {
+    shift_word(rest);
+    if (left == 1) continue;
+    shift_word(word_bits_ - rest);
+    combine_words(1);
+  }
+}
+
+/// One that begins at that place of a word: what of it is in other words is brought beside it, and its last word is
+/// masked.
+void WordProcessor::unpack(unsigned bits, unsigned place) {
+  clocks_ += field_clocks_;
+  const std::uint64_t from = words(place + bits);
+  for (std::uint64_t word = 0; place > 0 && word < words(bits); ++word) {
+    shift_word(place);
+    if (word + 1 == from) continue;
+    shift_word(word_bits_ - place);
+    combine_words(1);
+  }
+  if (bits % word_bits_ != 0) combine_words(1);
+}
 
 std::uint64_t WordProcessor::multiply(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t factor) {
   clocks_ += words(linear.width) * operations_.multiply;
@@ -64,7 +99,7 @@ void WordProcessor::write(PixelMemory& memory, std::size_t pixel, isa::Field fie
 
 /// The low `width` bits as a two's complement number, shifted right with floor.
 std::int64_t WordProcessor::value_of(std::uint64_t sum, const isa::Linear& linear) {
-  if (linear.shift > 0) combine_words(linear.width);
+  shift_words(linear.width, linear.shift);
   const unsigned unused = sum_bits - linear.width;
   return static_cast<std::int64_t>(sum << unused) >> unused >> linear.shift;
 }
@@ -134,15 +169,17 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
 }
 
 /// The square root of a number of twice as many bits, and the remainder below it. The root is found bit by bit from the
-/// top: each trial brings two bits down to the remainder, puts together what to add or to subtract, adds, and looks at
-/// the sign.
+/// top: each trial brings two bits down to the remainder, puts together what to add or to subtract, both of which shift
+/// by two places, adds, and looks at the sign.
 std::uint64_t WordProcessor::root_of(std::uint64_t field, unsigned bits) {
   const std::uint64_t radicand = field & ((std::uint64_t{1} << (2 * bits)) - 1);
   std::int64_t remainder = 0;
   std::int64_t root = 0;
   for (unsigned found = 0; found < bits; ++found) {
+    shift_words(found + 3, 2);
     combine_words(found + 3);
     const auto two_bits = static_cast<std::int64_t>(radicand >> (2 * (bits - 1 - found)) & 3U);
+    shift_words(found + 3, 2);
     combine_words(found + 3);
     const std::int64_t change = remainder < 0 ? 4 * root + 3 : -(4 * root + 1);
     add_words(found + 3);

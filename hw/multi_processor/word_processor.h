@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/instruction.h"
@@ -14,17 +15,28 @@ namespace csgsim::multi_processor {
 class WordProcessor {
  public:
   explicit WordProcessor(const Figures& figures)
-      : word_bits_(figures.word_bits), operations_(figures.operations), loop_(figures.loop) {}
+      : word_bits_(figures.word_bits),
+        operations_(figures.operations),
+        field_clocks_(figures.field_clocks),
+        loop_(figures.loop) {}
 
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
 
   void count_pixel() { clocks_ += loop_.pixel; }
   void count_row() { clocks_ += loop_.row; }
 
-  /// Takes an instruction from the list, in which it has so many bits.
-  void fetch(unsigned bits) {
-    clocks_ += loop_.instruction;
-    read_words(bits);
+  /// Takes an instruction from the list, as it came.
+  void fetch(const isa::Instruction& instruction);
+
+  /// Gets numbers of so many bits, which follow each other from the beginning of a word on, into words of their own.
+  template <class Width>
+  void unpack(std::span<const Width> widths) {
+    if (field_clocks_ == unpacked) return;
+    unsigned place = 0;
+    for (const unsigned width : widths) {
+      unpack(width, place % word_bits_);
+      place += width;
+    }
   }
 
   /// A*x + B*y + C, modulo 2^64.
@@ -57,6 +69,10 @@ class WordProcessor {
   void compare_words(unsigned bits) { clocks_ += words(bits) * operations_.compare; }
   void combine_words(unsigned bits) { clocks_ += words(bits) * operations_.logic; }
 
+  void shift_word(unsigned places) { clocks_ += operations_.shift + std::uint64_t{operations_.shift_bit} * places; }
+  void shift_words(unsigned bits, unsigned places);
+  void unpack(unsigned bits, unsigned place);
+
   std::uint64_t multiply(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t factor);
   std::uint64_t read(const PixelMemory& memory, std::size_t pixel, isa::Field field);
   void write_enable(PixelMemory& memory, std::size_t pixel, bool value);
@@ -68,6 +84,7 @@ class WordProcessor {
 
   std::uint32_t word_bits_;
   OperationClocks operations_;
+  std::uint32_t field_clocks_;
   LoopClocks loop_;
   std::uint64_t clocks_ = 0;
 };

@@ -74,7 +74,7 @@ void CornerDivider::work() {
 void CornerDivider::take_model() {
   constexpr unsigned byte_bits = 8;
   const division::DisplayModel model = division::from_link(receiver_.bytes(), byte_bits);
-  header_ = model;
+  header_ = model.header();
   memory_ = division::ModelMemory(model, figures_.record_bits);
   far_planes_ = has_far_planes(receiver_.bytes().size(), model.planes.size(), memory_.plane_bits(), figures_);
   state_ = "testing";

@@ -64,7 +64,9 @@ TEST_CASE("every machine draws the same picture at both levels, and counts the c
         std::string("multi-processor"),
         machine_file(folder, "multi-processor",
                      {"nodes.columns 3", "nodes.rows 2", "rendering.order \"pixel\"", "display.divides_ahead 1",
-                      "link.width 9", "node.word_bits 13"})}) {
+                      "link.width 9", "node.word_bits 13"}),
+        machine_file(folder, "multi-processor",
+                     {"node.memory_words 1500", "display.memory_words 12000", "refresh.bits 64"})}) {
     CAPTURE(machine);
     const Drawn worked_out = draw(folder, "--machine " + machine);
     const Drawn counted = draw(folder, "--machine " + machine + " --level cycle");
@@ -72,6 +74,25 @@ TEST_CASE("every machine draws the same picture at both levels, and counts the c
     CHECK(counted.same_pictures(whole));
     CHECK(worked_out.stats["clocks"] == counted.stats["clocks"]);
     CHECK(worked_out.stats["account"] == counted.stats["account"]);
+  }
+}
+
+TEST_CASE("parts whose lists do not fit the nodes of a multi-processor are drawn on it in passes") {
+  const Folder folder;
+  for (const char* const part : {"bolt_and_nut", "vase"}) {
+    CAPTURE(part);
+    const auto drawn = [&](const std::string& machine) {
+      const Outcome outcome = run("render " + std::string(CSGSIM_SOURCE_DIR) + "/tests/corpus/parts/" + part +
+                                  ".csg --size 128x128 --machine " + machine + " -o " + (folder / "p.ppm") +
+                                  " --stats " + (folder / "s.json"));
+      CAPTURE(outcome.err);
+      REQUIRE(outcome.code == 0);
+      return content(folder / "p.ppm");
+    };
+    const std::string whole = drawn("pixel-planes-4");
+    CHECK(drawn("multi-processor") == whole);
+    const nlohmann::json account = json(folder / "s.json")["account"];
+    CHECK(account["list_passes"] > account["active_segments"]);
   }
 }
 

@@ -16,34 +16,18 @@ namespace csgsim::test {
 
 namespace {
 
-/// Clocks of the slowest node.
-std::uint64_t slowest(const multi_processor::ListPart& part, const isa::Region& region, isa::Field colour,
-                      const machines::Machine& machine) {
-  std::uint64_t clocks = 0;
-  for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
-    const auto own =
-        multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
-    clocks = std::max(clocks, multi_processor::rendering_clocks(part, own, colour, machine));
-  }
-  return clocks;
-}
-
-/// The nodes tell of a subsegment when all are through with it: as long after the first clock of the last part of its
-/// list as the slowest takes for that. When they are at which pixel before,
-/// tests/unit/multi_processor/list_renderer_test.cpp looks at.
+/// The nodes tell of a subsegment when all are through with the last part of its list. When they are at which pixel
+/// before, tests/unit/multi_processor/list_renderer_test.cpp looks at.
 void check_subsegments(const isa::Program& program, const machines::Machine& machine, const TimedMachine& hardware) {
   const machines::Timeline timeline = machines::timeline(program, machine);
   std::map<std::uint32_t, std::uint64_t> ends;
   for (const TimedMachine::Told& told : hardware.told()) {
-    if (!ends.contains(told.segment)) {
-      const multi_processor::BegunPart last = multi_processor::begun_parts(program, machine, told.segment).back();
-      const isa::Region& region = program.segments[told.segment].region;
-      ends[told.segment] = last.clock + slowest(last.part, region, program.colour, machine);
-    }
+    if (!ends.contains(told.segment))
+      ends[told.segment] = multi_processor::begun_parts(program, machine, told.segment).back().end;
     const machines::ClockSpan& all = timeline.issued[told.segment][told.index];
     const std::uint64_t begun = timeline.cleared[told.segment].begin;
     const std::uint64_t clock = told.edge - 1;
-    if (clock == ends[told.segment] && begun <= all.begin && all.begin <= all.end && all.end <= clock) continue;
+    if (told.edge == ends[told.segment] && begun <= all.begin && all.begin <= all.end && all.end <= clock) continue;
     throw Difference(
         fmt::format("subsegment {}, instruction {}: told of in clock {}, by the timeline begun in {} and carried out "
                     "from {} to {}, all of it by {}",

@@ -51,8 +51,9 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.word_bits = choice.between(1, 64);
   // Lists, and then half-spaces, may not fit.
   figures.memory_words = seed % 3 == 0 ? 1U << 31U : quotient_up(choice.between(2'000, 10'000), figures.word_bits);
-  figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
-                        choice.between(0, 20), choice.between(0, 20), choice.between(0, 90)};
+  figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
+                        choice.between(0, 20), choice.between(0, 90), choice.between(0, 9),  choice.between(0, 3)};
+  figures.field_clocks = seed % 4 == 0 ? multi_processor::unpacked : choice.between(0, 30);
   figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
   figures.node_tests = {choice.between(0, 50), choice.between(0, 500), choice.between(0, 90), choice.between(0, 70),
                         choice.between(0, 300)};
@@ -64,6 +65,7 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.transform_clocks = choice.between(0, 5000);
   figures.divides_ahead = seed % 2 == 1;
   figures.barrier_clocks = choice.between(0, 2) * 17;
+  figures.refresh = {seed % 2 == 0 ? 0 : choice.between(1, 100), choice.between(8, 400), choice.between(1, 9)};
   return machine;
 }
 

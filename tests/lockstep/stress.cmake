@@ -2,6 +2,6 @@
 # Programs a machine.
 add_executable(lockstep_stress stress.cpp random_machine.cpp)
 target_link_libraries(lockstep_stress PRIVATE csgsim_agree csgsim::kinds fmt::fmt csgsim_flags)
-foreach(row IN ITEMS "frame-buffer 1 60 5" "scan-line 1 60 3" "pixel-square 1 90 3" "multi-processor 1 40 3")
+foreach(row IN ITEMS "frame-buffer 1 60 5" "scan-line 1 60 3" "pixel-square 1 90 3" "multi-processor 1 200 3")
   csgsim_lockstep_row(lockstep_stress "stress ${row}" "${row}")
 endforeach()

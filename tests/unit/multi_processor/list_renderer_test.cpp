@@ -29,7 +29,8 @@ machines::Machine any_machine() {
   auto& figures = machines::own<Figures>(machine);
   figures.order = static_cast<multi_processor::RenderingOrder>(below(3));
   figures.word_bits = 1 + below(64);
-  figures.operations = {below(20), below(20), below(20), below(20), below(20), below(90)};
+  figures.operations = {below(20), below(20), below(20), below(20), below(20), below(90), below(9), below(3)};
+  figures.field_clocks = below(2) == 0 ? multi_processor::unpacked : below(30);
   figures.loop = {below(20), below(40), below(60)};
   return machine;
 }
@@ -164,4 +165,50 @@ TEST_CASE("a stripe takes a node as long as an edge does") {
     return multi_processor::pixel_clocks({.opcode = opcode, .linear = {.a = 1, .width = 20}}, machine);
   };
   CHECK(clocks(isa::Opcode::stripe) == clocks(isa::Opcode::edge_negative));
+}
+
+TEST_CASE("a node pays a shift by places, whole words of which it finds elsewhere") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  auto& figures = machines::own<Figures>(machine);
+  figures.word_bits = 16;
+  const auto clocks = [&](std::uint8_t shift) {
+    const isa::Linear linear{.a = 1, .width = 40, .shift = shift};
+    figures.operations = {.logic = 1'000'000, .shift = 1000, .shift_bit = 1};
+    const std::uint64_t shifted =
+        multi_processor::pixel_clocks({.opcode = isa::Opcode::edge_negative, .linear = linear}, machine);
+    figures.operations = {.logic = 0, .shift = 0, .shift_bit = 0};
+    return shifted - multi_processor::pixel_clocks({.opcode = isa::Opcode::edge_negative, .linear = linear}, machine) -
+           1'000'000;
+  };
+  CHECK(clocks(0) == 0);
+  // Three words; what comes into the lower two from above is shifted the other way, and joined.
+  CHECK(clocks(5) == 3 * 1005 + 2 * 1'001'011);
+  CHECK(clocks(16) == 0);
+  CHECK(clocks(18) == 2 * 1002 + 1'001'014);
+  CHECK(clocks(39) == 1007);
+}
+
+TEST_CASE("a node gets the numbers of an instruction out of its bits: a hand calculation") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  auto& figures = machines::own<Figures>(machine);
+  figures.word_bits = 16;
+  figures.operations = {
+      .read = 0, .write = 0, .add = 0, .compare = 0, .logic = 11, .multiply = 0, .shift = 67, .shift_bit = 71};
+  const auto shift = [](std::uint64_t places) { return 67 + 71 * places; };
+  const std::vector<isa::Instruction> list{
+      {.opcode = isa::Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}}};
+  const auto clocks = [&] {
+    return multi_processor::rendering_clocks({.instructions = list}, {0, 0, 1, 1}, {0, 8}, machine);
+  };
+  const std::uint64_t before = clocks();
+  figures.field_clocks = 73;
+  // A number from one word into the next takes a second shift, and is joined; all have a mask. Their places in words:
+  const std::uint64_t number = shift(6) + (shift(10) + 11);     // 6, of 12 bits
+  const std::uint64_t width = shift(2);                         // 18, of 6
+  const std::uint64_t sum_width = shift(8);                     // 24, of 6
+  const std::uint64_t sum_shift = shift(14) + (shift(2) + 11);  // 30, of 6
+  const std::uint64_t a = 2 * shift(4) + (shift(12) + 11);      // 36, of 20
+  const std::uint64_t b = 2 * shift(8) + (shift(8) + 11);       // 56, of 20
+  const std::uint64_t c = 2 * shift(12) + (shift(4) + 11);      // 76, of 20
+  CHECK(clocks() - before == 8 * (73 + 11) + number + width + sum_width + sum_shift + a + b + c);
 }

@@ -14,6 +14,7 @@
 #include "hw/machines/runs_on.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
+#include "hw/multi_processor/refresh.h"
 #include "hw/multi_processor/timing.h"
 #include "tests/support/random_program.h"
 
@@ -36,20 +37,21 @@ Machine machine_4x4() {
   machine.picture = {4, 4};
   machine.clock_hz = 8'000'000;
   machine.link = {.width = 32, .word_clocks = 10, .fifo_depth = 1, .latency = 4};
-  machine.own =
-      Figures{.levels = 0,
-              .order = RenderingOrder::segment,
-              .word_bits = 16,
-              .memory_words = 1000,
-              .operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13},
-              .loop = {.pixel = 17, .row = 19, .instruction = 23},
-              .node_tests = {.primitive = 29, .halfspace = 31, .cell = 47, .tree_node = 53, .instruction = 59},
-              .display_tests = {.primitive = 37, .halfspace = 41, .cell = 61},
-              .host = {.width = 16, .word_clocks = 3, .latency = 5},
-              .display_memory_words = 1000,
-              .transform_clocks = 43,
-              .divides_ahead = false,
-              .barrier_clocks = 6};
+  machine.own = Figures{
+      .levels = 0,
+      .order = RenderingOrder::segment,
+      .word_bits = 16,
+      .memory_words = 1000,
+      .operations =
+          {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 13, .shift = 67, .shift_bit = 71},
+      .loop = {.pixel = 17, .row = 19, .instruction = 23},
+      .node_tests = {.primitive = 29, .halfspace = 31, .cell = 47, .tree_node = 53, .instruction = 59},
+      .display_tests = {.primitive = 37, .halfspace = 41, .cell = 61},
+      .host = {.width = 16, .word_clocks = 3, .latency = 5},
+      .display_memory_words = 1000,
+      .transform_clocks = 43,
+      .divides_ahead = false,
+      .barrier_clocks = 6};
   return machine;
 }
 
@@ -167,21 +169,42 @@ TEST_CASE("each stage of a frame takes what a hand calculation says") {
   const std::uint64_t clear = 2 * 3 + 17 + 19;
   const std::uint64_t enable = (23 + 2) + (2 + 11 + 3) + 17 + 19;
   const std::uint64_t begin = 4 * 2 * 13 + 2 * 2 * 5;
-  const std::uint64_t at_pixel = 2 * 5 + 2 * 11 + 2 + 11 + 3 + 2 * 7 + 3;
+  // Two words by 4 places, and what comes into the lower one.
+  const std::uint64_t shift = 2 * (67 + 4 * 71) + (67 + 12 * 71 + 11);
+  const std::uint64_t at_pixel = 2 * 5 + shift + 2 + 11 + 3 + 2 * 7 + 3;
   const std::uint64_t load = (23 + 6 * 2) + begin + 2 * 5 + at_pixel + 17 + 19;
   const std::uint64_t store = 2 + 3 + 17 + 19;
   const std::uint64_t background = 3 + 17 + 19;
   CHECK(account.stages.rendering == clear + enable + load + store + 3 * background);
-  CHECK(clocks_of(program_for(machine), machine) == 2003);
+  CHECK(clocks_of(program_for(machine), machine) == 3613);
 }
 
 TEST_CASE("the order of rendering changes what goes round the pixels: hand calculations") {
   Machine machine = machine_4x4();
   const isa::Program program = program_for(machine);
   figures(machine).order = RenderingOrder::scan_line;
-  CHECK(clocks_of(program, machine) == 1948);
+  CHECK(clocks_of(program, machine) == 3558);
   figures(machine).order = RenderingOrder::pixel;
-  CHECK(clocks_of(program, machine) == 1895);
+  CHECK(clocks_of(program, machine) == 3505);
+}
+
+TEST_CASE("a node unpacks what it looks at as it divides: a hand calculation") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const FrameAccount before = account_of(program, machine);
+  figures(machine).field_clocks = 73;
+  const FrameAccount account = account_of(program, machine);
+  const auto shift = [](std::uint64_t places) { return 67 + 71 * places; };
+  // Four sides of 15 bits from places 0, 15, 30 and 45 on, two depths of 5; each has a mask, and all but the first and
+  // the last end in another word than they begin in.
+  const std::uint64_t box = 6 * (73 + 11) + shift(15) + (shift(1) + 11) + shift(14) + (shift(2) + 11) + shift(13) +
+                            (shift(3) + 11) + shift(12) + (shift(4) + 11) + shift(1);
+  CHECK(account.nodes[1].of(NodeActivity::pruning) == 29 + box);
+  // Three half-spaces: two bits, A and B of 2 bits, C of 3; two nodes of the tree: two bits, and 2.
+  const std::uint64_t halfspace = 5 * (73 + 11) + shift(1) + shift(2) + shift(4) + shift(6);
+  const std::uint64_t node = 3 * (73 + 11) + shift(1) + shift(2);
+  CHECK(account.nodes[0].of(NodeActivity::pruning) ==
+        before.nodes[0].of(NodeActivity::pruning) + box + 3 * halfspace + 2 * node);
 }
 
 TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor shared, only set to the background") {
@@ -277,7 +300,7 @@ TEST_CASE("lists that do not fit the nodes at once are sent and rendered in part
   CHECK(account.stages.barriers == whole.stages.barriers + 2 * 6);
   CHECK(account.stages.second_pruning == whole.stages.second_pruning);
   CHECK(account.stages.rendering == whole.stages.rendering);
-  CHECK(clocks_of(program, machine) == 2003 + 2 * 4 + 2 * 10 + 2 * 6);
+  CHECK(clocks_of(program, machine) == 3613 + 2 * 4 + 2 * 10 + 2 * 6);
 }
 
 TEST_CASE("a list that is more than half of what is left of a node's memory is made in parts: a hand calculation") {
@@ -338,7 +361,7 @@ TEST_CASE(
   CHECK(account.list_passes == 4);
   CHECK(account.stages.sharing == whole.stages.sharing);
   CHECK(account.stages.rendering == whole.stages.rendering);
-  CHECK(clocks_of(program, machine) == 2003 + reads + 3 * 29 - 3 * 10);
+  CHECK(clocks_of(program, machine) == 3613 + reads + 3 * 29 - 3 * 10);
 }
 
 TEST_CASE("a segment of which the primitives leave no room for two commands in a node is refused, with what to do") {
@@ -363,7 +386,7 @@ TEST_CASE("what does not fit the display processor is read from the host, or tes
   --figures(machine).display_memory_words;
   CHECK(account_of(program, machine).stages.first_pruning == 2 * once);
   CHECK(account_of(program, machine).first_halfspace_tests == 6);
-  CHECK(clocks_of(program, machine) == 2003 + once);
+  CHECK(clocks_of(program, machine) == 3613 + once);
   // Its planes, 24 bits of 504, are not there: each takes a word of the host's link, and is transformed.
   figures(machine).display_memory_words = 31;
   CHECK(account_of(program, machine).stages.first_pruning == 2 * (once + 3 * (5 + 3 + 43)));
@@ -391,6 +414,69 @@ TEST_CASE("a model that does not fit the display processor without its planes is
   program.display_model.clear();
   CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
                        "the Program has no display model, which four divides; compile the model for this machine",
+                       InputError);
+}
+
+TEST_CASE("nodes stand still in turns of the screen, and nothing else does: hand calculations") {
+  Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  // 32 bits of each node's in two turns; 20 turns a second, of 5 clocks every 50.
+  machine.clock_hz = 1000;
+  figures(machine).refresh = {.rate = 10, .bits = 16, .clocks = 5};
+  const multi_processor::Refresh refresh(isa::frame_header(program), machine);
+  CHECK(refresh.end_of(0, 50) == 50);
+  CHECK(refresh.end_of(0, 51) == 56);
+  CHECK(refresh.end_of(50, 1) == 56);
+  CHECK(refresh.end_of(52, 1) == 56);
+  CHECK(refresh.end_of(52, 0) == 52);
+  CHECK(refresh.end_of(40, 60) == 110);
+  const FrameAccount shown = account_of(program, machine);
+  figures(machine).refresh.rate = 0;
+  const FrameAccount account = account_of(program, machine);
+  // Before are reception, transformation, the first pruning and broadcasts, to clock 817: turns at 850, 900, ... 1250.
+  const multi_processor::StageClocks& stages = account.stages;
+  CHECK(stages.reception + stages.transformation + stages.first_pruning + stages.broadcasting == 817);
+  CHECK(shown.stages.second_pruning == 393 + 8 * 5);
+  CHECK(shown.stages.sharing == stages.sharing);
+  CHECK(shown.stages.broadcasting == stages.broadcasting);
+  CHECK(shown.stages.rendering > stages.rendering);
+}
+
+TEST_CASE("what a screen leaves of the clocks is what is left when each turn is gone through") {
+  CHECK(rc::check([] {
+    Machine machine = random_machine();
+    machine.clock_hz = *rc::gen::inRange<std::uint64_t>(50, 5000);
+    figures(machine).refresh = {*rc::gen::inRange<std::uint32_t>(1, 20), 8, *rc::gen::inRange<std::uint32_t>(1, 9)};
+    const isa::Program program = any_program(machine);
+    const isa::FrameHeader header = isa::frame_header(program);
+    const multi_processor::Refresh refresh(header, machine);
+    if (refresh.turns_a_second() * figures(machine).refresh.clocks >= machine.clock_hz) return;
+    const auto begin = *rc::gen::inRange<std::uint64_t>(0, 3000);
+    const auto clocks = *rc::gen::inRange<std::uint64_t>(0, 300);
+    std::uint64_t left = clocks;
+    std::uint64_t now = begin;
+    while (left > 0) {
+      // Of the turns that have begun the last.
+      const std::uint64_t turn = now * refresh.turns_a_second() / machine.clock_hz;
+      std::uint64_t first = 0;
+      while (first * refresh.turns_a_second() < turn * machine.clock_hz) ++first;
+      if (turn == 0 || now >= first + figures(machine).refresh.clocks) --left;
+      ++now;
+    }
+    RC_ASSERT(refresh.end_of(begin, clocks) == now);
+  }));
+}
+
+TEST_CASE("a screen that takes all clocks of the nodes is refused") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  machine.clock_hz = 1'000'000;
+  figures(machine).refresh = {.rate = 100, .bits = 1, .clocks = 312};
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  ++figures(machine).refresh.clocks;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the screen takes 3200 turns a second of 313 clocks each, and the memories of four have 1000000 "
+                       "clocks a second: nothing could be drawn; give refresh.bits more",
                        InputError);
 }
 
