@@ -10,8 +10,8 @@ namespace {
 testing::Setup setup_of(const csg::Pruning& pruning) {
   testing::Setup setup;
   setup.camera = testing::camera({30, -40, 20}, {0, 0, 0}, view::Projection::orthographic);
-  setup.sampling.width = 64;
-  setup.sampling.height = 64;
+  setup.sampling.width = 256;
+  setup.sampling.height = 256;
   setup.options.pruning = pruning;
   return setup;
 }

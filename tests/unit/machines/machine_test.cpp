@@ -150,7 +150,8 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
   for (const Figure& figure : machine.figures) {
     keys += figure.key + ' ';
     CHECK((figure.provenance == "published" || figure.provenance == "assumed"));
-    CHECK(figure.unit.empty() == (figure.key == "scan_out.port" || figure.key == "evaluator.degree"));
+    CHECK(figure.unit.empty() ==
+          (figure.key == "scan_out.port" || figure.key == "evaluator.degree" || figure.key == "host.processor"));
     CHECK_FALSE(figure.source.empty());
   }
   CHECK(keys ==
@@ -158,7 +159,7 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
         "global_or.present global_or.fan_in scan_out.pixels scan_out.port scan_out.buffers evaluator.level_latency "
         "evaluator.degree "
         "memory.clear_clocks link.width link.word_clocks "
-        "link.fifo_depth link.latency ");
+        "link.fifo_depth link.latency host.processor host.count ");
   CHECK(machine.figures[3].value == "10000000");
   CHECK(machine.figures[3].unit == "Hz");
 }

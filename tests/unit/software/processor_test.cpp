@@ -73,7 +73,10 @@ TEST_CASE("every processor that comes with csgsim prices every operation, and sa
           figure_of(processor, fmt::format("price.{}", software::operation_rows[kind].name));
       CHECK(figure.value == fmt::format("{}", processor.prices[kind]));
       CHECK(figure.unit == "clocks");
-      CHECK(figure.provenance == "published");
+      // What is made of several instructions is in no manual, nor what an i860 waits for.
+      const bool is_made = kind == static_cast<std::size_t>(Operation::multiply_long) ||
+                           kind == static_cast<std::size_t>(Operation::divide_long);
+      if (name != "i860" && !is_made) CHECK(figure.provenance == "published");
       CHECK(processors::meaning_of_figure(figure.key) == software::operation_rows[kind].meaning);
       // A shift takes the same for any number of places on some.
       if (kind != static_cast<std::size_t>(Operation::shifted_bit)) CHECK(processor.prices[kind] > 0);
@@ -190,9 +193,10 @@ TEST_CASE("a file that lacks an operation's price is refused") {
 }
 
 TEST_CASE("processors are found by name or in files, and edited ones tell what is edited") {
-  CHECK_THROWS_WITH(load_processor("mc6800"),
-                    "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, i486dx2, or a "
-                    "file, whose name ends in .toml");
+  CHECK_THROWS_WITH(
+      load_processor("mc6800"),
+      "there is no processor 'mc6800'; did you mean mc68000? The processors are mc68000, i486dx2, i860, or a "
+      "file, whose name ends in .toml");
   CHECK_THROWS_AS(load_processor("mc68000+price.load=-1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("mc68000+price.lode=1"), machines::ChangeError);
   CHECK_THROWS_AS(load_processor("no such file.toml"), InputError);
