@@ -24,7 +24,6 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-using machines::FrameTiming;
 using machines::Machine;
 
 std::size_t dividers_in(const Machine& machine) {

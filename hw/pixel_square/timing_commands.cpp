@@ -27,8 +27,9 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
                         .clocks = machines::clocks(segment.instructions[i], machine),
                         .told = told == nullptr ? nullptr : &told->issued[square][i]});
   }
-  for (const machines::Skip& skip : std::ranges::equal_range(skips, square, {}, &machines::Skip::segment))
-    commands[skip.index + 1].skips = isa::skipped_after(segment.instructions[skip.index], 0);
+  auto skip = std::ranges::lower_bound(skips, square, {}, &machines::Skip::segment);
+  for (; skip != skips.end() && skip->segment == square; ++skip)
+    commands[skip->index + 1].skips = isa::skipped_after(segment.instructions[skip->index], 0);
   commands.push_back({.kind = CommandKind::end,
                       .words = isa::wire_words(isa::SegmentEnd{}, width),
                       .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine.array)},

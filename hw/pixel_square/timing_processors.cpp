@@ -76,10 +76,10 @@ bool ProcessorsTiming::ask_for_renderer(Processor& processor, Time now) {
 }
 
 void ProcessorsTiming::send(Processor& processor, Time now) {
-  TimedRingWord word = next_word(processor);
+  const TimedRingWord word = next_word(processor);
   processor.all_sent = word.ends;
   if (word.ends && !word.renderer) ++skipped_;
-  processor.words.write(now, std::move(word));
+  processor.words.write(now, word);
   processor.clocks.work(1);
   processor.waits = SquareActivity::waiting_for_ring;
   if (!processor.all_sent) agenda_.put(processor.part, now + 1);

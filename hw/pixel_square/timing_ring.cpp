@@ -12,8 +12,7 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
       renderers_(renderers),
       agenda_(agenda),
       part_(PartNumbers{.renderers = renderers.size()}.ring()),
-      channels_(machines::own<Figures>(machine).ring_channels),
-      taken_(renderers.size()) {
+      channels_(machines::own<Figures>(machine).ring_channels) {
   const Figures& figures = machines::own<Figures>(machine);
   if (!has_ring(figures)) return;
   const std::size_t sources = renderers.size() + processors.count();
@@ -26,7 +25,6 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
 void RingTiming::carry(Time now) {
   if (now % word_clocks_ != 0) return agenda_.put(part_, step_after(now));
   const std::size_t sources = processors_.count() + renderers_.size();
-  taken_.assign(taken_.size(), false);
   to_frame_buffer_ = 0;
   std::size_t carried = 0;
   bool look_again = false;
@@ -68,23 +66,22 @@ bool will_pass(const Fifo<From>& from, const Fifo<To>& to) {
 
 }  // namespace
 
+/// A renderer is kept by one processor, so that no two have words for it.
 RingTiming::Found RingTiming::carry_from_processor(std::size_t number, Time now) {
   Fifo<TimedRingWord>& words = processors_.words(number);
   if (!words.word_follows()) return Found::nothing;
   const std::optional<std::size_t> renderer = words.oldest().renderer;
-  const bool is_taken = renderer ? taken_[*renderer] : to_frame_buffer_ == banks_;
+  const bool may_go = renderer || to_frame_buffer_ < banks_;
   const auto pass = [&](auto& to, const auto& word_of) {
-    if (is_taken || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
+    if (!may_go || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
     const TimedRingWord word = words.read(now);
     to.write(now, word_of(word));
     if (word.ends) processors_.leave(number, now);
     return Found::carried;
   };
-  const Found found =
-      renderer ? pass(renderers_[*renderer].link(), [](const TimedRingWord& word) { return word.command; })
-               : pass(carried_[renderers_.size() + number], [](const TimedRingWord& word) { return word.header; });
-  if (found == Found::carried)
-    renderer ? static_cast<void>(taken_[*renderer] = true) : static_cast<void>(++to_frame_buffer_);
+  if (renderer) return pass(renderers_[*renderer].link(), [](const TimedRingWord& word) { return word.command; });
+  const Found found = pass(carried_[renderers_.size() + number], [](const TimedRingWord& word) { return word.header; });
+  if (found == Found::carried) ++to_frame_buffer_;
   return found;
 }
 

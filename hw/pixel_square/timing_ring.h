@@ -44,7 +44,6 @@ class RingTiming {
   std::vector<Fifo<TimedPortWord>> carried_;
   PartClocks clocks_;
   std::size_t turn_ = 0;             ///< source that is asked first
-  std::vector<bool> taken_;          ///< renderers, at the edge at hand
   std::size_t to_frame_buffer_ = 0;  ///< words carried there at it
   std::uint64_t words_ = 0;
   std::uint64_t full_steps_ = 0;

@@ -54,13 +54,15 @@ TEST_CASE("every machine draws the same picture at both levels, and counts the c
   const Folder folder;
   const Drawn whole = draw(folder, "--machine pixel-planes-4");
   for (const std::string& machine :
-       {std::string("scan-line"), std::string("pixel-square"), std::string("pixel-planes-5"),
+       {std::string("scan-line"), std::string("pixel-square"), std::string("pixel-planes-5+evaluator.degree=1"),
         machine_file(folder, "scan-line",
                      {"chains.count 3", "refresh.interlaced 1", "cells.word_bits 16", "cells.words 6"}),
         machine_file(
             folder, "pixel-square",
             {"array.width 7", "array.height 9", "divider.order \"morton\"", "link.fifo_depth 1", "renderers.count 3"}),
-        machine_file(folder, "pixel-planes-5", {"link.fifo_depth 1000", "renderers.buffers 1"}),
+        std::string("pixel-planes-5+evaluator.degree=1+divider.kind=host"),
+        machine_file(folder, "pixel-planes-5",
+                     {"divider.kind \"corners\"", "link.fifo_depth 1000", "renderers.buffers 1", "backing.bits 0"}),
         std::string("multi-processor"),
         machine_file(folder, "multi-processor",
                      {"nodes.columns 3", "nodes.rows 2", "rendering.order \"pixel\"", "display.divides_ahead 1",
@@ -191,7 +193,7 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
   }
   // The subsegments of four levels are the segments of eight.
   const Outcome eight = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                            (folder / "e") + " --subdivisions 8 --machine pixel-planes-5 --no-plots");
+                            (folder / "e") + " --subdivisions 8 --machine pixel-planes-5+divider.kind=corners --no-plots");
   REQUIRE(eight.code == 0);
   CHECK(json(folder / "e/subdivide.json")["points"][0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);

@@ -25,12 +25,12 @@ constexpr std::array<std::string_view, 7> drawing_machines{
     "pixel-square",
     "pixel-square+divider.kind=host",
     "pixel-planes-5+array.width=32+array.height=32",
-    "pixel-planes-5+array.width=32+array.height=32+divider.kind=host",
+    "pixel-planes-5+array.width=32+array.height=32+divider.kind=corners",
     "multi-processor"};
 
 bool divides(std::string_view machine) {
-  const bool has_divider = machine != "pixel-planes-4" && machine != "scan-line";
-  return has_divider && machine.find("divider.kind=host") == machine.npos;
+  if (machine.find("divider.kind=") != machine.npos) return machine.ends_with("divider.kind=corners");
+  return machine == "pixel-square" || machine == "multi-processor";
 }
 
 /// The machine with as much memory as there may be, and room in its divider for large models.

@@ -92,7 +92,7 @@ const std::vector<Case> cases{
     {"pixel-square+evaluator.degree=2+divider.kind=host",
      "pixel_square",
      {"renderer_0.root.xx", "renderer_0.root.yy", "pixel_12_8.flag"}},
-    {"pixel-planes-5+divider.kind=host", "pixel_square", {"renderer_0.root.xy", "pixel_12_8.flag"}},
+    {"pixel-planes-5", "pixel_square", {"renderer_0.root.xy", "pixel_12_8.flag"}},
 };
 
 void hold(const Case& one) {

@@ -64,14 +64,19 @@ def sides(figures):
 
 
 def dividing(figures):
-    rows = []
-    for machine, levels in (("pixel-square", (1, 2)), ("pixel-planes-5", (1, 2))):
-        for level in levels:
-            title = {("pixel-square", 2): "`divider.levels` 2 (as it is)",
-                     ("pixel-planes-5", 1): "**`pixel-planes-5`** as it is, `divider.levels` 1"}.get((machine, level), f"`divider.levels` {level}")
-            rows.append((title, *thousands(clocks(figures, machine, f"divider.levels={level}"))))
-        rows.append(('`divider.kind` "host"', *thousands(clocks(figures, machine, "divider.kind=host"))))
-    return ruled(("`pixel-square`", *THESIS_MODELS), rows)
+    def row(title, machine, *changes):
+        return (title, *thousands(clocks(figures, machine, *changes)))
+
+    corners = "divider.kind=corners"
+    return ruled(("`pixel-square`", *THESIS_MODELS), [
+        row("`divider.levels` 1", "pixel-square", "divider.levels=1"),
+        row("`divider.levels` 2 (as it is)", "pixel-square"),
+        row('`divider.kind` "host"', "pixel-square", "divider.kind=host"),
+        row("**`pixel-planes-5`** as it is: processors", "pixel-planes-5"),
+        row('`divider.kind` "corners", `divider.levels` 1', "pixel-planes-5", corners),
+        row('`divider.kind` "corners", `divider.levels` 2', "pixel-planes-5", corners, "divider.levels=2"),
+        row('`divider.kind` "host"', "pixel-planes-5", "divider.kind=host"),
+    ])
 
 
 def beside(title, *groups):
@@ -91,25 +96,44 @@ def renderers(figures):
 
 def dividers(figures):
     rows = [(count, *thousands(clocks(figures, "pixel-square", f"divider.count={count}")
-                               + clocks(figures, "pixel-planes-5", f"divider.count={count}"))) for count in (1, 2, 4, 8)]
+                               + clocks(figures, "pixel-planes-5", "divider.kind=corners", f"divider.count={count}"))) for count in (1, 2, 4, 8)]
     return ruled(beside("dividers", "`pixel-square`", "`pixel-planes-5`"), rows)
+
+
+def processors(figures):
+    rows = [(count, *thousands(clocks(figures, "pixel-planes-5", f"processors.count={count}")
+                               + clocks(figures, "pixel-planes-5", "renderers.count=16", f"processors.count={count}"))) for count in (1, 2, 8, 32)]
+    return ruled(beside("processors", "4 renderers", "16 renderers"), rows)
+
+
+def ring(figures):
+    varied = [("as it is",), ("`ring.channels` 1", "ring.channels=1"), ("`ring.channels` 2", "ring.channels=2"), ("`ring.channels` ideal", "ring.channels=ideal"),
+              ("`ring.word_clocks` 1", "ring.word_clocks=1"), ("`ring.width` 64", "ring.width=64"), ("`ring.width` 128", "ring.width=128"),
+              ("`frame_buffer.banks` 1", "frame_buffer.banks=1"), ("`frame_buffer.banks` 8", "frame_buffer.banks=8"),
+              ("that, and 16 renderers, 32 processors", "frame_buffer.banks=8", "renderers.count=16", "processors.count=32")]
+    return ruled(("`pixel-planes-5`", *THESIS_MODELS), [(title, *thousands(clocks(figures, "pixel-planes-5", *changes))) for title, *changes in varied])
 
 
 def screens(figures):
     """Without a divider, which would bound the frame."""
-    varied = [("nothing is shown", "refresh.rate=ideal"), ("as it is",), ("`refresh.bits` 256", "refresh.bits=256", "refresh.clocks=1"),
-              ("that, and two banks", "refresh.bits=256", "refresh.clocks=1", "frame_buffer.banks=2"),
-              ("`refresh.bits` 64", "refresh.bits=64", "refresh.clocks=1"),
-              ("that, and two banks", "refresh.bits=64", "refresh.clocks=1", "frame_buffer.banks=2")]
+    twice = {"pixel-square": "frame_buffer.banks=2", "pixel-planes-5": "frame_buffer.banks=4"}
+    varied = [("nothing is shown", False, "refresh.rate=ideal"), ("as it is", False), ("`refresh.bits` 256", False, "refresh.bits=256", "refresh.clocks=1"),
+              ("that, and twice the banks", True, "refresh.bits=256", "refresh.clocks=1"),
+              ("`refresh.bits` 64", False, "refresh.bits=64", "refresh.clocks=1"),
+              ("that, and twice the banks", True, "refresh.bits=64", "refresh.clocks=1")]
+
+    def drawn(machine, doubled, *changes):
+        return clocks(figures, machine, *changes, *((twice[machine],) if doubled else ()))
+
     return ruled(beside("screen", "`pixel-square`", "`pixel-planes-5`"),
-                 [(title, *thousands(clocks(figures, "pixel-square", "divider.kind=host", *changes)
-                                     + clocks(figures, "pixel-planes-5", "divider.kind=host", *changes))) for title, *changes in varied])
+                 [(title, *thousands(drawn("pixel-square", doubled, "divider.kind=host", *changes) + drawn("pixel-planes-5", doubled, *changes)))
+                  for title, doubled, *changes in varied])
 
 
 def buffers(figures):
-    rows = [(count, *thousands(clocks(figures, "pixel-square", f"renderers.buffers={count}")
-                               + clocks(figures, "pixel-planes-5", f"renderers.buffers={count}"))) for count in (1, 2)]
-    return ruled(beside("buffers", "`pixel-square`", "`pixel-planes-5`"), rows)
+    varied = [(1, "renderers.buffers=1", "backing.bits=0"), (2, "renderers.buffers=2", "backing.bits=0"), ("backing store", "backing.bits=4096")]
+    return ruled(beside("buffers", "`pixel-square`", "`pixel-planes-5`"),
+                 [(title, *thousands(clocks(figures, "pixel-square", *changes) + clocks(figures, "pixel-planes-5", *changes))) for title, *changes in varied])
 
 
 def depths(figures):

@@ -47,3 +47,21 @@ def widths(figures):
     for z_bits, colour_bits in WIDTHS:
         rows.append((f"{z_bits} bits of depth, {colour_bits} of colour", *(own(stats) for stats in drawn(figures, z_bits, colour_bits))))
     return ruled(("", "one read port", "two"), rows)
+
+
+def planes_5(figures):
+    """What the abstract of Pixel-planes 5 says, and what our renderers' clocks and figures make of it."""
+    clock, renderers = 40e6, 16
+    triangle = max(each.clocks for each in figures.render("tests/budgets/triangle.csgt", "", "run").by_primitive)
+    ball = own(figures.render(SPHERE, "--machine pixel-powers"))
+    house = figures.render("house", "--machine pixel-planes-5+frame_buffer.banks=8+renderers.count=16+processors.count=32")
+    return ruled(("", "published", "ours"), [
+        ("triangles a second, a renderer", "", f"{clock / triangle:,.0f}"),
+        ("triangles a second, 16 renderers", "1,000,000", f"{renderers * clock / triangle:,.0f}"),
+        ("clocks of a renderer a triangle, of 16 renderers", f"{renderers * clock / 1e6:,.0f}", f"{triangle}"),
+        ("spheres a second, a renderer", "", f"{clock / ball:,.0f}"),
+        ("spheres a second, 16 renderers", "", f"{renderers * clock / ball:,.0f}"),
+        ("pixels a second to the frame buffer, a renderer", "", f"{20e6 * 32 / 24:,.0f}"),
+        ("the same, the house on 16 renderers, 8 banks", "", f"{512 * 512 / house.simulated_seconds:,.0f}"),
+        ("ring, bits a second", "5 · 10⁹", f"{8 * 32 * 20e6 / 1e9:.2f} · 10⁹"),
+    ])

@@ -47,7 +47,7 @@ std::vector<Row> rows() {
   for (const std::string machine :
        {"pixel-planes-4+array.memory_bits=160", "pixel-planes-4+array.memory_bits=160+global_or.present=0",
         "scan-line+cells.words=6", "pixel-square+array.memory_bits=160+divider.kind=host",
-        "pixel-planes-5+array.memory_bits=208+divider.kind=host"}) {
+        "pixel-planes-5+divider.kind=host", "pixel-planes-5"}) {
     for (const Strategy strategy : {Strategy::stack, Strategy::list, Strategy::products, Strategy::parallel})
       all.push_back({machine, strategy, Colouring::rebroadcast});
     all.push_back({machine, Strategy::stack, Colouring::field});
@@ -57,7 +57,7 @@ std::vector<Row> rows() {
     all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 5});
   }
   for (const std::string machine :
-       {"pixel-square+array.memory_bits=160", "pixel-planes-5", "multi-processor+pixel.memory_bits=160"}) {
+       {"pixel-square+array.memory_bits=160", "pixel-planes-5+divider.kind=corners", "multi-processor+pixel.memory_bits=160"}) {
     all.push_back({machine, Strategy::stack, Colouring::rebroadcast});
     all.push_back({machine, Strategy::stack, Colouring::field});
   }

@@ -213,7 +213,8 @@ TEST_CASE("a line of a comparison has a cell for each thing that a point takes, 
   for (std::uint64_t studies::ComparisonRow::*const count :
        {&studies::ComparisonRow::primitives, &studies::ComparisonRow::halfspaces, &studies::ComparisonRow::segments,
         &studies::ComparisonRow::drawn_segments, &studies::ComparisonRow::instructions, &studies::ComparisonRow::clocks,
-        &studies::ComparisonRow::shown_clocks, &studies::ComparisonRow::pixel_operations,
+        &studies::ComparisonRow::shown_clocks, &studies::ComparisonRow::interval_clocks,
+        &studies::ComparisonRow::host_clocks, &studies::ComparisonRow::pixel_operations,
         &studies::ComparisonRow::enabled, &studies::ComparisonRow::processors,
         &studies::ComparisonRow::processor_clocks, &studies::ComparisonRow::machine_memory_bits,
         &studies::ComparisonRow::instruction_clocks})
