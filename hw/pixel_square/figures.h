@@ -18,9 +18,9 @@ inline constexpr auto square_order_names = std::to_array<std::string_view>({"row
 
 /// Who divides the model.
 enum class DividerKind : std::uint8_t {
-  host,        ///< at no cost: its link brings the commands of the squares
+  host,        ///< a frame ahead (hw/host): its link brings the commands of the squares
   corners,     ///< a part of the machine, from a model that the link brings (hw/division)
-  processors,  ///< graphics processors of the machine, at no cost: a ring brings the commands of the squares
+  processors,  ///< graphics processors, a frame ahead: a ring brings the commands of the squares
 };
 
 inline constexpr auto divider_kind_names = std::to_array<std::string_view>({"host", "corners", "processors"});

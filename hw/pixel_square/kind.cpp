@@ -82,8 +82,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
                                                   "in which such a turn takes a bank of the frame buffer"),
     own_figure<Figures, &Figures::order>("divider.order", "", 0, 2, "in which squares are drawn", square_order_names),
     own_figure<Figures, &Figures::divider>("divider.kind", "", 0, 2,
-                                           "host: it divides the model at no cost; corners: the machine does; "
-                                           "processors: processors of the machine do at no cost",
+                                           "host: it divides the model a frame ahead; corners: the machine does; "
+                                           "processors: graphics processors do, a frame ahead",
                                            divider_kind_names),
     own_figure<Figures, &Figures::processors>("processors.count", "processors", 1, 1024,
                                               "that divide the model, square by square, where processors do"),
