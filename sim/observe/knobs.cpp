@@ -63,6 +63,9 @@ constexpr auto figure_steps = std::to_array<FigureStep>({
     {"node.multiply_clocks", Step::half},
     {"node.add_clocks", Step::half},
     {"node.read_clocks", Step::half},
+    {"node.shift_bit_clocks", Step::half},
+    {"node.field_clocks", Step::half},
+    {"node.memory_words", Step::twice},
 });
 
 std::int64_t stepped(const machines::FigureSchema& figure, std::int64_t value, Step step) {
