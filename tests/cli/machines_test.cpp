@@ -192,8 +192,9 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
     if (i > 0) CHECK(segments["kept_halfspaces_mean"] < columns[i - 1]["segments"]["kept_halfspaces_mean"]);
   }
   // The subsegments of four levels are the segments of eight.
-  const Outcome eight = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                            (folder / "e") + " --subdivisions 8 --machine pixel-planes-5+divider.kind=corners --no-plots");
+  const Outcome eight =
+      run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " + (folder / "e") +
+          " --subdivisions 8 --machine pixel-planes-5+divider.kind=corners --no-plots");
   REQUIRE(eight.code == 0);
   CHECK(json(folder / "e/subdivide.json")["points"][0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);

@@ -694,6 +694,37 @@ TEST_CASE("all squares are drawn and every clock is accounted for, whatever the 
   }));
 }
 
+TEST_CASE(
+    "on a ring all squares are drawn and every clock is accounted for, and as many words travel, whatever does it") {
+  CHECK(rc::check([] {
+    Machine machine = any_machine();
+    Figures& figures = machines::own<Figures>(machine);
+    figures = on_a_ring(figures);
+    figures.processors = pick(1, 5);
+    figures.ring_bits = pick(1, 64);
+    figures.ring_word_clocks = pick(1, 3);
+    figures.ring_channels = pick(0, 6);
+    figures.banks = pick(1, 3);
+    const isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
+    const Timing timing = time(program, machine);
+    RC_ASSERT(timing.account.squares_drawn + timing.account.squares_skipped == program.segments.size());
+    RC_ASSERT(timing.account.processors.size() == figures.processors);
+    std::vector<SquareClocks> parts = timing.account.renderers;
+    parts.insert(parts.end(), timing.account.processors.begin(), timing.account.processors.end());
+    parts.insert(parts.end(), {timing.account.ring.value().clocks, timing.account.frame_buffer});
+    for (const SquareClocks& part : parts) RC_ASSERT(part.total() == timing.clocks);
+    // The words that travel are those of commands, headers and colours, each once, whatever carries them.
+    figures.ring_channels = pixel_square::all_channels;
+    figures.ring_word_clocks = 1;
+    figures.processors = 1;
+    const Timing other = time(program, machine);
+    RC_ASSERT(other.account.ring.value().words == timing.account.ring.value().words);
+    std::uint64_t sent = 0;
+    for (const SquareClocks& one : timing.account.processors) sent += one.of(pixel_square::SquareActivity::working);
+    RC_ASSERT(sent <= timing.account.ring.value().words);
+  }));
+}
+
 TEST_CASE("a machine that works on parts of the picture refuses questions, and says what to do") {
   isa::Program program = program_of(2, {square(1, {enable, {.opcode = Opcode::global_or}})});
   for (const machines::Kind* const kind :

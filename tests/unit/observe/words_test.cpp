@@ -161,6 +161,8 @@ TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of"
   CHECK(bound("pixel-square+divider.count=2+divider.halfspace_clocks=9000").starts_with("divider "));
   CHECK(bound("pixel-square+divider.kind=host+alu.bits=1") == "renderer 0");
   CHECK(bound("pixel-square+port.width=1", "thesis_fig_2_3") == "frame buffer");
+  CHECK(bound("pixel-planes-5+ring.channels=1+ring.width=1") == "ring");
+  CHECK(bound("pixel-planes-5+alu.bits=1+ring.word_clocks=1").starts_with("renderer "));
   CHECK(bound("multi-processor+host.link_word_clocks=1000000") == "link from the host");
   CHECK(bound("multi-processor+display.transform_clocks=1000000") == "display processor");
   CHECK(bound("multi-processor+display.transform_clocks=0+display.halfspace_clocks=0+display.cell_clocks=0")
