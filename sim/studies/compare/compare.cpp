@@ -121,7 +121,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
     return;
   }
   fmt::print("{:>8}{:>15}{:>11.2f}{:>9.4g}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
-             row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, row.frames_per_second,
+             row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, fed_frames_per_second(row),
              grouped(row.pixel_operations), grouped(row.processors), grouped(row.processor_clocks),
              grouped(row.machine_memory_bits), row.machine_transistors ? grouped(*row.machine_transistors) : "-",
              100.0 * row.utilisation);
@@ -130,7 +130,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
 /// What each idealisation of a machine is worth, against the machine as it is, which comes before them.
 void print_ideal_rows(Rows rows) {
   const std::size_t width = name_width(rows);
-  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "frames/s", "worth %");
+  fmt::print("{:<{}}{:<28}{:>13}{:>11}{:>9}{:>9}\n", "machine", width, "ideal", "clocks", "ms", "with host", "worth %");
   const ComparisonRow* as_it_is = nullptr;
   for (const ComparisonRow& row : rows) {
     if (row.point.ideal.empty()) as_it_is = &row;

@@ -24,9 +24,7 @@ machines::Machine machine_named(const std::string& name) {
   return machine;
 }
 
-isa::Program drawn_on(const machines::Machine& machine) {
-  return testing::two_cubes(machine, {2, 2, 2});
-}
+isa::Program drawn_on(const machines::Machine& machine) { return testing::two_cubes(machine, {2, 2, 2}); }
 
 double clocks_on_mc68000(const processors::Operations& operations) {
   return processors::clocks(operations, processors::load_processor("mc68000"));
