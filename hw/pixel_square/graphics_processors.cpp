@@ -60,7 +60,6 @@ SquareActivity GraphicsProcessors::act(std::size_t number) {
   if (latency_left_ > 0) return SquareActivity::waiting_for_host;
   if (processor.all_sent) return SquareActivity::waiting_for_ring;
   if (!processor.square && !take_square(processor)) return SquareActivity::done;
-  if (!is_ready(processor)) return SquareActivity::waiting_for_host;
   if (!processor.is_clear && !processor.renderer && !ask_for_renderer(processor))
     return SquareActivity::waiting_for_renderer;
   if (words[number].num_free() == 0) return SquareActivity::waiting_for_ring;
@@ -77,9 +76,6 @@ bool GraphicsProcessors::take_square(Processor& processor) {
   processor.sent = 0;
   return true;
 }
-
-/// Whether the next word of the square at hand may leave: dividing and compiling take no clock.
-bool GraphicsProcessors::is_ready(const Processor& /*processor*/) { return true; }
 
 bool GraphicsProcessors::ask_for_renderer(Processor& processor) {
   const auto unfinished = [&](std::size_t renderer) { return handed_[renderer] - finished[renderer].read(); };

@@ -24,7 +24,8 @@ namespace csgsim::pixel_square {
 /// nothing is seen, a header for the frame buffer. It keeps the renderer, and takes no other square, until all of this
 /// is gone.
 ///
-/// It asks when its first word is ready, and gets, of the renderers that no other processor keeps, the one with the
+/// What it sends it has compiled while the frame before was drawn (hw/host). It asks for a renderer before its first
+/// word, and gets, of the renderers that no other processor keeps, the one with the
 /// fewest squares that it has not finished, the first of those. A renderer that is let go can be had at the next edge.
 /// Of processors that want the same at one edge the first gets it.
 class GraphicsProcessors final : public systemc::ClockedModule {
@@ -65,7 +66,6 @@ class GraphicsProcessors final : public systemc::ClockedModule {
   void let_go(std::size_t number);
   SquareActivity act(std::size_t number);
   bool take_square(Processor& processor);
-  static bool is_ready(const Processor& processor);
   bool ask_for_renderer(Processor& processor);
   void send(std::size_t number);
   [[nodiscard]] RingWord next_word(const Processor& processor) const;

@@ -33,10 +33,6 @@ void ProcessorsTiming::act(std::size_t number, Time now) {
   if (processor.all_sent) return;
   processor.clocks.wait(processor.waits, now);
   if (!processor.square && !take_square(processor)) return sleep(processor, SquareActivity::done);
-  if (const Time when = ready(processor, now); when > now) {
-    agenda_.put(processor.part, when);
-    return sleep(processor, SquareActivity::waiting_for_host);
-  }
   if (!processor.commands.empty() && !processor.renderer && !ask_for_renderer(processor, now))
     return sleep(processor, SquareActivity::waiting_for_renderer);
   if (!processor.words.has_room(now)) {
@@ -54,9 +50,6 @@ bool ProcessorsTiming::take_square(Processor& processor) {
   processor.sent = 0;
   return true;
 }
-
-/// The edge at which the next word of the square at hand may leave: dividing and compiling take no clock.
-Time ProcessorsTiming::ready(const Processor& /*processor*/, Time now) { return now; }
 
 bool ProcessorsTiming::ask_for_renderer(Processor& processor, Time now) {
   std::optional<std::size_t> best;

@@ -70,7 +70,6 @@ class ProcessorsTiming {
   };
 
   bool take_square(Processor& processor);
-  static Time ready(const Processor& processor, Time now);
   bool ask_for_renderer(Processor& processor, Time now);
   void send(Processor& processor, Time now);
   [[nodiscard]] TimedRingWord next_word(Processor& processor);
