@@ -44,10 +44,8 @@ std::optional<Bound> bound_of(const engine::RunResult& result, const machines::M
       with_article(most.part), most.does, 100.0 * share_of(most, next), grouped(next), rate(next));
   if (loads.size() > 1 && loads[1].clocks > 0)
     sentence += fmt::format("; next is {}, {:.1f} %", with_article(loads[1].part), 100.0 * share_of(loads[1], next));
-  Bound bound{most.part, share_of(most, next), sentence, most.part, share_of(most, next)};
-  if (result.host_clocks <= next) return bound;
-  bound.part = "host";
-  bound.share = 1;
+  Bound bound{most.part, share_of(most, next), result.host_clocks > next, sentence};
+  if (!bound.by_host) return bound;
   bound.sentence = fmt::format(
       "the host bounds the frame: it compiles the next in {} clocks, {:.4g} frames a second; if it kept up, {}",
       grouped(result.host_clocks), rate(result.host_clocks), sentence);

@@ -8,14 +8,13 @@
 
 namespace csgsim::observe {
 
-/// What bounds how fast frames follow one another: of the machine the part that works in more of the clocks from one to
-/// the next than any other does, or its host, where that takes longer.
+/// The part of a machine that bounds how fast frames follow one another: it works in more of the clocks from one to the
+/// next than any other does.
 struct Bound {
-  std::string part;      ///< of the machine, or `host`
+  std::string part;
   double share = 0;      ///< of these clocks
-  std::string sentence;  ///< for people: the part, its share, the frames a second, the part that comes after it
-  std::string fed_part;  ///< if the host keeps up: of the machine
-  double fed_share = 0;  ///< of the machine's clocks from one frame to the next
+  bool by_host = false;  ///< the host takes longer than these to compile the next frame
+  std::string sentence;  ///< for people: the host, if it does; the part, its share, frames a second, the part after it
 };
 
 /// From the account of a run; nothing where the machine's kind does not tell of its parts, or a frame takes no time.

@@ -144,11 +144,7 @@ Json segments_json(const isa::Program& program) {
 Json bound_json(const Report& report) {
   const std::optional<Bound> bound = bound_of(report.result, report.machine);
   if (!bound) return {};
-  return {{"part", bound->part},
-          {"share", bound->share},
-          {"sentence", bound->sentence},
-          {"fed_part", bound->fed_part},
-          {"fed_share", bound->fed_share}};
+  return {{"part", bound->part}, {"share", bound->share}, {"by_host", bound->by_host}, {"sentence", bound->sentence}};
 }
 
 Json dearest_json(const Report& report) {
@@ -177,8 +173,7 @@ Json knobs_json(std::span<const Knob> knobs) {
 }
 
 /// 0 where a frame takes no time.
-double frames_per_second(const Report& report) {
-  const std::uint64_t interval = machines::paced_clocks(report.result.interval_clocks, report.result.host_clocks);
+double frames_per_second(const Report& report, std::uint64_t interval) {
   return interval == 0 ? 0 : static_cast<double>(report.machine.clock_hz) / static_cast<double>(interval);
 }
 
@@ -203,7 +198,9 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["host_clocks"] = report.result.host_clocks;
   json["frame_seconds"] =
       static_cast<double>(report.result.shown_clocks) / static_cast<double>(report.machine.clock_hz);
-  json["frames_per_second"] = frames_per_second(report);
+  json["frames_per_second"] = frames_per_second(report, report.result.interval_clocks);
+  json["hosted_frames_per_second"] =
+      frames_per_second(report, machines::paced_clocks(report.result.interval_clocks, report.result.host_clocks));
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
   json["instructions"] = instructions_json(report);
   json["pixel_operations"] = pixel_operations(report.stats.total);

@@ -121,7 +121,7 @@ void print_row(const ComparisonRow& row, std::size_t width) {
     return;
   }
   fmt::print("{:>8}{:>15}{:>11.2f}{:>9.4g}{:>17}{:>10}{:>18}{:>13}{:>14}{:>8.3f}\n", row.halfspaces,
-             row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, fed_frames_per_second(row),
+             row.clocks > 0 ? grouped(row.clocks) : "-", row.simulated_seconds * 1e3, row.frames_per_second,
              grouped(row.pixel_operations), grouped(row.processors), grouped(row.processor_clocks),
              grouped(row.machine_memory_bits), row.machine_transistors ? grouped(*row.machine_transistors) : "-",
              100.0 * row.utilisation);
@@ -139,7 +139,8 @@ void print_ideal_rows(Rows rows) {
       fmt::print("  {}\n", row.reason);
       continue;
     }
-    fmt::print("{:>13}{:>11.2f}{:>9.4g}", grouped(row.clocks), row.simulated_seconds * 1e3, row.frames_per_second);
+    fmt::print("{:>13}{:>11.2f}{:>9.4g}", grouped(row.clocks), row.simulated_seconds * 1e3,
+               row.hosted_frames_per_second);
     if (as_it_is != nullptr && as_it_is->drawn())
       fmt::print("{:>9.2f}", 100.0 * (1.0 - row.simulated_seconds / as_it_is->simulated_seconds));
     fmt::print("\n");

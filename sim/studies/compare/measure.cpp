@@ -46,15 +46,18 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.shown_clocks = result.shown_clocks;
   row.interval_clocks = result.interval_clocks;
   row.host_clocks = result.host_clocks;
-  row.frames_per_second = static_cast<double>(machine.clock_hz) /
-                          static_cast<double>(machines::paced_clocks(result.interval_clocks, result.host_clocks));
+  const auto frames = [&](std::uint64_t interval) {
+    return static_cast<double>(machine.clock_hz) / static_cast<double>(interval);
+  };
+  row.frames_per_second = frames(result.interval_clocks);
+  row.hosted_frames_per_second = frames(machines::paced_clocks(result.interval_clocks, result.host_clocks));
   row.pixel_operations = stats.stats().total.pixel_operations;
   row.enabled = stats.stats().total.enabled;
   row.processor_clocks = row.processors * row.clocks;
   row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
   if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) {
-    row.bound_by = bound->fed_part;
-    row.bound_share = bound->fed_share;
+    row.bound_by = bound->part;
+    row.bound_share = bound->share;
   }
   const observe::ClockShares shares = observe::clock_shares(program, result, stats.stats());
   row.instruction_clocks = shares.whole;
@@ -84,11 +87,6 @@ ComparisonRow measure(const ComparisonJob& job, const model::Tree& tree) {
   return measured_row<ComparisonRow>(job.point, job.inputs, [&](ComparisonRow& row) {
     job.software ? measure_software(job, tree, row) : draw_on_machine(job, tree, row);
   });
-}
-
-double fed_frames_per_second(const ComparisonRow& row) {
-  if (row.interval_clocks == 0) return row.frames_per_second;
-  return static_cast<double>(row.clocks) / (row.simulated_seconds * static_cast<double>(row.interval_clocks));
 }
 
 }  // namespace csgsim::studies

@@ -47,17 +47,18 @@ struct ComparisonRow {
   Inputs inputs;
   std::uint64_t primitives = 0;
   std::uint64_t halfspaces = 0;
-  std::uint64_t segments = 0;          ///< parts of the picture
-  std::uint64_t drawn_segments = 0;    ///< of these, those that something touches
-  std::uint64_t instructions = 0;      ///< in all segments
-  std::uint64_t clocks = 0;            ///< in which a frame is drawn
-  double simulated_seconds = 0;        ///< these, at the machine's clock rate
-  std::uint64_t shown_clocks = 0;      ///< until its last pixel has been shown
-  std::uint64_t interval_clocks = 0;   ///< from one frame to the next, where the host keeps up
-  std::uint64_t host_clocks = 0;       ///< in which the host compiles a frame
-  double frames_per_second = 0;        ///< in a sequence of such frames
-  std::uint64_t pixel_operations = 0;  ///< clocks of each instruction times the pixels of its region
-  std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
+  std::uint64_t segments = 0;           ///< parts of the picture
+  std::uint64_t drawn_segments = 0;     ///< of these, those that something touches
+  std::uint64_t instructions = 0;       ///< in all segments
+  std::uint64_t clocks = 0;             ///< in which a frame is drawn
+  double simulated_seconds = 0;         ///< these, at the machine's clock rate
+  std::uint64_t shown_clocks = 0;       ///< until its last pixel has been shown
+  std::uint64_t interval_clocks = 0;    ///< from one frame to the next, where the host keeps up
+  std::uint64_t host_clocks = 0;        ///< in which the host compiles a frame
+  double frames_per_second = 0;         ///< in a sequence of such frames, where the host keeps up
+  double hosted_frames_per_second = 0;  ///< with its host
+  std::uint64_t pixel_operations = 0;   ///< clocks of each instruction times the pixels of its region
+  std::uint64_t enabled = 0;            ///< of these, at pixels whose E was 1 when the instruction began
   std::uint64_t processors = 0;
   std::uint64_t processor_clocks = 0;                  ///< processors times clocks: what was paid for
   std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a frame buffer beside them
@@ -88,6 +89,7 @@ struct ComparisonRow {
     visit("interval_clocks", row.interval_clocks);
     visit("host_clocks", row.host_clocks);
     visit("frames_per_second", row.frames_per_second);
+    visit("hosted_frames_per_second", row.hosted_frames_per_second);
     visit("pixel_operations", row.pixel_operations);
     visit("enabled", row.enabled);
     visit("processors", row.processors);
@@ -105,9 +107,6 @@ struct ComparisonRow {
     visit("reason", row.reason);
   }
 };
-
-/// Frames a second if the host keeps up; of software, whose time has none, as it is.
-double fed_frames_per_second(const ComparisonRow& row);
 
 /// A processor and the method that runs on it.
 struct SoftwareChoice {

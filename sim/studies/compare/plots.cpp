@@ -38,7 +38,7 @@ constexpr View views[] = {
 double drawing_ms(const ComparisonRow& row) { return row.simulated_seconds * 1e3; }
 
 /// Drawing, showing and all else that the machine has to do before the next frame: infinite where it is not known.
-double interval_ms(const ComparisonRow& row) { return 1e3 / fed_frames_per_second(row); }
+double interval_ms(const ComparisonRow& row) { return 1e3 / row.frames_per_second; }
 
 plots::Chart growth_chart(std::span<const ComparisonRow> rows, const View& view, const machines::Size& base,
                           const std::string& model) {
@@ -77,7 +77,7 @@ struct Property {
 constexpr Property properties[] = {
     {interval_title,
      [](const ComparisonRow& row) {
-       return fed_frames_per_second(row) > 0 ? std::optional(interval_ms(row)) : std::nullopt;
+       return row.frames_per_second > 0 ? std::optional(interval_ms(row)) : std::nullopt;
      }},
     {drawing_title, [](const ComparisonRow& row) { return std::optional(drawing_ms(row)); }},
     {"memory bits in all",

@@ -55,6 +55,7 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
   row.halfspaces = geometry.halfspaces();
   row.simulated_seconds = all;
   row.frames_per_second = all > 0 ? 1 / all : 0;
+  row.hosted_frames_per_second = row.frames_per_second;
   if (processor.processor) {
     const double clocks = all * static_cast<double>(processor.processor->clock_hz);
     row.clocks = static_cast<std::uint64_t>(std::llround(clocks));

@@ -37,7 +37,7 @@ void print_bounds(const OwnRows& own) {
   for (const ComparisonRow* row : own) {
     if (row->bound_by.empty()) continue;
     fmt::print("  {:<{}}{:<34}{:>7.1f} %{:>11.4g}{:>18.4g}\n", row->point.machine, width, row->bound_by,
-               100.0 * row->bound_share, fed_frames_per_second(*row), row->frames_per_second);
+               100.0 * row->bound_share, row->frames_per_second, row->hosted_frames_per_second);
   }
 }
 

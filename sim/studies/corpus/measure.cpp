@@ -66,7 +66,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, CorpusR
   row.latency = result.latency_clocks;
   if (result.interval_clocks > 0)
     row.frames_per_second = static_cast<double>(machine.clock_hz) / static_cast<double>(result.interval_clocks);
-  if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) row.bound_by = bound->fed_part;
+  if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) row.bound_by = bound->part;
   row.picture = hash_of(frame.frame());
 }
 

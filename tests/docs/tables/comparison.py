@@ -15,9 +15,9 @@ def at_full_size(points, machine):
 
 
 def machine_row(machine, each):
-    pace = each.clocks / each.simulated_seconds / each.interval_clocks
+    pace = each.frames_per_second
     return row(f"`{machine}`", f"{each.clocks:,}", f"{each.simulated_seconds * 1e3:,.2f}", f"{pace:.{1 if pace >= 0.5 else 2}f}",
-               f"{each.frames_per_second:.2g}",
+               f"{each.hosted_frames_per_second:.2g}",
                four_digits(each.pixel_operations), f"{each.processors:,}", four_digits(each.processor_clocks),
                f"{each.machine_memory_bits:,}", f"{100 * each.utilisation:.1f} %")
 

@@ -147,11 +147,12 @@ TEST_CASE("the part that bounds a frame is the one that a bottleneck is made of"
     const Drawn drawn = draw(machine, model);
     const auto found = observe::bound_of(drawn.result, drawn.machine);
     REQUIRE(found);
-    CHECK(found->fed_share > 0);
-    CHECK(found->fed_share <= 1);
-    CHECK(found->sentence.find(found->fed_part) != std::string::npos);
+    CHECK(found->share > 0);
+    CHECK(found->share <= 1);
+    CHECK(found->by_host == (drawn.result.host_clocks > drawn.result.interval_clocks));
+    CHECK(found->sentence.starts_with("the host bounds the frame: it compiles") == found->by_host);
     CHECK(found->sentence.find(found->part) != std::string::npos);
-    return found->fed_part;
+    return found->part;
   };
   CHECK(bound("pixel-planes-4") == "array");
   CHECK(bound("pixel-planes-4+link.width=1") == "link from the host");

@@ -223,7 +223,8 @@ TEST_CASE("a line of a comparison has a cell for each thing that a point takes, 
   row.machine_transistors = number++;
   for (double studies::ComparisonRow::*const fraction :
        {&studies::ComparisonRow::simulated_seconds, &studies::ComparisonRow::frames_per_second,
-        &studies::ComparisonRow::utilisation, &studies::ComparisonRow::bound_share})
+        &studies::ComparisonRow::hosted_frames_per_second, &studies::ComparisonRow::utilisation,
+        &studies::ComparisonRow::bound_share})
     row.*fraction = static_cast<double>(number++);
   row.bound_by = "a part";
   row.dearest = {{"cube@1:1", 7}};

@@ -64,8 +64,8 @@ TEST_CASE("a point of a comparison is what the Program's run is at the level of 
   CHECK(row.interval_clocks == result.interval_clocks);
   CHECK(row.host_clocks == result.host_clocks);
   REQUIRE(result.host_clocks > result.interval_clocks);
-  CHECK(row.frames_per_second * static_cast<double>(result.host_clocks) == doctest::Approx(hz));
-  CHECK(studies::fed_frames_per_second(row) * static_cast<double>(result.interval_clocks) == doctest::Approx(hz));
+  CHECK(row.hosted_frames_per_second * static_cast<double>(result.host_clocks) == doctest::Approx(hz));
+  CHECK(row.frames_per_second * static_cast<double>(result.interval_clocks) == doctest::Approx(hz));
 }
 
 TEST_CASE("a comparison asks for each point once: a side that is the picture's own is no other point") {
