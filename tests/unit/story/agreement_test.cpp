@@ -56,8 +56,8 @@ std::vector<Row> rows() {
     all.push_back({with_more_memory(machine), Strategy::stored, Colouring::rebroadcast});
     all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 5});
   }
-  for (const std::string machine :
-       {"pixel-square+array.memory_bits=160", "pixel-planes-5+divider.kind=corners", "multi-processor+pixel.memory_bits=160"}) {
+  for (const std::string machine : {"pixel-square+array.memory_bits=160", "pixel-planes-5+divider.kind=corners",
+                                    "multi-processor+pixel.memory_bits=160"}) {
     all.push_back({machine, Strategy::stack, Colouring::rebroadcast});
     all.push_back({machine, Strategy::stack, Colouring::field});
   }
