@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <mutex>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
@@ -23,23 +25,20 @@ using processors::Operations;
 /// The most clocks of a frame that are told: a double holds them.
 constexpr double most_clocks = 9e15;
 
-void add(const Operations& each, std::uint64_t times, Operations& all) {
-  for (std::size_t kind = 0; kind < processors::operation_kinds; ++kind) all.counts[kind] += times * each.counts[kind];
-}
-
 void add(const isa::Preparation& preparation, Operations& all) {
-  for (const Recipe& recipe : recipes()) add(recipe.each, preparation.*recipe.count, all);
+  for (const Recipe& recipe : recipes()) all += preparation.*recipe.count * recipe.each;
 }
 
-/// Read once: they are asked for each frame.
+/// Read once: it is asked for each frame.
 const processors::Processor& processor_of(const machines::Machine& machine) {
-  static const std::vector<processors::Processor> all = [] {
-    std::vector<processors::Processor> read(1);
-    for (const std::string_view name : std::span(machines::host_processor_names).subspan(1))
-      read.push_back(processors::load_processor(std::string(name)));
-    return read;
-  }();
-  return all.at(machine.host.processor);
+  constexpr std::size_t all = machines::host_processor_names.size();
+  static std::array<std::once_flag, all> once;
+  static std::array<processors::Processor, all> read;
+  const std::size_t which = machine.host.processor;
+  std::call_once(once.at(which), [&] {
+    read.at(which) = processors::load_processor(std::string(machines::host_processor_names.at(which)));
+  });
+  return read.at(which);
 }
 
 }  // namespace
@@ -49,14 +48,15 @@ Operations operations_of(const isa::Program& program, const machines::Machine& m
   Operations all;
   add(program.preparation, all);
   if (machines::division(machine)) {
-    add(of_model_long(), quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long), all);
+    all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * of_model_long();
     return all;
   }
+  Written written;
   for (const isa::Segment& segment : program.segments) {
     add(segment.preparation, all);
-    for (const isa::Instruction& instruction : segment.instructions)
-      all += operations_of(instruction, machine.link.width);
+    for (const isa::Instruction& instruction : segment.instructions) written.add(instruction, machine.link.width);
   }
+  all += operations_of(written);
   return all;
 }
 

@@ -21,11 +21,6 @@ constexpr Operations made(std::initializer_list<std::pair<Operation, std::uint64
   return operations;
 }
 
-constexpr Operations times(Operations operations, std::uint64_t count) {
-  for (std::uint64_t& one : operations.counts) one *= count;
-  return operations;
-}
-
 /// A number of the model, and of a matrix, is a long.
 constexpr Operations plane = made({{Operation::load_long, 20},
                                    {Operation::multiply_long, 16},
@@ -155,23 +150,32 @@ std::uint64_t numbers_in(const isa::Instruction& instruction) {
 
 std::span<const Recipe> recipes() { return rows; }
 
-Operations operations_of(const isa::Instruction& instruction, unsigned link_width) {
-  Operations all = any_instruction;
-  all += times(packed, 1 + numbers_in(instruction));
+void Written::add(const isa::Instruction& instruction, unsigned link_width) {
   const isa::Operands& operands = isa::operands_of(instruction.opcode);
-  if (isa::has_operand(operands, isa::OperandKind::linear)) {
-    all += moved;
-    all += halfspace;
-    all += fitted;
-  }
-  if (isa::has_operand(operands, isa::OperandKind::squares)) all += squares_moved;
-  const std::uint64_t words = isa::wire_words(instruction, link_width);
-  all += times(long_stored, words * quotient_up(link_width, long_bits));
+  ++instructions;
+  numbers += numbers_in(instruction);
+  if (isa::has_operand(operands, isa::OperandKind::linear)) ++linear;
+  if (isa::has_operand(operands, isa::OperandKind::squares)) ++squares;
+  longs += std::uint64_t{isa::wire_words(instruction, link_width)} * quotient_up(link_width, long_bits);
+}
+
+Operations operations_of(const Written& written) {
+  Operations all = written.instructions * any_instruction;
+  all += (written.instructions + written.numbers) * packed;
+  for (const Operations& each : {moved, halfspace, fitted}) all += written.linear * each;
+  all += written.squares * squares_moved;
+  all += written.longs * long_stored;
   return all;
 }
 
+Operations operations_of(const isa::Instruction& instruction, unsigned link_width) {
+  Written written;
+  written.add(instruction, link_width);
+  return operations_of(written);
+}
+
 Operations of_model_long() {
-  Operations all = times(packed, 2);
+  Operations all = 2 * packed;
   all += long_stored;
   return all;
 }

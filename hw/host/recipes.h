@@ -20,8 +20,20 @@ struct Recipe {
 
 std::span<const Recipe> recipes();
 
-/// Of an instruction: its expression is moved to its segment and made as short as it can be, and the instruction is put
-/// together and stored, in words of a link of that many bits.
+/// What is written, as far as it says what that takes.
+struct Written {
+  std::uint64_t instructions = 0;
+  std::uint64_t numbers = 0;  ///< that they have behind the commands' own
+  std::uint64_t linear = 0;   ///< of the instructions, those with a linear expression
+  std::uint64_t squares = 0;  ///< the same with squares
+  std::uint64_t longs = 0;    ///< that are stored for their words
+
+  /// In words of a link of that many bits.
+  void add(const isa::Instruction& instruction, unsigned link_width);
+};
+
+/// Expressions are moved to their segments and made as short as they can be, and instructions put together and stored.
+processors::Operations operations_of(const Written& written);
 processors::Operations operations_of(const isa::Instruction& instruction, unsigned link_width);
 
 /// Of a long of the display model, which is put together from its numbers.

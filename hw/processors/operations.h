@@ -70,11 +70,17 @@ struct Operations {
   std::array<std::uint64_t, operation_kinds> counts{};
 
   [[nodiscard]] std::uint64_t of(Operation kind) const { return counts[static_cast<std::size_t>(kind)]; }
-  Operations& operator+=(const Operations& more) {
+  constexpr Operations& operator+=(const Operations& more) {
     for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] += more.counts[i];
     return *this;
   }
   bool operator==(const Operations&) const = default;
 };
+
+/// The same so many times.
+constexpr Operations operator*(std::uint64_t times, Operations operations) {
+  for (std::uint64_t& count : operations.counts) count *= times;
+  return operations;
+}
 
 }  // namespace csgsim::processors
