@@ -1,16 +1,12 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "hw/machines/catalogue.h"
 
 namespace csgsim::process {
 
-/// A process's description that comes with csgsim.
-struct BuiltInProcess {
-  std::string_view name;
-  std::string_view text;  ///< of NAME.toml
-};
-
-std::span<const BuiltInProcess> built_in_processes();
+/// The processes' descriptions that come with csgsim.
+std::span<const machines::BuiltIn> built_in_processes();
 
 }  // namespace csgsim::process

@@ -1,16 +1,12 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "hw/machines/catalogue.h"
 
 namespace csgsim::processors {
 
-/// A processor's description that comes with csgsim.
-struct BuiltInProcessor {
-  std::string_view name;
-  std::string_view text;  ///< of NAME.toml
-};
-
-std::span<const BuiltInProcessor> built_in_processors();
+/// The processors' descriptions that come with csgsim.
+std::span<const machines::BuiltIn> built_in_processors();
 
 }  // namespace csgsim::processors

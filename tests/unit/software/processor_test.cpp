@@ -25,7 +25,7 @@ using software::Operations;
 namespace {
 
 std::string text_of(std::string_view name) {
-  for (const processors::BuiltInProcessor& one : processors::built_in_processors())
+  for (const machines::BuiltIn& one : processors::built_in_processors())
     if (one.name == name) return std::string(one.text);
   FAIL("there is no such processor");
   return {};

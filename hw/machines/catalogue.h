@@ -1,0 +1,71 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/nearest.h"
+#include "hw/machines/names.h"
+
+namespace csgsim::machines {
+
+/// A description that comes with csgsim.
+struct BuiltIn {
+  std::string_view name;
+  std::string_view text;  ///< of NAME.toml
+};
+
+/// Things that files of figures describe, with a `name` and `figures`: those that come with csgsim, and any file. For
+/// source files, as {fmt} is.
+template <class Described>
+struct Catalogue {
+  std::string_view what;  ///< one of them is called, for messages
+  std::span<const BuiltIn> built_in;
+  Described (*read)(std::string_view text, std::string_view file, std::span<const std::string> changes);
+
+  [[nodiscard]] std::vector<std::string_view> names() const {
+    std::vector<std::string_view> all;
+    for (const BuiltIn& one : built_in) all.push_back(one.name);
+    return all;
+  }
+
+  /// One by name, or in a file; an edited file of one that comes with csgsim tells what is edited. Throws InputError,
+  /// or ChangeError.
+  [[nodiscard]] Described load(const std::string& said) const {
+    const std::string name(base_of(said));
+    const std::vector<std::string> changes = changes_of(said);
+    if (!file_of(said).empty()) return read_file_of(name, changes);
+    if (const BuiltIn* const found = named(name)) return read_built_in(*found, changes);
+    throw InputError(no_such(what, name, names()) + ", or a file, whose name ends in .toml");
+  }
+
+ private:
+  [[nodiscard]] const BuiltIn* named(std::string_view name) const {
+    const auto found = std::ranges::find(built_in, name, &BuiltIn::name);
+    return found == built_in.end() ? nullptr : &*found;
+  }
+
+  [[nodiscard]] Described read_built_in(const BuiltIn& known, std::span<const std::string> changes) const {
+    return read(known.text, fmt::format("{}.toml", known.name), changes);
+  }
+
+  [[nodiscard]] Described read_file_of(const std::string& file, std::span<const std::string> changes) const {
+    const std::string kind = fmt::format("a {} file, which ends in .toml", what);
+    const std::string advice = fmt::format("a {} is described in far less", what);
+    const std::string text = read_file(file, InputKind{kind, std::size_t{1} << 20U, advice});
+    Described described = read(text, file, changes);
+    const std::string name = changes.empty() ? described.name : read(text, file, {}).name;
+    if (const BuiltIn* const known = named(name))
+      described.name = name + name_of_edits(described.figures, read_built_in(*known, {}).figures);
+    return described;
+  }
+};
+
+}  // namespace csgsim::machines
