@@ -76,8 +76,8 @@ struct SegmentFacts {
   constexpr bool operator==(const SegmentFacts&) const = default;
 };
 
-/// What the host does before it writes instructions, as it counts it itself; docs/host.md has the rules. Each of up to
-/// 64 bits.
+/// What the host does before it writes instructions, as it counts it itself; docs/host.md has the rules. Of a whole
+/// frame at most most_prepared of each.
 struct Preparation {
   std::uint64_t planes = 0;      ///< transformed to the picture
   std::uint64_t points = 0;      ///< of solids, transformed to the picture
@@ -101,6 +101,8 @@ struct Preparation {
   }
   constexpr bool operator==(const Preparation&) const = default;
 };
+
+inline constexpr std::uint64_t most_prepared = std::uint64_t{1} << 48;
 
 /// The instructions broadcast to one region. Linear expressions count x and y from the region's top left pixel. Without
 /// instructions the region shows the background, and no pixel processor works on it.

@@ -249,8 +249,8 @@ void Reading::end_directive() {
       return;
     }
     case Directive::extent: return validate_extent(program_.extents.back(), program_.shape);
-    case Directive::step:
-    case Directive::preparation: return;
+    case Directive::step: return;
+    case Directive::preparation: return validate_preparation(preparation());
     case Directive::segment: return validate_region(program_.segments.back().region, program_.shape);
     case Directive::field:
       named_.field = field;
@@ -326,6 +326,11 @@ Program Reading::finish(std::string_view name) {
     } catch (const InputError& error) {
       refuse("{}:{}:{}: {}", name, placed.line, placed.column, error.what());
     }
+  }
+  try {
+    validate_preparations(program_);
+  } catch (const InputError& error) {
+    refuse("{}: all .prepare together: {}", name, error.what());
   }
   for (std::size_t s = 0; s < program_.segments.size(); ++s) {
     try {

@@ -11,6 +11,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/describe.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
@@ -255,6 +256,20 @@ void validate_header(const Program& program) {
           "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts.compile.edge_on_fraction);
 }
 
+void validate_preparation(const Preparation& preparation) {
+  describe(preparation, [](std::string_view key, std::uint64_t count) {
+    require(count <= most_prepared, "{}={} is more than a host prepares for a frame, {}", key, count, most_prepared);
+  });
+}
+
+void validate_preparations(const Program& program) {
+  Preparation all = program.preparation;
+  for (const Segment& segment : program.segments) {
+    all += segment.preparation;
+    validate_preparation(all);
+  }
+}
+
 void validate_steps(const Segment& segment, const Program& program) {
   if (program.display_model.empty()) return;
   const std::uint64_t written = segment.division.sum().instructions;
@@ -272,6 +287,9 @@ void validate(const Program& program) {
             named.name);
   }
   for (const RowExtent& extent : program.extents) validate_extent(extent, program.shape);
+  validate_preparation(program.preparation);
+  for (const Segment& segment : program.segments) validate_preparation(segment.preparation);
+  validate_preparations(program);
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);

@@ -28,6 +28,12 @@ void validate_placed(const Instruction& instruction, const Region& region, const
 /// and does not end behind squares; that a linear expression of the same width and a sum in range follow on squares.
 void validate_ahead(const Segment& segment, std::size_t index);
 
+/// That the counts are no more than most_prepared.
+void validate_preparation(const Preparation& preparation);
+
+/// The same of the sum of all that a Program has, each of which has been looked at.
+void validate_preparations(const Program& program);
+
 /// That the steps of a segment write its instructions, in a Program with a display model.
 void validate_steps(const Segment& segment, const Program& program);
 

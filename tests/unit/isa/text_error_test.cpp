@@ -136,6 +136,17 @@ TEST_CASE("a skip that cannot be is told with its place, also when that shows at
   CHECK(error_in_line_5("skip_if_none 1\n" + end).starts_with("t:5:1: skip_if_none 1 leaves the segment, which has 0"));
 }
 
+TEST_CASE("what a host prepares for a frame is told where it is more than that, and so is the sum") {
+  constexpr const char* most = "281474976710656";
+  const std::string segment = ".segment width=8 height=8\n";
+  CHECK(error_of(array + ".prepare boxes=281474976710657\n" + segment) ==
+        std::string("t:2:1: boxes=281474976710657 is more than a host prepares for a frame, ") + most);
+  CHECK_NOTHROW(parse(array + ".prepare boxes=" + most + "\n" + segment, "t"));
+  CHECK(error_of(array + ".prepare boxes=" + most + "\n" + segment + ".prepare boxes=1\n") ==
+        std::string("t: all .prepare together: boxes=281474976710657 is more than a host prepares for a frame, ") +
+            most);
+}
+
 TEST_CASE("directives come in order") {
   CHECK(error_of("").starts_with("t: there is no .array"));
   CHECK(error_of(".model unions=1\n" + array).starts_with("t:1:2: .model comes before .array"));
