@@ -70,6 +70,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "vary", "KEY=LIST"},
     {varied, "points", "N"},
     {varied, "seed", "N"},
+    {varied, "search", "N"},
     {varied, "axes", "LIST"},
     {varied, "process", "NAME|FILE", FileRole::processes},
     {varied, "advice"},

@@ -91,6 +91,8 @@ void refuse_page(const StudyCommand& asked) {
 
 void run_shard(StudyCommand& asked) {
   refuse_page(asked);
+  if (asked.study->looks_further())
+    throw shell::UsageError("--shard", "a search goes on from what has been measured; leave out one of both");
   const std::vector<Asked> points = asked.study->ask();
   if (points.size() > most_points)
     throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
@@ -176,13 +178,19 @@ void show(const StudyCommand& asked, Places& places) {
 
 void run(StudyCommand& asked) {
   if (asked.options.shard) return run_shard(asked);
-  const std::vector<Asked> points = asked.study->ask();
-  Places places(asked, asked.study->inputs());
+  Study& study = *asked.study;
+  std::vector<Asked> more = study.ask();
+  Places places(asked, study.inputs());
   Table table = table_of(asked, places);
   const bool are_read = !table.rows().empty();
-  const std::set<std::string> changed = table.drop_stale(points, asked.study->is_of_one_machine());
-  if (places.folder) tell_stale(places.file(asked, ".csv"), changed);
-  asked.study->take(complete(asked, points, table), are_read);
+  std::vector<Asked> points;
+  do {
+    points.insert(points.end(), more.begin(), more.end());
+    const std::set<std::string> changed = table.drop_stale(points, study.is_of_one_machine());
+    if (places.folder) tell_stale(places.file(asked, ".csv"), changed);
+    study.take(complete(asked, points, table), are_read);
+    more = study.more();
+  } while (!more.empty());
   show(asked, places);
 }
 

@@ -78,6 +78,10 @@ class Study {
   /// The rows of the points asked for, in their order; what follows is about them. `are_read` says that some were not
   /// measured by this process.
   virtual void take(std::span<const std::string> rows, bool are_read) = 0;
+  /// Points to be measured besides, now that all rows so far have been taken; their numbers go on from those before.
+  virtual std::vector<Asked> more() { return {}; }
+  /// Whether more() may ask for any, so that points cannot be shared out beforehand.
+  [[nodiscard]] virtual bool looks_further() const { return false; }
   virtual void print() const = 0;
   [[nodiscard]] virtual std::string json(const std::string& title) const = 0;
   [[nodiscard]] virtual std::vector<plots::Plot> plots() const { return {}; }

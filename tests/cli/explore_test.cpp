@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/cli/cli.h"
@@ -246,4 +248,34 @@ TEST_CASE("a process does not price what has not been synthesised, and measures 
   misused("explore " + model("sphere") + small + " -o " + (folder / "n") +
               " --vary clock.frequency=1000,2000 --process nmos-3um",
           "the clock follows from the process");
+}
+
+TEST_CASE("a search tries every neighbour of the front, goes on where it was interrupted, and is not shared out") {
+  const Folder folder;
+  const std::string search = "explore " + model("old_example011") + small +
+                             " --vary z-bits=8..20 --vary fraction-bits=0..12 --axes memory,wrong --no-plots -o " +
+                             (folder / "e") + " --points 4 --search ";
+  REQUIRE(run(search + "500").code == 0);
+  const std::string table = content(folder / "e/explore.csv");
+  std::map<std::pair<int, int>, bool> on_front;
+  for (const nlohmann::json& point : json(folder / "e/explore.json")["points"])
+    on_front[{point["z_bits"], point["fraction_bits"]}] = point["pareto"];
+  CHECK(on_front.size() > 20);
+  CHECK(on_front.size() < 13 * 13);
+  for (const auto& [design, is_on] : on_front) {
+    if (!is_on) continue;
+    const auto [z_bits, fraction_bits] = design;
+    for (const int by : {-1, 1}) {
+      if (z_bits + by >= 8 && z_bits + by <= 20) CHECK(on_front.contains({z_bits + by, fraction_bits}));
+      if (fraction_bits + by >= 0 && fraction_bits + by <= 12) CHECK(on_front.contains({z_bits, fraction_bits + by}));
+    }
+  }
+  std::ofstream(folder / "e/explore.csv") << without_line(without_line(table, 20), 9);
+  REQUIRE(run(search + "500").code == 0);
+  CHECK(content(folder / "e/explore.csv") == table);
+  REQUIRE(run(search + "10").code == 0);
+  CHECK(json(folder / "e/explore.json")["points"].size() == 14);
+  const Outcome shared = run(search + "10 --shard 1/2");
+  CHECK(shared.code == 2);
+  CHECK(shared.err.find("a search goes on from what has been measured") != std::string::npos);
 }

@@ -209,39 +209,65 @@ void vary(ModelOptions& options, const std::string& key, const std::string& valu
   options.machine += fmt::format("+{}={}", key, value);
 }
 
-std::vector<ModelOptions> designs_of(const ModelOptions& base, std::span<const Dimension> dimensions,
-                                     const GridChoice& choice) {
-  check(base, dimensions);
-  std::vector<std::size_t> sizes;
+DesignGrid::DesignGrid(ModelOptions base, std::vector<Dimension> dimensions, const GridChoice& choice)
+    : base_(std::move(base)), dimensions_(std::move(dimensions)) {
+  check(base_, dimensions_);
   double cells = 1;
-  for (const Dimension& dimension : dimensions) {
-    sizes.push_back(dimension.values.size());
-    cells *= static_cast<double>(sizes.back());
+  for (const Dimension& dimension : dimensions_) {
+    sizes_.push_back(dimension.values.size());
+    cells *= static_cast<double>(sizes_.back());
   }
   const auto most = static_cast<double>(most_designs);
   if (choice.points == 0 && cells > most)
     throw UsageError("--vary", fmt::format("that are {:.0f} designs, {} at most; take --points N for a sample of them",
                                            cells, grouped(most_designs)));
   if (cells > 1e18) throw UsageError("--vary", "that are more than 10^18 designs; vary fewer figures");
-  std::vector<ModelOptions> designs;
-  std::set<std::string> known;
-  const auto add = [&](const std::vector<std::size_t>& values) {
-    ModelOptions one = base;
-    for (std::size_t axis = 0; axis < values.size(); ++axis)
-      vary(one, dimensions[axis].key, dimensions[axis].values[values[axis]]);
-    if (known.insert(identity_of(one)).second) designs.push_back(std::move(one));
-  };
   if (choice.points == 0) {
-    for (std::uint64_t cell = 0; cell < static_cast<std::uint64_t>(cells); ++cell) add(grid_cell(sizes, cell));
-    return designs;
+    add_all();
+  } else {
+    add_sample(choice);
   }
-  GridSequence sequence(sizes, choice.seed);
-  while (designs.size() < choice.points) {
-    const std::optional<std::vector<std::size_t>> values = sequence.next();
-    if (!values) break;
-    add(*values);
+}
+
+void DesignGrid::add_all() {
+  std::uint64_t cells = 1;
+  for (const std::size_t size : sizes_) cells *= size;
+  for (std::uint64_t cell = 0; cell < cells; ++cell) add(grid_cell(sizes_, cell));
+}
+
+void DesignGrid::add_sample(const GridChoice& choice) {
+  GridSequence sequence(sizes_, choice.seed);
+  while (designs_.size() < choice.points) {
+    std::optional<Cell> cell = sequence.next();
+    if (!cell) break;
+    add(std::move(*cell));
   }
-  return designs;
+}
+
+/// Unless there is one that draws alike.
+void DesignGrid::add(Cell cell) {
+  ModelOptions one = base_;
+  for (std::size_t axis = 0; axis < cell.size(); ++axis)
+    vary(one, dimensions_[axis].key, dimensions_[axis].values[cell[axis]]);
+  if (!known_.insert(identity_of(one)).second) return;
+  designs_.push_back(std::move(one));
+  cells_.push_back(std::move(cell));
+}
+
+void DesignGrid::add_neighbours(std::span<const std::size_t> designs, std::size_t most) {
+  const std::size_t end = designs_.size() + most;
+  for (const std::size_t design : designs) {
+    const Cell here = cells_[design];
+    for (std::size_t axis = 0; axis < here.size(); ++axis) {
+      for (const bool behind : {false, true}) {
+        if (designs_.size() >= end) return;
+        if (behind ? here[axis] + 1 == sizes_[axis] : here[axis] == 0) continue;
+        Cell there = here;
+        there[axis] = behind ? here[axis] + 1 : here[axis] - 1;
+        add(std::move(there));
+      }
+    }
+  }
 }
 
 }  // namespace csgsim::studies

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -42,10 +43,34 @@ struct GridChoice {
   std::uint32_t seed = 1;    ///< of the sample
 };
 
-/// Every combination of the values, or a sample of them, each put into `base`; combinations that draw alike, as those
-/// of stack bits with a strategy that has none, are one. Throws UsageError for a grid of more than most_designs cells
-/// where no sample is asked for, and for a value that is wrong whatever the others are.
-std::vector<shell::ModelOptions> designs_of(const shell::ModelOptions& base, std::span<const Dimension> dimensions,
-                                            const GridChoice& choice);
+/// Designs that are asked for: combinations of the values, each put into `base`. Combinations that draw alike, as those
+/// of stack bits with a strategy that has none, are one.
+class DesignGrid {
+ public:
+  /// Every combination, or a sample of them. Throws UsageError for a grid of more than most_designs cells where no
+  /// sample is asked for, and for a value that is wrong whatever the others are.
+  DesignGrid(shell::ModelOptions base, std::vector<Dimension> dimensions, const GridChoice& choice);
+
+  /// In the order in which they were asked for.
+  [[nodiscard]] const std::vector<shell::ModelOptions>& designs() const { return designs_; }
+
+  /// Asks for those besides that differ from one of these, by their numbers, in one key, by the value before or behind
+  /// in its list; for so many at most.
+  void add_neighbours(std::span<const std::size_t> designs, std::size_t most);
+
+ private:
+  using Cell = std::vector<std::size_t>;  ///< a place in the list of each dimension
+
+  void add_all();
+  void add_sample(const GridChoice& choice);
+  void add(Cell cell);
+
+  shell::ModelOptions base_;
+  std::vector<Dimension> dimensions_;
+  std::vector<std::size_t> sizes_;
+  std::vector<shell::ModelOptions> designs_;
+  std::vector<Cell> cells_;      ///< of the designs
+  std::set<std::string> known_;  ///< what tells them apart
+};
 
 }  // namespace csgsim::studies

@@ -106,24 +106,30 @@ class Explore : public StudyOf<ExploreRow> {
     return input_files(files, {options_.model.machine});
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    std::set<std::string> names{"vary", "points", "seed", "axes", "machine", "process"};
+    std::set<std::string> names{"vary", "points", "seed", "search", "axes", "machine", "process"};
     for (const std::string& name : varied_options()) names.insert(name);
     return names;
   }
 
   std::vector<Asked> ask() override {
-    const std::vector<ModelOptions> designs = options_.designs();
+    grid_.emplace(options_.designs());
     process_ = options_.loaded_process();
-    JobMaker maker;
-    std::vector<Asked> asked;
-    for (const std::string& model : different(options_.models)) {
-      for (ModelOptions design : designs) {
-        design.model = model;
-        add(design, maker);
-        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
-      }
-    }
-    return asked;
+    return ask_from(0);
+  }
+
+  [[nodiscard]] bool looks_further() const override { return options_.search > 0; }
+
+  /// Neighbours of the front of all models, or of the only one.
+  std::vector<Asked> more() override {
+    const std::size_t before = grid_->designs().size();
+    const std::size_t found = before - asked_first_;
+    if (found >= options_.search || groups_.empty()) return {};
+    const ExploreGroup& group = groups_.back().group;
+    std::vector<std::size_t> front;
+    for (std::size_t i = 0; i < group.rows.size(); ++i)
+      if (group.front[i]) front.push_back(design_of_point_[group.rows[i]]);
+    grid_->add_neighbours(front, options_.search - found);
+    return ask_from(before);
   }
 
   void print() const override { print_explored(rows(), groups_); }
@@ -189,26 +195,42 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
  private:
+  /// The designs from that number on.
+  std::vector<Asked> ask_from(std::size_t first) {
+    std::vector<Asked> asked;
+    for (const std::string& model : different(options_.models)) {
+      for (std::size_t i = first; i < grid_->designs().size(); ++i) {
+        ModelOptions design = grid_->designs()[i];
+        design.model = model;
+        add(design);
+        design_of_point_.push_back(i);
+        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+      }
+    }
+    if (first == 0) asked_first_ = grid_->designs().size();
+    return asked;
+  }
+
   /// A design whose figures do not fit each other is one that says so.
-  void add(const ModelOptions& design, JobMaker& maker) {
+  void add(const ModelOptions& design) {
     try {
-      Job job = maker.job_of(design);
+      Job job = maker_.job_of(design);
       refuse_unseen(design, job);
       ExplorePoint point = point_of(design, job.machine.picture);
       if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
       add(std::move(point), std::move(job));
     } catch (const InputError& error) {
-      add_refused(design, maker, error.what());
+      add_refused(design, error.what());
     } catch (const UsageError& error) {
-      add_refused(design, maker, error.what());
+      add_refused(design, error.what());
     }
   }
 
-  void add_refused(const ModelOptions& design, JobMaker& maker, const std::string& why) {
+  void add_refused(const ModelOptions& design, const std::string& why) {
     ModelOptions plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
-    Job job = maker.job_of(plain);
+    Job job = maker_.job_of(plain);
     job.reason = escaped(why);
     add(point_of(design, {}), std::move(job));
   }
@@ -261,7 +283,11 @@ class Explore : public StudyOf<ExploreRow> {
   ExploreOptions options_;
   std::optional<Command> command_;
   std::optional<process::Process> process_;
+  std::optional<DesignGrid> grid_;
+  std::size_t asked_first_ = 0;  ///< designs, before any was searched for
+  JobMaker maker_;
   std::vector<ExplorePoint> points_;
+  std::vector<std::size_t> design_of_point_;  ///< the grid's number
   std::vector<Job> jobs_;
   std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can
   ExploreMeter meter_;
@@ -278,6 +304,7 @@ extern const StudyRow explore_row{
         "    --vary z-bits=12..20 -o carburettor-explore\n"
         "  csgsim explore *.csg --vary link.width=8,16,32 --vary z-bits=10..24 --vary fraction-bits=2..12 \\\n"
         "    --points 500 --seed 2 --axes time,memory -o out\n"
+        "  csgsim explore *.csg --vary z-bits=8..30 --vary fraction-bits=0..16 --points 20 --search 200 -o out\n"
         "A design is on the front if no other is as good on every axis and better on one. The knee is the design of "
         "the\n"
         "front that is nearest to the best of each axis at once: on each the logarithm is stretched from 0, the least "

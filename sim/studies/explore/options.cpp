@@ -79,8 +79,8 @@ std::string given_words(const ExploreOptions& options, const Command& command) {
 
 std::vector<std::string> own_explore_options() {
   std::vector<std::string> names = varied_options();
-  for (const char* name : {"vary", "points", "seed", "axes", "process", "machine", "set", "output", "threads", "shard",
-                           "no-plots", "progress", "report", "quiet"})
+  for (const char* name : {"vary", "points", "seed", "search", "axes", "process", "machine", "set", "output", "threads",
+                           "shard", "no-plots", "progress", "report", "quiet"})
     names.emplace_back(name);
   return names;
 }
@@ -117,6 +117,12 @@ void ExploreOptions::add_to(Command& command) {
       .between(0U, most_designs);
   command.option("--seed", seed, "Of the sample").check(whole_number);
   command
+      .option(
+          "--search", search,
+          "So many designs at most besides: those that differ from one on the front in one key, by the value before "
+          "or behind in its list, round after round until the front has none that was not tried")
+      .between(0U, most_designs);
+  command
       .option("--axes", axes,
               "What designs are held against each other by: a list of time (from frame to frame), area (transistors), "
               "silicon (mm2, in a process), energy (of a frame, in a process), memory (bits), wrong (pixels); "
@@ -140,9 +146,9 @@ std::optional<process::Process> ExploreOptions::loaded_process() const {
   return for_option("--process", [&] { return process::load_process(process); });
 }
 
-std::vector<ModelOptions> ExploreOptions::designs() const {
+DesignGrid ExploreOptions::designs() const {
   const std::vector<Dimension> dimensions = dimensions_of(*this);
-  return designs_of(base_of(*this, dimensions), dimensions, {points, seed});
+  return {base_of(*this, dimensions), dimensions, {points, seed}};
 }
 
 bool ExploreOptions::has_memory(const ModelOptions& design) const {

@@ -8,6 +8,7 @@
 #include "hw/process/process.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
+#include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/measure.h"
 
 namespace csgsim::studies {
@@ -19,13 +20,14 @@ struct ExploreOptions {
   std::vector<std::string> vary;
   std::uint32_t points = 0;
   std::uint32_t seed = 1;
+  std::uint32_t search = 0;
   std::string axes;
   std::string process;
 
   void add_to(shell::Command& command);
 
   /// The designs asked for, without a model. Throws UsageError, or InputError for machines.
-  [[nodiscard]] std::vector<shell::ModelOptions> designs() const;
+  [[nodiscard]] DesignGrid designs() const;
 
   /// Those of --axes, or the usual ones.
   [[nodiscard]] std::string asked_axes() const;

@@ -68,7 +68,7 @@ ExploreRow row(const std::string& model, const std::string& machine, double fps,
 
 std::string key_wrong(const std::vector<studies::Dimension>& dimensions, const studies::GridChoice& choice = {}) {
   try {
-    static_cast<void>(studies::designs_of({}, dimensions, choice));
+    static_cast<void>(studies::DesignGrid({}, dimensions, choice));
   } catch (const shell::UsageError& error) {
     return error.what();
   }
@@ -196,7 +196,7 @@ TEST_CASE("what is varied is a key with values, of which ranges are several, non
 TEST_CASE("designs are all combinations, in order, and those that draw alike are one") {
   const std::vector<studies::Dimension> dimensions{
       {"alu.bits", {"1", "2"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "4", "5"}}};
-  const std::vector<shell::ModelOptions> all = studies::designs_of({}, dimensions, {});
+  const std::vector<shell::ModelOptions> all = studies::DesignGrid({}, dimensions, {}).designs();
   REQUIRE(all.size() == 2 * (1 + 3));
   CHECK(all[0].machine == "pixel-planes-4+alu.bits=1");
   CHECK(all[0].strategy == "stack");
@@ -204,8 +204,37 @@ TEST_CASE("designs are all combinations, in order, and those that draw alike are
   CHECK(all[1].stack_bits == 3);
   CHECK(all[7].machine == "pixel-planes-4+alu.bits=2");
   CHECK(all[7].stack_bits == 5);
-  CHECK(studies::designs_of({}, dimensions, {5, 1}).size() == 5);
-  CHECK(studies::designs_of({}, dimensions, {500, 1}).size() == 8);
+  CHECK(studies::DesignGrid({}, dimensions, {5, 1}).designs().size() == 5);
+  CHECK(studies::DesignGrid({}, dimensions, {500, 1}).designs().size() == 8);
+}
+
+TEST_CASE("neighbours of a design differ in one key, by a place in its list, each once, and as many as are asked for") {
+  const std::vector<studies::Dimension> dimensions{{"alu.bits", {"1", "2", "4"}}, {"memory.reads", {"1", "2"}}};
+  const std::vector<std::size_t> first{0};
+  const auto machines_beside = [&](std::uint32_t seed, std::size_t most) {
+    studies::DesignGrid grid({}, dimensions, {1, seed});
+    grid.add_neighbours(first, most);
+    std::set<std::string> machines;
+    for (const shell::ModelOptions& one : grid.designs()) machines.insert(one.machine);
+    CHECK(machines.size() == grid.designs().size());
+    return std::pair(grid.designs().front().machine, machines);
+  };
+  const std::string name = "pixel-planes-4+alu.bits=";
+  std::set<std::string> began;
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const auto [start, machines] = machines_beside(seed, 100);
+    began.insert(start);
+    if (start == name + "2+memory.reads=1") {
+      CHECK(machines == std::set<std::string>{start, name + "1+memory.reads=1", name + "4+memory.reads=1",
+                                              name + "2+memory.reads=2"});
+    } else if (start == name + "1+memory.reads=2") {
+      CHECK(machines == std::set<std::string>{start, name + "2+memory.reads=2", name + "1+memory.reads=1"});
+    }
+    CHECK(machines_beside(seed, 1).second.size() == 2);
+    CHECK(machines_beside(seed, 0).second.size() == 1);
+  }
+  CHECK(began.contains(name + "2+memory.reads=1"));
+  CHECK(began.contains(name + "1+memory.reads=2"));
 }
 
 TEST_CASE("a wrong key or value is told, and so are too many designs") {
