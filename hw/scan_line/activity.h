@@ -45,6 +45,16 @@ class ActivityCounter {
   }
   [[nodiscard]] const LineClocks& clocks() const { return clocks_; }
 
+  /// Of a frame of so many clocks, after whose last edge that was counted the part had nothing left to do.
+  [[nodiscard]] LineClocks clocks_of(std::uint64_t frame) const {
+    LineClocks all = clocks_;
+    const std::uint64_t counted = clocks_.total();
+    if (counted >= frame) return all;
+    all.add(now_);
+    all.add(LineActivity::done, frame - counted - 1);
+    return all;
+  }
+
   /// What it does until the next edge, by name; nothing before the first.
   [[nodiscard]] std::string_view now() const {
     return begun_ ? line_activity_names.at(static_cast<std::size_t>(now_)) : std::string_view();

@@ -1,5 +1,8 @@
 #include "hw/scan_line/cell_chain.h"
 
+#include <algorithm>
+#include <stdexcept>
+
 #include "hw/scan_line/snapshot_view.h"
 
 namespace csgsim::scan_line {
@@ -7,19 +10,38 @@ namespace csgsim::scan_line {
 CellChain::CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape)
     : systemc::ClockedModule(name), chain_(cells.width, cells.memory_bits, shape) {}
 
-void CellChain::begin(std::uint32_t pixels) {
+void CellChain::clear(std::uint32_t pixels) {
   chain_.begin(pixels);
-  periods_.begin();
-  fill_clocks_ = 0;
+  frames_.clear();
+}
+
+void CellChain::begin(std::size_t lines) { frames_.push_back({.lines_left = lines}); }
+
+CellCounts CellChain::take() {
+  const CellCounts counts = frames_.front().counts;
+  frames_.pop_front();
+  return counts;
 }
 
 void CellChain::on_clock() {
-  periods_.edge();
+  for (Frame& frame : frames_) frame.periods.edge();
   chain_.step(entry.read());
   refresh.write(chain_.refresh());
-  if (chain_.departure().kind == WordKind::none) return;
-  if (fill_clocks_ == 0) fill_clocks_ = periods_.count();
-  if (chain_.departure().kind != WordKind::clear) retire(chain_.departure());
+  const Departure& departure = chain_.departure();
+  if (departure.kind == WordKind::none) return;
+  Frame& frame = leaving();
+  if (frame.counts.fill_clocks == 0) frame.counts.fill_clocks = frame.periods.count();
+  frame.counts.busy_cells += departure.busy_cells;
+  if (departure.kind != WordKind::clear) retire(departure);
+  if (departure.kind == WordKind::mark) --frame.lines_left;
+}
+
+/// The frame that has a packet in the cells: the first of which lines are left.
+CellChain::Frame& CellChain::leaving() {
+  const auto found =
+      std::find_if(frames_.begin(), frames_.end(), [](const Frame& frame) { return frame.lines_left > 0; });
+  if (found == frames_.end()) throw std::logic_error("a packet left the cells that is of no frame");
+  return *found;
 }
 
 void CellChain::retire(const Departure& departure) {

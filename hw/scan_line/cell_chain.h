@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <systemc>
 
 #include "hw/isa/program.h"
@@ -11,6 +13,13 @@
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::scan_line {
+
+/// What a chain counted of a frame.
+struct CellCounts {
+  std::uint64_t fill_clocks = 0;  ///< until a packet was in the last cell of a line for the first time; 0: none was
+  std::uint64_t busy_cells =
+      0;  ///< clocks in which an instruction's packet occupied a cell of the line, over the cells
+};
 
 /// A whole chain as one module: a packet's beat enters cell 0 each clock, and a pixel leaves at the refresh port. What
 /// leaves the last cell of a line has been carried out.
@@ -23,21 +32,30 @@ class CellChain final : public systemc::ClockedModule {
 
   CellChain(sc_core::sc_module_name name, const isa::ArrayShape& cells, const CellShape& shape);
 
-  /// For lines of that many pixels.
-  void begin(std::uint32_t pixels);
+  /// Empties the chain, for lines of that many pixels.
+  void clear(std::uint32_t pixels);
+
+  /// A frame begins, of which so many lines come. Lines of those before may still be in the cells.
+  void begin(std::size_t lines);
+
+  /// What was counted of the oldest frame that has not been taken, all lines of which have left the cells.
+  CellCounts take();
 
   [[nodiscard]] const Chain& chain() const { return chain_; }
 
-  /// Clocks until a packet was in the last cell of a line for the first time; 0 if none has been.
-  [[nodiscard]] std::uint64_t fill_clocks() const { return fill_clocks_; }
-
  private:
   void on_clock() override;
+  struct Frame {
+    std::size_t lines_left = 0;  ///< that have not left the cells
+    Periods periods{};           ///< since it began
+    CellCounts counts{};
+  };
+
+  [[nodiscard]] Frame& leaving();
   void retire(const Departure& departure);
 
   Chain chain_;
-  Periods periods_;
-  std::uint64_t fill_clocks_ = 0;
+  std::deque<Frame> frames_;  ///< that have not been taken
 };
 
 }  // namespace csgsim::scan_line

@@ -33,8 +33,8 @@ void Chain::begin(std::uint32_t pixels) {
   departed_snapshot_ = no_snapshot;
   snapshots_.clear();
   unused_.clear();
-  busy_cells_ = 0;
   due_ = 0;
+  busy_ = 0;
 }
 
 void Chain::step(const PacketWord& entering) {
@@ -122,7 +122,7 @@ void Chain::clear(const Flight& flight, std::uint32_t cell) {
 
 void Chain::work_on_instruction(Flight& flight, std::uint32_t cell) {
   PacketWord& beat = flight.word;
-  ++busy_cells_;
+  ++flight.busy;
   if (beat.number < beat.words && beat.instruction.linear.width > 0) {
     if (network_ == Network::chain) {
       cells_.add(cell, beat);
@@ -168,14 +168,17 @@ void Chain::depart() {
   if (count_ == 0 || flights_[oldest_].moved <= clocks_to(pixels_ - 1)) return;
   const Flight& flight = flights_[oldest_];
   if (flight.word.number == flight.word.accesses.result) enabled_ = flight.enabled;
+  busy_ += flight.busy;
   if (flight.word.last()) {
     departed_snapshot_ = flight.snapshot;
     departure_ = {.kind = flight.word.kind,
                   .segment = flight.word.segment,
                   .index = flight.word.index,
                   .enabled_pixels = enabled_,
+                  .busy_cells = busy_,
                   .snapshot = flight.snapshot == no_snapshot ? nullptr : &snapshots_[flight.snapshot]};
     if (flight.word.kind == WordKind::mark) transfers_ = true;
+    busy_ = 0;
   }
   oldest_ = oldest_ + 1 == flights_.size() ? 0 : oldest_ + 1;
   --count_;

@@ -18,6 +18,7 @@ struct Departure {
   std::uint32_t segment = 0;
   std::uint32_t index = 0;             ///< of the instruction in the segment
   std::uint64_t enabled_pixels = 0;    ///< cells whose E was 1 when the instruction came to them
+  std::uint64_t busy_cells = 0;        ///< clocks that an instruction's packet was in a cell, summed over the line's
   const Snapshot* snapshot = nullptr;  ///< as the word asked for it; until the next step
 };
 
@@ -50,9 +51,6 @@ class Chain {
   /// What left the last cell in the clock that has been; of WordKind::none if nothing did.
   [[nodiscard]] const Departure& departure() const { return departure_; }
 
-  /// Clocks in which an instruction's packet occupied a cell of the line, summed over the cells, since begin.
-  [[nodiscard]] std::uint64_t busy_cells() const { return busy_cells_; }
-
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
   // For waves.
@@ -67,6 +65,7 @@ class Chain {
     PacketWord word;
     std::uint32_t moved = 0;    ///< clocks since it entered: its cell in a chain, its level in a tree
     std::uint64_t enabled = 0;  ///< cells that the instruction found enabled, counted with the beat of its result
+    std::uint64_t busy = 0;     ///< cells in which it was one of an instruction
     std::size_t snapshot = no_snapshot;
   };
 
@@ -102,9 +101,9 @@ class Chain {
   std::vector<std::size_t> unused_;
   Departure departure_;
   std::size_t departed_snapshot_ = no_snapshot;
-  std::uint64_t busy_cells_ = 0;
   std::uint32_t due_ = 0;      ///< number of the beat that has to enter next
   std::uint64_t enabled_ = 0;  ///< of the packet that is leaving the last cell
+  std::uint64_t busy_ = 0;     ///< likewise
 };
 
 }  // namespace csgsim::scan_line

@@ -30,8 +30,8 @@ class ChainLink final : public systemc::ClockedModule {
   /// For that many lines of the frame. Starts with the next clock.
   void begin(const PictureLines& frame, std::size_t lines);
 
-  [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
-  [[nodiscard]] std::uint64_t sent() const { return sent_; }  ///< words
+  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< of the frame that began last
+  [[nodiscard]] std::uint64_t sent() const { return sent_; }                 ///< words
 
   // For waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }

@@ -26,7 +26,7 @@ class LineHost final : public systemc::ClockedModule {
   /// Starts with the next clock.
   void begin(const PictureLines& frame);
 
-  [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
+  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }  ///< of the frame that began last
 
   // For waves.
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }

@@ -25,22 +25,22 @@ void PacketQueue::begin(const PictureLines& frame) {
   begins_line_ = false;
   beat_.reset();
   line_clocks_ = 0;
-  marked_ = false;
   counts_ = {};
   counter_.begin();
 }
 
 void PacketQueue::on_clock() {
-  busy.write(line_ < frame_.lines.size());
+  busy.write(!is_through());
   entry.write({});
   ++line_clocks_;
+  ++mark_clocks_;
   if (!beat_ && receiver_.holds()) take(receiver_.take());
   counter_.edge(act());
   receiver_.clock(link);
 }
 
 LineActivity PacketQueue::act() {
-  if (!beat_) return line_ < frame_.lines.size() ? LineActivity::waiting_for_link : LineActivity::done;
+  if (!beat_) return is_through() ? LineActivity::done : LineActivity::waiting_for_link;
   if (!may_enter()) return LineActivity::waiting_for_refresh;
   entry.write(*beat_);
   if (beat_->last()) {
@@ -77,7 +77,7 @@ void PacketQueue::take_packet(PacketWord packet) {
 /// A mark has to be so late that its last beat keeps the distance.
 bool PacketQueue::may_enter() const {
   if (beat_->kind != WordKind::mark || !marked_) return true;
-  return line_clocks_ + beat_->beats - beat_->number > mark_spacing(frame_.pixels());
+  return mark_clocks_ + beat_->beats - beat_->number > mark_spacing(frame_.pixels());
 }
 
 void PacketQueue::end_packet() {
@@ -94,11 +94,12 @@ void PacketQueue::end_line() {
   counts_.most_packets = std::max<std::uint64_t>(counts_.most_packets, index_);
   if (line_clocks_ > budget_) ++counts_.late_lines;
   counts_.clocks += line_clocks_;
-  if (!marked_) counts_.first_mark = line_clocks_;
   line_clocks_ = 0;
+  mark_clocks_ = 0;
   marked_ = true;
   index_ = 0;
   line_ += figures_.chains;
+  if (is_through()) through.write(++frames_through_);
 }
 
 }  // namespace csgsim::scan_line

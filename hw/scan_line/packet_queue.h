@@ -20,7 +20,6 @@ namespace csgsim::scan_line {
 /// What a queue counted, clock by clock, of the frame that is running or ran last.
 struct EntryCounts {
   std::uint64_t clocks = 0;        ///< from the frame's first until the last mark had entered
-  std::uint64_t first_mark = 0;    ///< from the frame's first until the first one had
   std::uint64_t packets = 0;       ///< of instructions
   std::uint64_t most_packets = 0;  ///< of a line
   std::uint64_t late_lines = 0;  ///< whose mark entered more clocks after the one before than the refresh gives a line
@@ -38,13 +37,21 @@ class PacketQueue final : public systemc::ClockedModule {
   sc_core::sc_fifo_out<EntryAccount> accounts{"accounts"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
 
+  sc_core::sc_out<std::uint64_t> through{"through"};  ///< frames all of whose marks here have entered, if there are any
+
   PacketQueue(sc_core::sc_module_name name, const machines::Machine& machine, std::uint32_t chain);
 
-  /// Starts with the next clock.
+  /// No mark is in the cells.
+  void clear() { marked_ = false; }
+
+  /// Starts with the next clock. All marks of the frame before have entered.
   void begin(const PictureLines& frame);
 
+  /// All marks of the frame have entered.
+  [[nodiscard]] bool is_through() const { return line_ >= frame_.lines.size(); }
+
   [[nodiscard]] const EntryCounts& counts() const { return counts_; }
-  [[nodiscard]] const LineClocks& clocks() const { return counter_.clocks(); }
+  [[nodiscard]] const ActivityCounter& counter() const { return counter_; }   ///< of the frame that began last
   [[nodiscard]] std::string_view activity() const { return counter_.now(); }  ///< for waves
 
  private:
@@ -69,7 +76,9 @@ class PacketQueue final : public systemc::ClockedModule {
   bool begins_line_ = false;        ///< the next packet is the line's first, and clears
   std::optional<PacketWord> beat_;  ///< that enters next
   std::uint64_t line_clocks_ = 0;   ///< since the last mark was in cell 0, or the frame began
-  bool marked_ = false;             ///< a mark has entered
+  std::uint64_t mark_clocks_ = 0;   ///< since the last mark was in cell 0, of this frame or one before
+  bool marked_ = false;             ///< one was
+  std::uint64_t frames_through_ = 0;
   EntryCounts counts_;
   ActivityCounter counter_;
 };

@@ -2,52 +2,83 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace csgsim::scan_line {
 
 RefreshCollector::RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains)
-    : systemc::ClockedModule(name), refresh("refresh", chains), entering("entering", chains), line_of_chain_(chains) {}
+    : systemc::ClockedModule(name), refresh("refresh", chains), entering("entering", chains) {}
 
 void RefreshCollector::begin(const PictureLines& frame) {
-  frame_ = frame;
-  active_ = true;
-  periods_.begin();
-  drain_clocks_ = 0;
-  lines_.assign(frame.lines.size(), {});
-  for (std::vector<std::uint32_t>& line : lines_) line.reserve(frame.pixels());
-  std::iota(line_of_chain_.begin(), line_of_chain_.end(), std::size_t{0});
-  chains_.assign(refresh.size(), {});
-  last_pixel_ = 0;
-  missing_lines_ = frame.lines.size();
+  Coming& next = coming_.emplace_back();
+  next.pixels = frame.pixels();
+  next.missing_lines = frame.lines.size();
+  next.line_of_chain.resize(refresh.size());
+  std::iota(next.line_of_chain.begin(), next.line_of_chain.end(), std::size_t{0});
+  next.shown.chains.resize(refresh.size());
+  next.shown.lines.resize(frame.lines.size());
+  for (std::vector<std::uint32_t>& line : next.shown.lines) line.reserve(next.pixels);
+}
+
+ShownFrame RefreshCollector::take() {
+  ShownFrame shown = std::move(whole_.front());
+  whole_.pop_front();
+  return shown;
+}
+
+std::size_t RefreshCollector::line_of(std::size_t chain) const {
+  return coming_.empty() ? chain : coming_.front().line_of_chain[chain];
 }
 
 void RefreshCollector::on_clock() {
-  if (!active_) return;
-  periods_.edge();
-  if (periods_.count() == 0) return;
-  if (!any_enters()) ++drain_clocks_;
+  for (Coming& frame : coming_) count(frame, &frame == &coming_.back());
   for (std::size_t chain = 0; chain < refresh.size(); ++chain) look_at(chain);
-  if (missing_lines_ > 0) return;
-  active_ = false;
-  frames.write(++frames_done_);
+  while (!coming_.empty() && coming_.front().missing_lines == 0) {
+    coming_.front().shown.clocks = coming_.front().periods.count();
+    whole_.push_back(std::move(coming_.front().shown));
+    coming_.pop_front();
+    frames.write(++frames_done_);
+  }
 }
 
+/// The line that says whether marks are to enter tells it of the last frame.
+void RefreshCollector::count(Coming& frame, bool is_last) {
+  frame.periods.edge();
+  if (is_last) {
+    frame.enters = any_enters();
+    if (frame.periods.count() > 0 && !frame.enters) ++frame.shown.drain_clocks;
+  } else if (std::exchange(frame.enters, false)) {
+    return;
+  } else {
+    ++frame.shown.drain_clocks;
+  }
+}
+
+/// A pixel is of the first frame of which that chain has lines to show.
 void RefreshCollector::look_at(std::size_t chain) {
   const RefreshPixel& pixel = refresh[chain].read();
-  const bool waits = line_of_chain_[chain] < lines_.size();
-  chains_[chain].add(pixel.valid ? LineActivity::showing : waits ? LineActivity::waiting_for_line : LineActivity::done);
-  if (pixel.valid) collect(chain, pixel.colour);
+  bool is_taken = !pixel.valid;
+  for (Coming& frame : coming_) {
+    if (frame.periods.count() == 0) continue;
+    const bool waits = frame.line_of_chain[chain] < frame.shown.lines.size();
+    const bool shows = waits && !is_taken;
+    frame.shown.chains[chain].add(shows   ? LineActivity::showing
+                                  : waits ? LineActivity::waiting_for_line
+                                          : LineActivity::done);
+    if (shows) collect(frame, chain, pixel.colour);
+    is_taken = is_taken || shows;
+  }
 }
 
-void RefreshCollector::collect(std::size_t chain, std::uint32_t colour) {
-  std::size_t& number = line_of_chain_[chain];
-  std::vector<std::uint32_t>& line = lines_[number];
+void RefreshCollector::collect(Coming& frame, std::size_t chain, std::uint32_t colour) {
+  std::size_t& number = frame.line_of_chain[chain];
+  std::vector<std::uint32_t>& line = frame.shown.lines[number];
   line.push_back(colour);
-  if (line.size() < frame_.pixels()) return;
-  number += line_of_chain_.size();
-  --missing_lines_;
-  if (periods_.count() > last_pixel_) last_chain_ = chain;
-  last_pixel_ = periods_.count();
+  if (line.size() < frame.pixels) return;
+  number += frame.line_of_chain.size();
+  --frame.missing_lines;
+  if (frame.periods.count() > frame.last_pixel) frame.shown.last_chain = chain;
+  frame.last_pixel = frame.periods.count();
 }
 
 bool RefreshCollector::any_enters() const {

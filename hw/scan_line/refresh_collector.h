@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <systemc>
 #include <vector>
 
@@ -13,7 +14,17 @@
 
 namespace csgsim::scan_line {
 
-/// The screen's end of all chains: puts together what comes out of their refresh ports, and counts the frame's clocks.
+/// A frame as it came out of the refresh ports.
+struct ShownFrame {
+  std::uint64_t clocks = 0;        ///< from the first in which the host works until the last pixel was at its port
+  std::uint64_t drain_clocks = 0;  ///< of these, after the last mark has entered
+  std::size_t last_chain = 0;      ///< the first of those whose last pixel came last
+  std::vector<LineClocks> chains;  ///< of the refresh port of each
+  std::vector<std::vector<std::uint32_t>> lines;  ///< of each the pixels from left to right; in the frame's order
+};
+
+/// The screen's end of all chains: puts together what comes out of their refresh ports, and counts the frames' clocks.
+/// A frame may begin while pixels of those before are still to come.
 class RefreshCollector final : public systemc::ClockedModule {
  public:
   sc_core::sc_vector<sc_core::sc_in<RefreshPixel>> refresh;  ///< one a chain
@@ -22,42 +33,34 @@ class RefreshCollector final : public systemc::ClockedModule {
 
   RefreshCollector(sc_core::sc_module_name name, std::uint32_t chains);
 
+  /// A frame begins, as wide as those of which pixels are to come. All marks of the one before have entered.
   void begin(const PictureLines& frame);
 
-  /// From the first in which the host works until that in which the last pixel was at its port.
-  [[nodiscard]] std::uint64_t clocks() const { return periods_.count(); }
-
-  /// Those after the last mark has entered.
-  [[nodiscard]] std::uint64_t drain_clocks() const { return drain_clocks_; }
-
-  /// Of the refresh port of that chain.
-  [[nodiscard]] const LineClocks& clocks(std::size_t chain) const { return chains_[chain]; }
+  /// The oldest frame that has come whole and has not been taken.
+  ShownFrame take();
 
   /// For waves: of the chain, whose pixels are at the port or come next.
-  [[nodiscard]] std::size_t line_of(std::size_t chain) const { return line_of_chain_[chain]; }
-
-  /// The first of those whose last pixel came last.
-  [[nodiscard]] std::size_t last_chain() const { return last_chain_; }
-
-  /// Of each line the pixels from left to right; the lines in the frame's order.
-  [[nodiscard]] const std::vector<std::vector<std::uint32_t>>& lines() const { return lines_; }
+  [[nodiscard]] std::size_t line_of(std::size_t chain) const;
 
  private:
+  struct Coming {
+    ShownFrame shown;
+    std::size_t pixels = 0;  ///< of a line
+    Periods periods{};
+    std::vector<std::size_t> line_of_chain;  ///< whose pixels come
+    std::size_t missing_lines = 0;
+    std::uint64_t last_pixel = 0;  ///< clock in which it came
+    bool enters = true;            ///< marks of it, for all that was seen at the last edge
+  };
+
   void on_clock() override;
+  void count(Coming& frame, bool is_last);
   void look_at(std::size_t chain);
-  void collect(std::size_t chain, std::uint32_t colour);
+  void collect(Coming& frame, std::size_t chain, std::uint32_t colour);
   [[nodiscard]] bool any_enters() const;
 
-  PictureLines frame_;
-  bool active_ = false;
-  Periods periods_;
-  std::uint64_t drain_clocks_ = 0;
-  std::vector<std::vector<std::uint32_t>> lines_;
-  std::vector<std::size_t> line_of_chain_;  ///< whose pixels come
-  std::vector<LineClocks> chains_;
-  std::size_t last_chain_ = 0;
-  std::uint64_t last_pixel_ = 0;  ///< clock in which it came
-  std::size_t missing_lines_ = 0;
+  std::deque<Coming> coming_;     ///< frames that have begun, the oldest first
+  std::deque<ShownFrame> whole_;  ///< that have not been taken
   std::uint64_t frames_done_ = 0;
 };
 

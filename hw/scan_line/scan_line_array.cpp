@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/make.h"
@@ -24,6 +25,12 @@ int most_accounts(const machines::Machine& machine) { return static_cast<int>(ma
 template <class Module, class Act>
 void for_each(sc_core::sc_vector<Module>& modules, const Act& act) {
   for (std::size_t i = 0; i < modules.size(); ++i) act(modules[i]);
+}
+
+PictureLines lines_of(const isa::Program& program) {
+  const isa::FrameHeader header = isa::frame_header(program);
+  return {
+      .lines = program.segments, .extents = program.extents, .colour = header.colour, .background = header.background};
 }
 
 /// The picture in row order, of lines in the Program's order.
@@ -49,11 +56,13 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
       entering_("entering", figures_of(machine).chains),
       refresh_("refresh", figures_of(machine).chains),
       accounts_("accounts"),
+      through_("through", figures_of(machine).chains),
       host_("host", figures_of(machine)),
       links_("links"),
       queues_("queues"),
       chains_("chains"),
-      collector_("collector", figures_of(machine).chains) {
+      collector_("collector", figures_of(machine).chains),
+      retirements_("retirements", figures_of(machine).chains) {
   SC_HAS_PROCESS(ScanLineArray);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
@@ -83,13 +92,14 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
     queues_[i].entry(entry_[i]);
     queues_[i].busy(entering_[i]);
     queues_[i].accounts(accounts_[i]);
-    queues_[i].retirement(retirement_);
+    queues_[i].through(through_[i]);
+    queues_[i].retirement(retirements_[i]);
 
     chains_[i].clock(clock_);
     chains_[i].entry(entry_[i]);
     chains_[i].refresh(refresh_[i]);
     chains_[i].accounts(accounts_[i]);
-    chains_[i].retirement(retirement_);
+    chains_[i].retirement(retirements_[i]);
 
     collector_.refresh[i](refresh_[i]);
     collector_.entering[i](entering_[i]);
@@ -98,75 +108,144 @@ ScanLineArray::ScanLineArray(sc_core::sc_module_name name, const machines::Machi
   collector_.clock(clock_);
   collector_.frames(frames_);
 
-  SC_METHOD(on_done);
+  SC_METHOD(on_entered);
+  dont_initialize();
+  for_each(through_, [this](sc_core::sc_signal<std::uint64_t>& through) { sensitive << through; });
+
+  SC_METHOD(on_shown);
   dont_initialize();
   sensitive << frames_;
 }
 
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
-void ScanLineArray::on_done() { sc_core::sc_pause(); }
+void ScanLineArray::on_entered() {
+  if (all_through()) sc_core::sc_pause();
+}
+
+void ScanLineArray::on_shown() { sc_core::sc_pause(); }
+
+bool ScanLineArray::all_through() const {
+  for (std::size_t i = 0; i < queues_.size(); ++i)
+    if (!queues_[i].is_through()) return false;
+  return true;
+}
+
+/// Clock edges since the machine was built.
+std::uint64_t ScanLineArray::edges() const { return sc_core::sc_time_stamp().value() / clock_.period().value(); }
 
 systemc::RunReport ScanLineArray::run(const isa::Program& program, systemc::RunListener& listener) {
-  const isa::FrameHeader header = isa::frame_header(program);
-  const PictureLines frame{
-      .lines = program.segments, .extents = program.extents, .colour = header.colour, .background = header.background};
-  draw(frame, listener);
-  systemc::RunReport report{.clocks = collector_.clocks(),
-                            .answers = {},
-                            .account = account(counted(), machine_, collector_.clocks()),
-                            .shown_clocks = collector_.clocks(),
-                            .interval_clocks = interval(frame)};
-  if (header.colour.width > 0) report.picture = picture_of(program, collector_.lines());
-  return report;
+  systemc::RunListener* const listeners[] = {&listener};
+  return std::move(run_sequence({&program, 1}, listeners).front());
 }
 
-void ScanLineArray::draw(const PictureLines& frame, systemc::RunListener& listener) {
+std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa::Program> programs,
+                                                            std::span<systemc::RunListener* const> listeners) {
+  std::vector<systemc::RunReport> reports(programs.size());
+  if (programs.empty()) return reports;
   if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
-  retirement_.begin(listener);
-  host_.begin(frame);
-  for (std::size_t i = 0; i < links_.size(); ++i)
-    links_[i].begin(frame, (frame.lines.size() + links_.size() - 1 - i) / links_.size());
-  for_each(queues_, [&](PacketQueue& queue) { queue.begin(frame); });
-  for_each(chains_, [&](CellChain& chain) { chain.begin(frame.pixels()); });
-  collector_.begin(frame);
-  sc_core::sc_start();
-  retirement_.rethrow();
-}
-
-/// The frame after begins when all marks have entered, and so late that none of its own waits for one of these.
-std::uint64_t ScanLineArray::interval(const PictureLines& frame) const {
-  std::uint64_t clocks = 0;
-  for (const PacketQueue& queue : queues_) {
-    const EntryCounts& counts = queue.counts();
-    if (counts.clocks == 0) continue;
-    const std::uint64_t free = counts.clocks + mark_spacing(frame.pixels());
-    clocks = std::max({clocks, counts.clocks, free - std::min(free, counts.first_mark)});
+  std::deque<systemc::GuardedListener> guarded;
+  std::uint32_t pixels = 0;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const PictureLines frame = lines_of(programs[i]);
+    if (frame.pixels() != pixels) {
+      run_until_shown();
+      clear(frame.pixels());
+      pixels = frame.pixels();
+    }
+    const std::uint64_t begun = edges();
+    begin(frame, guarded.emplace_back(*listeners[i]));
+    run_until_entered();
+    reports[i].interval_clocks = edges() - begun;
+    showing_.push_back({&programs[i], &reports[i], entered()});
+    collect();
   }
-  return clocks;
+  run_until_shown();
+  for (systemc::GuardedListener& listener : guarded) listener.rethrow();
+  if (programs.size() == 1) reports.front().interval_clocks = time_lines(programs.front(), machine_).interval_clocks;
+  return reports;
 }
 
-LineAccount ScanLineArray::counted() const {
-  const std::size_t last = collector_.last_chain();
-  LineAccount account{.lines = collector_.lines().size(),
-                      .line_budget = line_budget(machine_, static_cast<std::uint32_t>(collector_.lines().size())),
-                      .drain_clocks = collector_.drain_clocks(),
-                      .host = host_.clocks(),
-                      .link = links_[last].clocks(),
-                      .entry = queues_[last].clocks(),
-                      .refresh = collector_.clocks(last)};
-  for (const ChainLink& link : links_) account.link_words += link.sent();
-  for (const PacketQueue& queue : queues_) {
-    const EntryCounts& counts = queue.counts();
+/// All that has been drawn has been shown.
+void ScanLineArray::clear(std::uint32_t pixels) {
+  for_each(queues_, [](PacketQueue& queue) { queue.clear(); });
+  for_each(chains_, [pixels](CellChain& chain) { chain.clear(pixels); });
+}
+
+void ScanLineArray::begin(const PictureLines& frame, systemc::RunListener& listener) {
+  host_.begin(frame);
+  for (std::size_t i = 0; i < chains_.size(); ++i) {
+    const std::size_t lines = (frame.lines.size() + chains_.size() - 1 - i) / chains_.size();
+    links_[i].begin(frame, lines);
+    queues_[i].begin(frame);
+    chains_[i].begin(lines);
+    retirements_[i].begin(listener, lines);
+  }
+  collector_.begin(frame);
+}
+
+void ScanLineArray::run_until_entered() {
+  while (!all_through() && !systemc::is_stopped()) {
+    sc_core::sc_start();
+    collect();
+  }
+}
+
+void ScanLineArray::run_until_shown() {
+  while (!showing_.empty() && !systemc::is_stopped()) {
+    sc_core::sc_start();
+    collect();
+  }
+}
+
+/// Frames are shown in the order in which they were drawn.
+void ScanLineArray::collect() {
+  for (; shown_ < frames_.read(); ++shown_) {
+    const Showing& frame = showing_.front();
+    const ShownFrame shown = collector_.take();
+    systemc::RunReport& report = *frame.report;
+    report.clocks = shown.clocks;
+    report.shown_clocks = shown.clocks;
+    report.account = account(account_of(frame.entered, shown), machine_, shown.clocks);
+    if (isa::frame_header(*frame.program).colour.width > 0) report.picture = picture_of(*frame.program, shown.lines);
+    showing_.pop_front();
+  }
+}
+
+ScanLineArray::Entered ScanLineArray::entered() const {
+  Entered entered{.host = host_.counter(), .links = {}, .words = {}, .entries = {}, .counts = {}};
+  for (std::size_t i = 0; i < chains_.size(); ++i) {
+    entered.links.push_back(links_[i].counter());
+    entered.words.push_back(links_[i].sent());
+    entered.entries.push_back(queues_[i].counter());
+    entered.counts.push_back(queues_[i].counts());
+  }
+  return entered;
+}
+
+/// Takes what the chains counted of the frame.
+LineAccount ScanLineArray::account_of(const Entered& entered, const ShownFrame& shown) {
+  const std::size_t last = shown.last_chain;
+  const std::size_t lines = shown.lines.size();
+  LineAccount account{.lines = lines,
+                      .line_budget = line_budget(machine_, static_cast<std::uint32_t>(lines)),
+                      .drain_clocks = shown.drain_clocks,
+                      .host = entered.host.clocks_of(shown.clocks),
+                      .link = entered.links[last].clocks_of(shown.clocks),
+                      .entry = entered.entries[last].clocks_of(shown.clocks),
+                      .refresh = shown.chains[last]};
+  for (std::size_t i = 0; i < chains_.size(); ++i) {
+    const EntryCounts& counts = entered.counts[i];
+    account.link_words += entered.words[i];
     account.packets += counts.packets;
     account.most_packets = std::max(account.most_packets, counts.most_packets);
     account.late_lines += counts.late_lines;
-    account.entry_clocks += queue.clocks().of(LineActivity::entering);
-    account.refresh_clocks += queue.clocks().of(LineActivity::waiting_for_refresh);
-  }
-  for (const CellChain& chain : chains_) {
-    const std::uint64_t fill = chain.fill_clocks();
-    if (fill > 0 && (account.fill_clocks == 0 || fill < account.fill_clocks)) account.fill_clocks = fill;
-    account.busy_cells += chain.chain().busy_cells();
+    const LineClocks entry = entered.entries[i].clocks_of(shown.clocks);
+    account.entry_clocks += entry.of(LineActivity::entering);
+    account.refresh_clocks += entry.of(LineActivity::waiting_for_refresh);
+    const CellCounts cells = chains_[i].take();
+    if (cells.fill_clocks > 0 && (account.fill_clocks == 0 || cells.fill_clocks < account.fill_clocks))
+      account.fill_clocks = cells.fill_clocks;
+    account.busy_cells += cells.busy_cells;
   }
   return account;
 }

@@ -1,18 +1,24 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <span>
 #include <systemc>
+#include <vector>
 
 #include "hw/machines/machine.h"
 #include "hw/scan_line/account.h"
 #include "hw/scan_line/cell_chain.h"
 #include "hw/scan_line/chain_link.h"
 #include "hw/scan_line/line_host.h"
+#include "hw/scan_line/line_retirement.h"
 #include "hw/scan_line/packet_queue.h"
 #include "hw/scan_line/picture_lines.h"
 #include "hw/scan_line/refresh_collector.h"
 #include "hw/systemc/clock.h"
 #include "hw/systemc/clocked_machine.h"
-#include "hw/systemc/retirement.h"
+#include "hw/systemc/guarded_listener.h"
 
 namespace csgsim::scan_line {
 
@@ -24,13 +30,40 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   /// Draws a frame of one line or more.
   systemc::RunReport run(const isa::Program& program, systemc::RunListener& listener) override;
 
+  /// A frame begins when all marks of the one before have entered; it is shown while that drains.
+  std::vector<systemc::RunReport> run_sequence(std::span<const isa::Program> programs,
+                                               std::span<systemc::RunListener* const> listeners) override;
+
   [[nodiscard]] std::vector<wave::Tap> taps(const isa::Program& program, const wave::Request& request) const override;
 
  private:
-  void on_done();
-  void draw(const PictureLines& frame, systemc::RunListener& listener);
-  [[nodiscard]] LineAccount counted() const;
-  [[nodiscard]] std::uint64_t interval(const PictureLines& frame) const;
+  /// What host, links and entries counted of a frame all marks of which have entered.
+  struct Entered {
+    ActivityCounter host;
+    std::vector<ActivityCounter> links;
+    std::vector<std::uint64_t> words;
+    std::vector<ActivityCounter> entries;
+    std::vector<EntryCounts> counts;
+  };
+
+  /// A frame that has not been shown as a whole.
+  struct Showing {
+    const isa::Program* program;
+    systemc::RunReport* report;
+    Entered entered;
+  };
+
+  void on_entered();
+  void on_shown();
+  void clear(std::uint32_t pixels);
+  void begin(const PictureLines& frame, systemc::RunListener& listener);
+  void run_until_entered();
+  void run_until_shown();
+  void collect();
+  [[nodiscard]] bool all_through() const;
+  [[nodiscard]] Entered entered() const;
+  [[nodiscard]] LineAccount account_of(const Entered& entered, const ShownFrame& shown);
+  [[nodiscard]] std::uint64_t edges() const;
 
   const machines::Machine machine_;
   systemc::Clock clock_;
@@ -40,6 +73,7 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   sc_core::sc_vector<sc_core::sc_signal<bool>> entering_;
   sc_core::sc_vector<sc_core::sc_signal<RefreshPixel>> refresh_;
   sc_core::sc_vector<sc_core::sc_fifo<EntryAccount>> accounts_;
+  sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> through_;
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
   LineHost host_;
@@ -47,7 +81,10 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   sc_core::sc_vector<PacketQueue> queues_;
   sc_core::sc_vector<CellChain> chains_;
   RefreshCollector collector_;
-  systemc::Retirement retirement_{"retirement"};
+  sc_core::sc_vector<LineRetirement> retirements_;
+
+  std::deque<Showing> showing_;  ///< the oldest first
+  std::uint64_t shown_ = 0;      ///< frames, of all
 };
 
 }  // namespace csgsim::scan_line

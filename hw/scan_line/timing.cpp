@@ -24,6 +24,10 @@ using machines::Machine;
 /// Number of a clock edge, from 1.
 using Edge = std::uint64_t;
 
+/// After so many frames alike the distance from one to the next is taken for that of all that follow. With one chain it
+/// is from the second on.
+constexpr unsigned frames_to_settle = 8;
+
 /// Words of a cell's memory that hold a bit of the field.
 std::uint64_t memory_words(isa::Field field, const Figures& figures) {
   if (field.width == 0) return 0;
@@ -137,13 +141,15 @@ std::uint64_t last_cell(const Machine& machine, std::uint32_t pixels) {
 /// A link and the entry of its chain, as the lines that they have been given leave them.
 class ChainTiming {
  public:
-  ChainTiming(const Machine& machine, isa::ArrayShape picture, isa::Field colour)
+  /// No mark enters before edge `first_mark`.
+  ChainTiming(const Machine& machine, isa::ArrayShape picture, isa::Field colour, Edge first_mark)
       : machine_(machine),
         figures_(machines::own<Figures>(machine)),
         pixels_(picture.width),
         through_cells_(last_cell(machine, picture.width) + 1ULL),
         budget_(line_budget(machine, picture.height)),
-        colour_(colour) {}
+        colour_(colour),
+        mark_from_(first_mark) {}
 
   /// The host can hand over the next line from that edge on.
   [[nodiscard]] Edge free_from() const { return lines_ == 0 ? 1 : taken_ + 1; }
@@ -178,11 +184,8 @@ class ChainTiming {
   [[nodiscard]] Edge mark() const { return mark_; }  ///< its last beat is at the entry
   /// From then on through the cells, and through the shift chain.
   [[nodiscard]] std::uint64_t drain() const { return through_cells_ + pixels_; }
-  /// From this frame to the next.
-  [[nodiscard]] std::uint64_t interval() const {
-    const std::uint64_t spacing = mark_spacing(pixels_);
-    return mark_ + (spacing > first_mark_ ? spacing - first_mark_ : 0);
-  }
+  /// From then on the next mark may enter.
+  [[nodiscard]] Edge mark_from() const { return mark_from_; }
   [[nodiscard]] Edge first_packet() const { return first_packet_; }  ///< likewise
   [[nodiscard]] const LineClocks& entry() const { return entry_; }
 
@@ -229,7 +232,7 @@ class ChainTiming {
     entry_.add(LineActivity::waiting_for_link, taken_by_entry_ - entered_ - 1);
     entry_.add(LineActivity::entering, beats);
     const Edge asked = taken_by_entry_ + beats - 1;
-    entered_ = is_mark && lines_ > 0 ? std::max(asked, mark_ + mark_spacing(pixels_)) : asked;
+    entered_ = is_mark ? std::max(asked, mark_from_) : asked;
     entry_.add(LineActivity::waiting_for_refresh, entered_ - asked);
     if (first_packet_ == 0) first_packet_ = entered_;
     if (is_mark) end_line();
@@ -249,7 +252,7 @@ class ChainTiming {
   void end_line() {
     if (entered_ - mark_ > budget_) ++late_lines_;
     mark_ = entered_;
-    if (lines_ == 0) first_mark_ = mark_;
+    mark_from_ = mark_ + mark_spacing(pixels_);
   }
 
   const Machine& machine_;
@@ -266,7 +269,7 @@ class ChainTiming {
   Edge taken_by_entry_ = 0;  ///< the last command
   Edge entered_ = 0;         ///< the last packet's last beat
   Edge mark_ = 0;            ///< that of the last mark
-  Edge first_mark_ = 0;      ///< that of the first
+  Edge mark_from_ = 0;       ///< that of the next, at the earliest
   Edge first_packet_ = 0;    ///< that of the frame's first
   std::uint64_t lines_ = 0;
   std::uint64_t words_ = 0;
@@ -274,6 +277,65 @@ class ChainTiming {
   LineClocks link_;
   LineClocks entry_;
 };
+
+/// For each chain, the edge, counted from the frame's beginning, from which its next mark may enter.
+using MarkEdges = std::vector<Edge>;
+
+/// The frame before has left `marks` behind, which become those that this one leaves.
+LineTiming time_frame(const isa::Program& program, const Machine& machine, MarkEdges& marks,
+                      machines::Timeline* told = nullptr) {
+  const Figures& figures = machines::own<Figures>(machine);
+  const std::uint64_t pixels = program.shape.width;
+  const isa::Field colour = isa::frame_header(program).colour;
+  LineAccount counted{.lines = program.segments.size(), .line_budget = line_budget(machine, program.shape.height)};
+  std::vector<ChainTiming> chains;
+  for (const Edge mark : marks) chains.emplace_back(machine, program.shape, colour, mark);
+
+  const std::vector<std::uint64_t> looks = active_looks(program);
+  const std::uint64_t sorting = program.extents.size() * figures.bucket_clocks;
+  counted.host.add(LineActivity::sorting, sorting);
+  Edge host = sorting;  // the last edge at which it has worked
+  for (std::size_t line = 0; line < program.segments.size(); ++line) {
+    const isa::Segment& segment = program.segments[line];
+    ChainTiming& chain = chains[line % chains.size()];
+    const std::uint64_t updating = looks[line] * figures.active_clocks;
+    const std::uint64_t preparing = segment.instructions.size() * figures.instruction_clocks;
+    const Edge asked = host + updating + preparing + 1;
+    host = std::max(asked, chain.free_from());
+    counted.host.add(LineActivity::updating, updating);
+    counted.host.add(LineActivity::preparing, preparing);
+    counted.host.add(LineActivity::waiting_for_link, host - asked);
+    counted.host.add(LineActivity::starting, 1);
+    chain.draw(segment, host, told, line);
+
+    counted.packets += segment.instructions.size();
+    counted.most_packets = std::max<std::uint64_t>(counted.most_packets, segment.instructions.size());
+    for (const isa::Instruction& instruction : segment.instructions)
+      counted.busy_cells += machines::clocks(instruction, machine) * pixels;
+  }
+
+  const auto latest = std::max_element(chains.begin(), chains.end(),
+                                       [](const auto& one, const auto& other) { return one.mark() < other.mark(); });
+  counted.drain_clocks = latest->drain();
+  const std::uint64_t clocks = latest->mark() + counted.drain_clocks;
+  counted.host.add(LineActivity::done, clocks - host);
+  counted.link = latest->whole_link(clocks);
+  counted.entry = latest->whole_entry(clocks);
+  counted.refresh = latest->whole_refresh(clocks);
+  const Edge interval = latest->mark();
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    marks[i] = chains[i].mark_from() - std::min(chains[i].mark_from(), interval);
+  for (const ChainTiming& chain : chains) {
+    counted.link_words += chain.words();
+    counted.late_lines += chain.late_lines();
+    counted.entry_clocks += chain.entry().of(LineActivity::entering);
+    counted.refresh_clocks += chain.entry().of(LineActivity::waiting_for_refresh);
+    if (chain.lines() == 0) continue;
+    const std::uint64_t fill = chain.first_packet() + last_cell(machine, program.shape.width);
+    counted.fill_clocks = counted.fill_clocks == 0 ? fill : std::min(counted.fill_clocks, fill);
+  }
+  return {clocks, interval, counted};
+}
 
 }  // namespace
 
@@ -312,55 +374,21 @@ std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) 
 }
 
 LineTiming time_lines(const isa::Program& program, const Machine& machine, machines::Timeline* told) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const std::uint64_t pixels = program.shape.width;
-  const isa::Field colour = isa::frame_header(program).colour;
-  LineAccount counted{.lines = program.segments.size(), .line_budget = line_budget(machine, program.shape.height)};
-  std::vector<ChainTiming> chains(figures.chains, ChainTiming(machine, program.shape, colour));
-
-  const std::vector<std::uint64_t> looks = active_looks(program);
-  const std::uint64_t sorting = program.extents.size() * figures.bucket_clocks;
-  counted.host.add(LineActivity::sorting, sorting);
-  Edge host = sorting;  // the last edge at which it has worked
-  for (std::size_t line = 0; line < program.segments.size(); ++line) {
-    const isa::Segment& segment = program.segments[line];
-    ChainTiming& chain = chains[line % chains.size()];
-    const std::uint64_t updating = looks[line] * figures.active_clocks;
-    const std::uint64_t preparing = segment.instructions.size() * figures.instruction_clocks;
-    const Edge asked = host + updating + preparing + 1;
-    host = std::max(asked, chain.free_from());
-    counted.host.add(LineActivity::updating, updating);
-    counted.host.add(LineActivity::preparing, preparing);
-    counted.host.add(LineActivity::waiting_for_link, host - asked);
-    counted.host.add(LineActivity::starting, 1);
-    chain.draw(segment, host, told, line);
-
-    counted.packets += segment.instructions.size();
-    counted.most_packets = std::max<std::uint64_t>(counted.most_packets, segment.instructions.size());
-    for (const isa::Instruction& instruction : segment.instructions)
-      counted.busy_cells += machines::clocks(instruction, machine) * pixels;
+  MarkEdges marks(machines::own<Figures>(machine).chains);
+  LineTiming alone = time_frame(program, machine, marks, told);
+  for (unsigned frame = 0; frame < frames_to_settle; ++frame) {
+    const MarkEdges before = marks;
+    alone.interval_clocks = time_frame(program, machine, marks).interval_clocks;
+    if (marks == before) break;
   }
+  return alone;
+}
 
-  const auto last = std::max_element(chains.begin(), chains.end(),
-                                     [](const auto& one, const auto& other) { return one.mark() < other.mark(); });
-  counted.drain_clocks = last->drain();
-  const std::uint64_t clocks = last->mark() + counted.drain_clocks;
-  counted.host.add(LineActivity::done, clocks - host);
-  counted.link = last->whole_link(clocks);
-  counted.entry = last->whole_entry(clocks);
-  counted.refresh = last->whole_refresh(clocks);
-  std::uint64_t interval = 0;
-  for (const ChainTiming& chain : chains) {
-    if (chain.lines() > 0) interval = std::max(interval, chain.interval());
-    counted.link_words += chain.words();
-    counted.late_lines += chain.late_lines();
-    counted.entry_clocks += chain.entry().of(LineActivity::entering);
-    counted.refresh_clocks += chain.entry().of(LineActivity::waiting_for_refresh);
-    if (chain.lines() == 0) continue;
-    const std::uint64_t fill = chain.first_packet() + last_cell(machine, program.shape.width);
-    counted.fill_clocks = counted.fill_clocks == 0 ? fill : std::min(counted.fill_clocks, fill);
-  }
-  return {clocks, interval, counted};
+std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames, const Machine& machine) {
+  MarkEdges marks(machines::own<Figures>(machine).chains);
+  std::vector<LineTiming> timings;
+  for (const isa::Program& frame : frames) timings.push_back(time_frame(frame, machine, marks));
+  return timings;
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,

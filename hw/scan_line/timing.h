@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <vector>
 
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
@@ -22,15 +24,18 @@ std::uint64_t line_budget(const machines::Machine& machine, std::uint32_t pictur
 
 struct LineTiming {
   std::uint64_t clocks = 0;
-  /// From one frame to the next, where the same is drawn again and again: the host begins it when the last mark has
-  /// entered, and so much later that no mark waits for one of the frame before.
+  /// From one frame to the next: the host begins it when the last mark has entered.
   std::uint64_t interval_clocks = 0;
   LineAccount account;
 };
 
-/// Worked out from the words and packets of each line (the modules count the same). `told`, unless null, is a blank
-/// timeline, and becomes that of the frame.
+/// Of a frame before which nothing has been drawn, worked out from the words and packets of each line (the modules
+/// count the same); the interval where the same is drawn again and again. `told`, unless null, is a blank timeline, and
+/// becomes that of the frame.
 LineTiming time_lines(const isa::Program& program, const machines::Machine& machine,
                       machines::Timeline* told = nullptr);
+
+/// The same of frames that follow one another, all of one width.
+std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames, const machines::Machine& machine);
 
 }  // namespace csgsim::scan_line

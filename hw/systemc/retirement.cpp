@@ -4,23 +4,18 @@ namespace csgsim::systemc {
 
 Retirement::Retirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {}
 
-void Retirement::begin(RunListener& listener) {
-  listener_ = &listener;
-  guard_.begin();
-}
+void Retirement::begin(RunListener& listener) { listener_.emplace(listener); }
 
 Keep Retirement::keeps_after(std::uint32_t segment, std::uint32_t index) {
-  Keep keep = Keep::nothing;
-  guard_.run([&] { keep = listener_->keeps_after(segment, index); });
-  return keep;
+  return listener_->keeps_after(segment, index);
 }
 
 void Retirement::after_instruction(const Retired& retired, const PixelView& pixels) {
-  guard_.run([&] { listener_->after_instruction(retired, pixels); });
+  listener_->after_instruction(retired, pixels);
 }
 
 void Retirement::after_segment(std::uint32_t segment, const PixelView& pixels) {
-  guard_.run([&] { listener_->after_segment(segment, pixels); });
+  listener_->after_segment(segment, pixels);
 }
 
 }  // namespace csgsim::systemc

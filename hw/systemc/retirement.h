@@ -1,9 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <systemc>
 
-#include "hw/systemc/listener_guard.h"
+#include "hw/systemc/guarded_listener.h"
 #include "hw/systemc/run_listener.h"
 
 namespace csgsim::systemc {
@@ -20,15 +21,14 @@ class Retirement final : public sc_core::sc_module, public RetirementPort {
   void begin(RunListener& listener);
 
   /// Throws what the listener threw, if it did: the machine ran to its end without it.
-  void rethrow() { guard_.rethrow(); }
+  void rethrow() { listener_->rethrow(); }
 
   [[nodiscard]] Keep keeps_after(std::uint32_t segment, std::uint32_t index) override;
   void after_instruction(const Retired& retired, const PixelView& pixels) override;
   void after_segment(std::uint32_t segment, const PixelView& pixels) override;
 
  private:
-  RunListener* listener_ = nullptr;
-  ListenerGuard guard_;
+  std::optional<GuardedListener> listener_;
 };
 
 }  // namespace csgsim::systemc

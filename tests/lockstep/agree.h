@@ -21,6 +21,8 @@ bool agree_planes(const machines::Machine& machine, unsigned instructions, syste
 bool agree_planes_in_sequences(const machines::Machine& machine, unsigned instructions,
                                systemc::EvaluatorForm evaluator, const Allowed& allowed = all_allowed);
 bool agree_scan_line(const machines::Machine& machine, unsigned instructions, const Allowed& allowed = all_allowed);
+bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned instructions,
+                                  const Allowed& allowed = all_allowed);
 bool agree_squares(const machines::Machine& machine, unsigned instructions, systemc::EvaluatorForm evaluator,
                    const Allowed& allowed = all_allowed);
 bool agree_nodes(const machines::Machine& machine, const Allowed& allowed = all_allowed);

@@ -1,9 +1,13 @@
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
+#include <deque>
 #include <utility>
 #include <vector>
 
+#include "hw/scan_line/timing.h"
 #include "sim/cycle/clocked_engine.h"
+#include "sim/cycle/sequence.h"
 #include "sim/observe/frame.h"
 #include "tests/lockstep/agree.h"
 #include "tests/lockstep/lockstep.h"
@@ -37,7 +41,47 @@ void check_pictures(engine::Engine& judge, engine::Engine& engine, const isa::Pr
   RC_ASSERT(actual.scanned_out == (coloured ? expected.frame.colour : std::vector<std::uint32_t>{}));
 }
 
+/// Frames of one machine, and who looks at each.
+struct Sequence {
+  std::vector<isa::Program> programs;
+  std::deque<observe::FrameObserver> frames;
+  std::vector<engine::Observer*> observers;
+};
+
+void add_random_frames(Sequence& sequence, const machines::Machine& machine, unsigned instructions,
+                       const Allowed& allowed) {
+  for (int i = 0; i < 4; ++i) {
+    const unsigned most = *rc::gen::inRange(0U, instructions + 1);
+    sequence.programs.push_back(
+        first_allowed([&] { return *arbitrary_program_in_parts(machine, most, machine.evaluator_degree); }, allowed));
+  }
+  for (const isa::Program& program : sequence.programs)
+    sequence.observers.push_back(&sequence.frames.emplace_back(program));
+}
+
 }  // namespace
+
+bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
+  const auto judge = engine::make_functional_engine(machine);
+  return rc::check("frames enter a scan-line array while those before drain, when it is worked out", [&] {
+    Sequence sequence;
+    add_random_frames(sequence, machine, instructions, allowed);
+    const auto counted = cycle::run_sequence(machine, sequence.programs, sequence.observers);
+    const auto expected = scan_line::time_line_sequence(sequence.programs, machine);
+    for (std::size_t i = 0; i < counted.size(); ++i) {
+      const machines::Account account = scan_line::account(expected[i].account, machine, expected[i].clocks);
+      if (counted[i].clocks != expected[i].clocks || counted[i].account != account)
+        RC_FAIL(fmt::format("frame {}: worked out {} clocks, counted {}", i, expected[i].clocks, show(counted[i])));
+      RC_ASSERT(adds_up(counted[i]));
+      RC_ASSERT(counted[i].interval_clocks == expected[i].interval_clocks);
+      const Pictures alone = draw(*judge, sequence.programs[i]);
+      const observe::Frame seen = sequence.frames[i].frame();
+      RC_ASSERT(seen.colour == alone.frame.colour);
+      RC_ASSERT(seen.owner == alone.frame.owner);
+      if (sequence.programs[i].colour.width > 0) RC_ASSERT(counted[i].scanned_out == alone.frame.colour);
+    }
+  });
+}
 
 bool agree_scan_line(const machines::Machine& machine, unsigned instructions, const Allowed& allowed) {
   const auto judge = engine::make_reference_engine(machine);

@@ -51,7 +51,7 @@ int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
   ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[19]).c_str(), 0);
   const bool agree = agree_scan_line(machine, figures[20]);
-  return agree ? 0 : 1;
+  return agree && agree_scan_line_in_sequences(machine, figures[20]) ? 0 : 1;
 }
 
 }  // namespace

@@ -50,7 +50,8 @@ bool whole_pictures(const machines::Machine& machine, const Allowed& allowed) {
 }
 
 bool lines(const machines::Machine& machine, const Allowed& allowed) {
-  return agree_scan_line(machine, instructions, allowed);
+  return agree_scan_line(machine, instructions, allowed) &&
+         agree_scan_line_in_sequences(machine, instructions, allowed);
 }
 
 bool squares(const machines::Machine& machine, const Allowed& allowed) {

@@ -15,6 +15,7 @@
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
 #include "hw/scan_line/scan_line_array.h"
+#include "sim/cycle/sequence.h"
 #include "sim/engine/engine.h"
 
 namespace {
@@ -122,6 +123,28 @@ TEST_CASE("a line without instructions shows the background and takes its mark a
   const engine::RunResult result = engine::make_cycle_engine(machine)->run(program, {});
   CHECK(result.scanned_out == std::vector<std::uint32_t>{1, 4, 7, 10, 77, 77, 77, 77, 1, 4, 7, 10});
   CHECK(result.clocks == first_entry + 3 + 4 + 4 + 2 * 4);
+}
+
+TEST_CASE("a frame enters while the one before drains, and its first mark waits for the refresh path as any other") {
+  const machines::Machine machine = machine_of(16, {16, 1});
+  const std::vector<isa::Program> frames(3, program_of(machine, ramp()));
+  engine::Observer nobody;
+  const std::vector<engine::Observer*> observers(3, &nobody);
+  const auto results = cycle::run_sequence(machine, frames, observers);
+  constexpr std::uint64_t mark = first_entry + 3;
+  constexpr std::uint64_t drain = 2 * 16;
+  CHECK(results[0].clocks == mark + drain);
+  CHECK(results[0].interval_clocks == mark);
+  for (const std::size_t i : {1, 2}) {
+    CHECK(results[i].interval_clocks == 16);
+    CHECK(results[i].clocks == 16 + drain);
+    CHECK(results[i].account.count("refresh_clocks") == 16 - mark);
+    CHECK(results[i].account.count("drain_clocks") == drain);
+    CHECK(results[i].account.count("busy_cells") == 2 * 16);
+    CHECK(results[i].account.count("fill_clocks") == first_entry + 16);
+    CHECK(results[i].scanned_out == results[0].scanned_out);
+  }
+  CHECK(engine::make_cycle_engine(machine)->run(frames.front(), {}).interval_clocks == 16);
 }
 
 TEST_CASE("what a listener throws comes out of run, and the machine can be used again") {

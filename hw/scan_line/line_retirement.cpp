@@ -1,0 +1,24 @@
+#include "hw/scan_line/line_retirement.h"
+
+namespace csgsim::scan_line {
+
+LineRetirement::LineRetirement(sc_core::sc_module_name name) : sc_core::sc_module(name) {}
+
+void LineRetirement::begin(systemc::RunListener& listener, std::size_t lines) {
+  if (lines > 0) frames_.push_back({&listener, lines});
+}
+
+systemc::Keep LineRetirement::keeps_after(std::uint32_t segment, std::uint32_t index) {
+  return frames_.back().listener->keeps_after(segment, index);
+}
+
+void LineRetirement::after_instruction(const systemc::Retired& retired, const systemc::PixelView& pixels) {
+  frames_.front().listener->after_instruction(retired, pixels);
+}
+
+void LineRetirement::after_segment(std::uint32_t segment, const systemc::PixelView& pixels) {
+  frames_.front().listener->after_segment(segment, pixels);
+  if (--frames_.front().lines_left == 0) frames_.pop_front();
+}
+
+}  // namespace csgsim::scan_line
