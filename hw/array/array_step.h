@@ -91,7 +91,10 @@ enum class OperandSource : std::uint8_t {
   memory,  ///< the memory bit at address `x`
 };
 
-/// The control word that every pixel obeys in one clock.
+/// The control word that every pixel obeys in one clock. With operand x from the trees, which bring several bits of F
+/// in a clock, it says what is done with each of them: `function` takes `bits` of them, from the one of number `first`
+/// on; then come those that `beyond` takes, each by itself, and then the one that `sign` takes. Of memory only
+/// `function` reads and writes, where the addresses say. Of the clock's other bits nothing is made.
 struct ArrayStep {
   AluFunction function = AluFunction::idle;
   OperandSource source = OperandSource::tree;  ///< of operand x
@@ -100,14 +103,24 @@ struct ArrayStep {
   std::uint16_t write = 0;                     ///< address written
   std::uint16_t bits = 1;                      ///< adjacent bits worked on; the addresses are those of the first
   std::uint32_t constant = 0;                  ///< as many bits, the first lowest; of a sum, 1 where there is an x
+  std::uint16_t first = 0;                     ///< of the clock's bits from the trees, the first that is taken
+  std::uint16_t beyond_bits = 0;               ///< bits from the trees after those of `function`
+  AluFunction beyond = AluFunction::idle;      ///< on each of these
+  AluFunction sign = AluFunction::idle;        ///< on the bit after them, if it is not idle
 
   constexpr bool operator==(const ArrayStep&) const = default;
 };
 
-/// The function that a step carries out on one of its bits. Of a comparison or a sum the first bit sets the carry,
-/// which ripples; of a comparison the last decides.
+/// Bits that the ALU works on in the clock of a step, those beyond and the sign among them.
+constexpr unsigned worked_bits(const ArrayStep& step) {
+  return step.bits + step.beyond_bits + (step.sign == AluFunction::idle ? 0U : 1U);
+}
+
+/// The function that a step carries out on one of its worked_bits(). Of a comparison or a sum the first bit sets the
+/// carry, which ripples; of a comparison of fields the last decides.
 constexpr AluFunction function_of_bit(const ArrayStep& step, unsigned bit) {
   using enum AluFunction;
+  if (bit >= step.bits) return bit - step.bits < step.beyond_bits ? step.beyond : step.sign;
   const bool first = bit == 0;
   const AluFunction rest = info(step.function).rest;
   if (rest == sum && (step.constant >> bit & 1U) == 0) return sum_with_0;

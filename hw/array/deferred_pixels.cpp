@@ -34,15 +34,18 @@ void DeferredPixels::push(const ArrayStep& step, const StreamBit* tree) {
 /// What the registers had is needed no more then.
 void DeferredPixels::put_tree(std::span<const std::uint64_t> tree) {
   settle_registers();
-  if (!bits_.has_tree) add_tree();
-  for (std::size_t number = 0; number < owed_.size(); ++number)
-    std::copy_n(&tree[number * kernels::block_words], kernels::block_words,
-                block(number) + bits_.tree() * kernels::block_words);
+  if (bits_.tree_bits == 0) add_tree(static_cast<unsigned>(tree.size() / enable_.size()));
+  for (unsigned bit = 0; bit < bits_.tree_bits; ++bit) {
+    const std::span<const std::uint64_t> plane = tree.subspan(bit * enable_.size(), enable_.size());
+    for (std::size_t number = 0; number < owed_.size(); ++number)
+      std::copy_n(&plane[number * kernels::block_words], kernels::block_words,
+                  block(number) + bits_.tree(bit) * kernels::block_words);
+  }
 }
 
-void DeferredPixels::add_tree() {
+void DeferredPixels::add_tree(unsigned bits) {
   const std::size_t before = bits_.count() * kernels::block_words;
-  bits_.has_tree = true;
+  bits_.tree_bits = bits;
   const std::size_t now = bits_.count() * kernels::block_words;
   Words words(owed_.size() * now);
   for (std::size_t number = 0; number < owed_.size(); ++number)

@@ -23,8 +23,8 @@ class DeferredPixels {
 
   /// One clock.
   void push(const ArrayStep& step, const StreamBit& tree);
-  /// One in which the registers between trees and pixels have those bits, a plane of them; they are asked for only
-  /// where the step takes them.
+  /// One in which the registers between trees and pixels have those bits, a plane of the first of them and so on,
+  /// always as many; they are asked for only where the step takes them.
   void push_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   /// Afterwards memory and enable are as the steps so far leave them.
@@ -72,7 +72,7 @@ class DeferredPixels {
   void pay(std::span<const std::uint32_t> blocks);
   void pay_one(std::span<const std::uint32_t> blocks, std::uint64_t Owed::*what, kernels::Effects effects);
   void put_tree(std::span<const std::uint64_t> tree);
-  void add_tree();
+  void add_tree(unsigned bits);
   void push(const ArrayStep& step, const StreamBit* tree);
   void run(const Batch& batch, std::span<const std::uint32_t> blocks, kernels::Effects effects);
 

@@ -19,8 +19,10 @@ struct Node {
 /// A right child is `half` leaves on; 0 if there is none.
 LevelProbe probe_of(const StreamBit& bit, const Node& node, std::uint64_t half) {
   if (!bit.token.active()) return {};
-  const auto of = [&](std::uint64_t value) { return (value >> bit.token.bit & 1U) != 0; };
-  const auto carry = [&](std::uint64_t one, std::uint64_t other) { return of(one ^ other ^ (one + other)); };
+  const auto of = [&](std::uint64_t value) { return bit.token.of(value); };
+  const auto carry = [&](std::uint64_t one, std::uint64_t other) {
+    return (of(one ^ other ^ (one + other)) & 1U) != 0;
+  };
   const std::uint64_t slope = node.slope * half;
   const std::uint64_t square = node.square * half * half;
   return {.token = bit.token,

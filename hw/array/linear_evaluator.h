@@ -9,16 +9,16 @@
 
 namespace csgsim::array {
 
-/// Bit `token.bit` of the coefficients of StreamBit, as the controller sends them; of trees of degree 1 the last three
-/// are no wires.
+/// The token's bits of the coefficients of StreamBit, as the controller sends them, the first lowest; of trees of
+/// degree 1 the last three are no wires.
 struct RootBits {
   Token token;
-  bool a = false;
-  bool b = false;
-  bool c = false;
-  bool xx = false;
-  bool xy = false;
-  bool yy = false;
+  std::uint32_t a = 0;
+  std::uint32_t b = 0;
+  std::uint32_t c = 0;
+  std::uint32_t xx = 0;
+  std::uint32_t xy = 0;
+  std::uint32_t yy = 0;
 
   constexpr bool operator==(const RootBits&) const = default;
 };
@@ -32,21 +32,22 @@ constexpr unsigned tree_levels(std::uint32_t leaves) {
 
 /// What is at a level of a tree on the way to a pixel, in the middle of a clock.
 struct LevelProbe {
-  Token token;          ///< of the bit that enters the level
-  bool stream = false;  ///< that bit
-  bool carry = false;   ///< that the level's adder, if there is a right child, adds to it
+  Token token;               ///< of the bits that enter the level
+  std::uint32_t stream = 0;  ///< those bits
+  bool carry = false;        ///< that the level's adder, if there is a right child, adds to the first of them
 
   // Of trees of degree 2, the same for the slopes: what the value grows by from leaf to leaf but for the squares.
-  bool slope = false;
+  std::uint32_t slope = 0;
   bool slope_carry = false;
   bool step_carry = false;       ///< of the adder that puts the squares to the slope
-  bool row_slope = false;        ///< in the X tree: the slope along the column, with which the Y tree begins
+  std::uint32_t row_slope = 0;   ///< in the X tree: the slope along the column, with which the Y tree begins
   bool row_slope_carry = false;  ///< in the X tree
 };
 
 /// The Linear Expression Evaluator (thesis 7.2.1): an X tree over the columns, whose leaves A*x + C each enter a Y tree
 /// over the rows. Bit j of A*x + B*y + C reaches the pixels levels() clocks after bit j of A, B and C entered, for
-/// instructions of any width, back to back.
+/// instructions of any width, back to back. In a clock k bits enter, 1 to 32; those of a stream's last clock may be
+/// fewer.
 ///
 /// A tree of n levels multiplies by the leaf's coordinate, one serial adder with carry and one delay a level. A node of
 /// level k (root 0) covers 2^(n-k) leaves. It passes the incoming stream, one clock later, to its left child, and the
@@ -54,13 +55,22 @@ struct LevelProbe {
 /// multiplicand wire. The stream reaches level k after k clocks and the multiplicand n-1 clocks after the stream's
 /// first bit, so at level k it is worth 2^(n-1-k) times itself, and counts as 0 before.
 ///
+/// In trees that take w bits a clock each adder is w bits wide and keeps the carry out of its highest. A factor of two
+/// is then a bit and no longer a clock, so that each level has a tap of its own. To be worth 2^s times itself, s =
+/// n-1-k, the multiplicand's bit j - s has to meet the stream's bit j at level k. The wires are tapped twice, floor(s /
+/// w) clocks after they passed with the stream's bits and a clock later; of these 2w bits w are added, beginning s mod
+/// w below the first of the later clock. So the wires are crossed s mod w places on their way to the level, once for
+/// all its nodes. What comes before the multiplicand's first bit counts as 0. With w = 1 nothing is crossed, and the
+/// taps of all levels are one.
+///
 /// Trees of degree 2 bring xx*x*x + xy*x*y + yy*y*y + a*x + b*y + c. A node of the X tree whose first leaf is X has
 /// three streams, aligned: the value xx*X*X + a*X + c, the slope 2*xx*X + a and the row's slope xy*X + b. To its right
 /// child, h = 2^(n-1-k) leaves on, it adds h*(slope + h*xx), 2*h*xx and h*xy, by four serial adders, of which those of
 /// the value lie one behind the other in a clock. The slope is delayed n-1-k clocks at the node itself to be worth h
 /// times itself; xx and xy come on wires which all nodes of a level share, delayed so that they are worth h*h, 2*h and
 /// h times themselves. A node of the Y tree has two streams and three adders, with yy. So the first bit takes no longer
-/// than in trees of degree 1.
+/// than in trees of degree 1. With w bits a clock all that is delayed is aligned as the multiplicand is; of the slope
+/// the last n-1-k bits are kept at the node, w of which are in what it passes on.
 ///
 /// What the registers hold follows from the coefficients' bits that have entered, which are kept instead of them.
 class LinearEvaluator {
@@ -77,7 +87,7 @@ class LinearEvaluator {
 
   /// One clock. `leaves` are the registers at the pixels; they are written in clocks in which a bit reaches them, and
   /// hold otherwise. Returns whether one did. With no level at all `leaves` are wires: they show `root` at once. The
-  /// bits of a stream enter one after the other, the first with number 0.
+  /// bits of a stream enter clock after clock, the first with number 0.
   bool clock(const RootBits& root, StreamBit& leaves);
 
   /// What is at a level of the X or of the Y tree, while `root` is on the wires, on the way to a pixel. Level 0 is the

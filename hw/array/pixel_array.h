@@ -15,7 +15,7 @@ namespace csgsim::array {
 
 /// The state of one pixel processor besides its memory.
 struct PixelProbe {
-  bool tree = false;
+  std::uint32_t tree = 0;  ///< the bits of the trees, the first lowest
   bool carry = false;
   bool enable = false;
   bool flag = false;
@@ -48,7 +48,8 @@ class PixelArray {
   /// One clock of all pixels; `tree` is at the leaves of the multiplier trees.
   void step(const ArrayStep& step, const StreamBit& tree);
 
-  /// The same, where these bits are there, a bit a pixel as in `enable`.
+  /// The same, where these bits are there: a plane, a bit a pixel as in `enable`, of each that the trees bring in a
+  /// clock, always as many.
   void step_with(std::span<const std::uint64_t> tree, const ArrayStep& step);
 
   [[nodiscard]] bool any_enabled() const;

@@ -7,13 +7,7 @@
 
 namespace csgsim::array {
 
-namespace {
-
 using isa::Opcode;
-
-bool coefficient_bit(std::int64_t coefficient, std::uint32_t bit) { return ((coefficient >> bit) & 1) != 0; }
-
-}  // namespace
 
 void Sequencer::begin(const isa::Instruction& instruction) {
   squares_ = instruction_.opcode == Opcode::squares ? instruction_.linear : isa::Linear{};
@@ -36,17 +30,17 @@ BitStep Sequencer::issue() {
     case Opcode::enable_or: return once(enable_from_memory(enable_or));
     case Opcode::enable_xor: return once(enable_from_memory(enable_xor));
     case Opcode::enable_store: return once({.function = store_enable, .write = i.fields[0].base});
-    case Opcode::edge_not_negative: return stream_bit(edge_step(enable_and_not), 1);
+    case Opcode::edge_not_negative: return stream_bits({.sign = enable_and_not}, 1);
     case Opcode::edge_negative:
-    case Opcode::stripe: return stream_bit(edge_step(enable_and), 1);
-    case Opcode::linear_ge: return stream_bit(compare_step(compare_from_1, sign_enable), 1);
-    case Opcode::linear_gt: return stream_bit(compare_step(compare_from_0, sign_enable), 1);
-    case Opcode::linear_le: return stream_bit(compare_step(compare_from_0, sign_enable_not), 1);
-    case Opcode::linear_lt: return stream_bit(compare_step(compare_from_1, sign_enable_not), 1);
-    case Opcode::linear_eq: return stream_bit(equal_step(), 1);
-    case Opcode::load_linear: return stream_bit(load_step(store_x, enable_and_not), 1);
-    case Opcode::keep_max: return stream_bit(keep_step(compare_from_0, sign_select), 2);
-    case Opcode::keep_min: return stream_bit(keep_step(compare_from_1, sign_select_not), 2);
+    case Opcode::stripe: return stream_bits({.sign = enable_and}, 1);
+    case Opcode::linear_ge: return stream_bits(compared(compare_from_1, sign_enable), 1);
+    case Opcode::linear_gt: return stream_bits(compared(compare_from_0, sign_enable), 1);
+    case Opcode::linear_le: return stream_bits(compared(compare_from_0, sign_enable_not), 1);
+    case Opcode::linear_lt: return stream_bits(compared(compare_from_1, sign_enable_not), 1);
+    case Opcode::linear_eq: return stream_bits({enable_equal, enable_equal, enable_and_not, enable_and_not}, 1);
+    case Opcode::load_linear: return stream_bits(loaded(store_x, enable_and_not), 1);
+    case Opcode::keep_max: return stream_bits(kept(compare_from_0, sign_select), 2);
+    case Opcode::keep_min: return stream_bits(kept(compare_from_1, sign_select_not), 2);
     case Opcode::set_constant: return field_bits(store_step(store_constant));
     case Opcode::copy: return field_bits(store_step(store_x));
     case Opcode::field_lt: return two_operand_bits(less_step(compare_from_1, less_from_1));
@@ -63,8 +57,8 @@ BitStep Sequencer::issue() {
     case Opcode::xor_constant: return field_bits(change_step(store_xor_constant));
     case Opcode::add: return two_operand_bits(sum_step());
     case Opcode::squares: return once({});
-    case Opcode::linear_plus: return stream_bit(added_step(sum_from_0, sum), 1);
-    case Opcode::linear_minus: return stream_bit(added_step(difference_from_1, difference), 1);
+    case Opcode::linear_plus: return stream_bits({.first = sum_from_0, .field = sum}, 1);
+    case Opcode::linear_minus: return stream_bits({.first = difference_from_1, .field = difference}, 1);
     case Opcode::root: return trial_bit();
   }
   busy_ = false;
@@ -76,17 +70,21 @@ BitStep Sequencer::once(ArrayStep step) {
   return {.root = {}, .pixels = step, .last = true};
 }
 
-/// One bit of the linear expression, which is streamed `passes` times.
-BitStep Sequencer::stream_bit(ArrayStep step, unsigned passes) {
+/// As many bits of the linear expression as the trees bring in a clock; it is streamed `passes` times.
+BitStep Sequencer::stream_bits(const Places& places, unsigned passes) {
+  const ArrayStep step = linear_step(places);
   const isa::Linear& linear = instruction_.linear;
-  const RootBits root{.token = {.bit = static_cast<std::int16_t>(bit_)},
-                      .a = coefficient_bit(linear.a, bit_),
-                      .b = coefficient_bit(linear.b, bit_),
-                      .c = coefficient_bit(linear.c, bit_),
-                      .xx = coefficient_bit(squares_.a, bit_),
-                      .xy = coefficient_bit(squares_.b, bit_),
-                      .yy = coefficient_bit(squares_.c, bit_)};
-  if (++bit_ == linear.width) {
+  const Token token{.bit = static_cast<std::int16_t>(bit_), .bits = stream_width()};
+  const auto of = [&](std::int64_t coefficient) { return token.of(static_cast<std::uint64_t>(coefficient)); };
+  const RootBits root{.token = token,
+                      .a = of(linear.a),
+                      .b = of(linear.b),
+                      .c = of(linear.c),
+                      .xx = of(squares_.a),
+                      .xy = of(squares_.b),
+                      .yy = of(squares_.c)};
+  bit_ += token.bits;
+  if (bit_ == linear.width) {
     bit_ = 0;
     ++pass_;
   }
@@ -153,16 +151,60 @@ ArrayStep Sequencer::trial_step(std::uint32_t place) const {
   return {.function = AluFunction::root_first, .write = field_address(0)};
 }
 
-Sequencer::Place Sequencer::place() const {
+Sequencer::Shares Sequencer::shares() const {
   const isa::Linear& linear = instruction_.linear;
-  if (bit_ + 1U == linear.width) return Place::sign;
-  if (bit_ < linear.shift) return Place::fraction;
-  return bit_ - linear.shift < instruction_.fields[0].width ? Place::field : Place::beyond;
+  const unsigned sign = bit_ + stream_width() == linear.width ? 1 : 0;
+  const unsigned magnitude = stream_width() - sign;
+  const auto before = [&](std::uint32_t end) { return std::clamp(end, bit_, bit_ + magnitude) - bit_; };
+  const unsigned fraction = before(linear.shift);
+  const unsigned to_field_end = before(linear.shift + instruction_.fields[0].width);
+  return {fraction, to_field_end - fraction, magnitude - to_field_end, sign};
 }
 
-/// The address of the current bit of an operand's field; of a linear instruction's field, the bit that meets F.
+/// The first place in which anything is done is that of the step's function.
+ArrayStep Sequencer::linear_step(const Places& places) const {
+  const Shares of = shares();
+  const bool ends = of.sign > 0 && places.sign != AluFunction::idle;
+  const bool goes_beyond = of.beyond > 0 && places.beyond != AluFunction::idle;
+  ArrayStep step;
+  if (of.field > 0 && places.field != AluFunction::idle) {
+    step = field_step(places, of);
+    if (goes_beyond) {
+      step.beyond = places.beyond;
+      step.beyond_bits = static_cast<std::uint16_t>(of.beyond);
+    }
+  } else if (goes_beyond) {
+    step.function = places.beyond;
+    step.bits = static_cast<std::uint16_t>(of.beyond);
+    step.first = static_cast<std::uint16_t>(of.fraction + of.field);
+  } else if (ends) {
+    return {.function = places.sign, .first = static_cast<std::uint16_t>(stream_width() - 1)};
+  }
+  if (ends) step.sign = places.sign;
+  return step;
+}
+
+/// On the bits that meet the field.
+ArrayStep Sequencer::field_step(const Places& places, const Shares& of) const {
+  const std::uint32_t met = bit_ + of.fraction - instruction_.linear.shift;  // the field's first
+  const auto address = static_cast<std::uint16_t>(instruction_.fields[0].base + met);
+  const AluInfo& row = info(places.field);
+  return {.function = met == 0 ? places.first : places.field,
+          .y = row.reads_y ? address : std::uint16_t{0},
+          .write = row.writes ? address : std::uint16_t{0},
+          .bits = static_cast<std::uint16_t>(of.field),
+          .constant = row.reads_y && row.writes ? static_cast<std::uint32_t>(low_bits(of.field)) : 0,
+          .first = static_cast<std::uint16_t>(of.fraction)};
+}
+
+/// Bits of F in the clock to come.
+std::uint16_t Sequencer::stream_width() const {
+  return static_cast<std::uint16_t>(std::min<std::uint32_t>(evaluator_bits_, instruction_.linear.width - bit_));
+}
+
+/// The address of the current bit of an operand's field.
 std::uint16_t Sequencer::field_address(unsigned operand) const {
-  return static_cast<std::uint16_t>(instruction_.fields[operand].base + bit_ - instruction_.linear.shift);
+  return static_cast<std::uint16_t>(instruction_.fields[operand].base + bit_);
 }
 
 /// Bits of the fields that the step to come works on.
@@ -180,56 +222,18 @@ ArrayStep Sequencer::enable_from_memory(AluFunction function) const {
   return {.function = function, .source = OperandSource::memory, .x = instruction_.fields[0].base};
 }
 
-ArrayStep Sequencer::edge_step(AluFunction on_sign) const {
-  if (place() != Place::sign) return {};
-  return {.function = on_sign};
-}
-
 /// F - s by its carry, s being 0 beyond the field; the sign decides.
-ArrayStep Sequencer::compare_step(AluFunction first, AluFunction on_sign) const {
-  switch (place()) {
-    case Place::fraction: return {};
-    case Place::field:
-      return {.function = bit_ == instruction_.linear.shift ? first : AluFunction::compare, .y = field_address(0)};
-    case Place::beyond: return {.function = AluFunction::compare_with_0};
-    case Place::sign: return {.function = on_sign};
-  }
-  return {};
-}
-
-ArrayStep Sequencer::equal_step() const {
-  switch (place()) {
-    case Place::fraction: return {};
-    case Place::field: return {.function = AluFunction::enable_equal, .y = field_address(0)};
-    case Place::beyond:
-    case Place::sign: return {.function = AluFunction::enable_and_not};
-  }
-  return {};
+Sequencer::Places Sequencer::compared(AluFunction first, AluFunction on_sign) {
+  return {first, AluFunction::compare, AluFunction::compare_with_0, on_sign};
 }
 
 /// Writes the bits of F within the field; those beyond are checked to be 0.
-ArrayStep Sequencer::load_step(AluFunction write, AluFunction check) const {
-  switch (place()) {
-    case Place::fraction: return {};
-    case Place::field: return {.function = write, .write = field_address(0)};
-    case Place::beyond:
-    case Place::sign: return {.function = check};
-  }
-  return {};
-}
-
-/// Adds the field to F within the field, or takes it from F there.
-ArrayStep Sequencer::added_step(AluFunction first, AluFunction rest) const {
-  if (place() != Place::field) return {};
-  return {.function = bit_ == instruction_.linear.shift ? first : rest,
-          .y = field_address(0),
-          .write = field_address(0),
-          .constant = 1};
-}
+Sequencer::Places Sequencer::loaded(AluFunction write, AluFunction check) { return {write, write, check, check}; }
 
 /// The first pass compares, the second writes where F was chosen.
-ArrayStep Sequencer::keep_step(AluFunction first, AluFunction on_sign) const {
-  return pass_ == 0 ? compare_step(first, on_sign) : load_step(AluFunction::store_x_selected, AluFunction::enable_fits);
+Sequencer::Places Sequencer::kept(AluFunction first, AluFunction on_sign) const {
+  if (pass_ == 0) return compared(first, on_sign);
+  return loaded(AluFunction::store_x_selected, AluFunction::enable_fits);
 }
 
 /// Writes the target, operand 0; the sources are operands 1 and 2.

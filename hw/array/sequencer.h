@@ -16,11 +16,13 @@ struct BitStep {
 };
 
 /// Expands one instruction into bit steps, a step a clock. A step on fields works on as many adjacent bits as the ALU
-/// is wide; linear expressions come one bit a clock, and so does a root's remainder.
+/// is wide, one on a linear expression on as many as the trees bring; a root's remainder comes one bit a clock.
 class Sequencer {
  public:
   /// `memory_reads`: read ports of pixel memory, 1 or 2. `alu_bits`: bits that the ALU works on in a clock.
-  Sequencer(unsigned memory_reads, unsigned alu_bits) : two_ports_(memory_reads >= 2), alu_bits_(alu_bits) {}
+  /// `evaluator_bits`: those of F that the trees bring it, at most as many.
+  Sequencer(unsigned memory_reads, unsigned alu_bits, unsigned evaluator_bits)
+      : two_ports_(memory_reads >= 2), alu_bits_(alu_bits), evaluator_bits_(evaluator_bits) {}
 
   void begin(const isa::Instruction& instruction);
   [[nodiscard]] bool busy() const { return busy_; }
@@ -35,28 +37,41 @@ class Sequencer {
   [[nodiscard]] std::uint32_t pass() const { return pass_; }  ///< times the stream or the memory read has been repeated
 
  private:
-  /// What F's bit in the current clock means for the field it meets.
-  enum class Place : std::uint8_t { fraction, field, beyond, sign };
+  /// What is done with F's bits by what they mean for the field that they meet; with those of its fraction nothing is.
+  struct Places {
+    AluFunction first = AluFunction::idle;   ///< on the field's first bit
+    AluFunction field = AluFunction::idle;   ///< on its others
+    AluFunction beyond = AluFunction::idle;  ///< between the field and the sign
+    AluFunction sign = AluFunction::idle;    ///< on the last bit of F
+  };
+
+  /// Of the current clock's bits of F, how many are of which place, in this order.
+  struct Shares {
+    unsigned fraction = 0;
+    unsigned field = 0;
+    unsigned beyond = 0;
+    unsigned sign = 0;  ///< 0 or 1
+  };
 
   BitStep once(ArrayStep step);
-  BitStep stream_bit(ArrayStep step, unsigned passes);
+  BitStep stream_bits(const Places& places, unsigned passes);
   BitStep field_bits(ArrayStep step);
   BitStep two_operand_bits(ArrayStep step);
   BitStep trial_bit();
 
-  [[nodiscard]] Place place() const;
+  [[nodiscard]] Shares shares() const;
+  [[nodiscard]] ArrayStep linear_step(const Places& places) const;
+  [[nodiscard]] ArrayStep field_step(const Places& places, const Shares& of) const;
+  [[nodiscard]] std::uint16_t stream_width() const;
   [[nodiscard]] std::uint16_t field_address(unsigned operand) const;
   [[nodiscard]] std::uint16_t step_bits() const;
   [[nodiscard]] std::uint16_t second_bits() const;
 
   [[nodiscard]] ArrayStep enable_from_memory(AluFunction function) const;
-  [[nodiscard]] ArrayStep edge_step(AluFunction on_sign) const;
-  [[nodiscard]] ArrayStep compare_step(AluFunction first, AluFunction on_sign) const;
-  [[nodiscard]] ArrayStep equal_step() const;
-  [[nodiscard]] ArrayStep load_step(AluFunction write, AluFunction check) const;
-  [[nodiscard]] ArrayStep added_step(AluFunction first, AluFunction rest) const;
+  static Places compared(AluFunction first, AluFunction on_sign);
+  static Places loaded(AluFunction write, AluFunction check);
+  [[nodiscard]] Places kept(AluFunction first, AluFunction on_sign) const;
   [[nodiscard]] ArrayStep trial_step(std::uint32_t place) const;
-  [[nodiscard]] ArrayStep keep_step(AluFunction first, AluFunction on_sign) const;
   [[nodiscard]] ArrayStep store_step(AluFunction function) const;
   [[nodiscard]] ArrayStep change_step(AluFunction function) const;
   [[nodiscard]] ArrayStep sum_step() const;
@@ -64,6 +79,7 @@ class Sequencer {
 
   bool two_ports_;
   unsigned alu_bits_;
+  unsigned evaluator_bits_;
   isa::Instruction instruction_;
   isa::Linear squares_;
   bool busy_ = false;

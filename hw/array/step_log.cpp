@@ -87,7 +87,7 @@ void StepLog::push(const ArrayStep& step, const StreamBit* tree) {
     one.x = static_cast<std::uint16_t>(batch_.runs.back().x - bits_.memory(0));
     batch_.runs.pop_back();
   }
-  for (unsigned bit = 0; bit < one.bits; ++bit) push_bit(one, bit, tree, latches);
+  for (unsigned bit = 0; bit < worked_bits(one); ++bit) push_bit(one, bit, tree, latches);
 }
 
 /// The step before has brought the one bit of operand x from memory into the latch, where it stays.
@@ -108,9 +108,10 @@ void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tre
     run.from_tree = step.source == OperandSource::tree && tree != nullptr;
     if (run.from_tree) {
       run.stream = stream_of(*tree);
-      run.stream_bit = static_cast<std::uint16_t>(tree->token.active() ? tree->token.bit : 0);
+      const int first = (tree->token.active() ? tree->token.bit : 0) + step.first;
+      run.stream_bit = static_cast<std::uint16_t>(first + static_cast<int>(bit));
     } else if (step.source == OperandSource::tree) {
-      run.x = static_cast<std::uint16_t>(bits_.tree());
+      run.x = static_cast<std::uint16_t>(bits_.tree(step.first + bit));
     } else {
       run.x = static_cast<std::uint16_t>(step.source == OperandSource::latch ? bits_.latch(bit)
                                                                              : bits_.memory(step.x + bit));
@@ -150,8 +151,9 @@ void StepLog::note(const Run& run) {
 
 /// Coefficients that agree in the bits that both have are taken for those of one stream: its bits are the same.
 std::uint16_t StepLog::stream_of(const StreamBit& tree) {
-  const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = {.bit = 0}};
-  const unsigned known = static_cast<unsigned>(bits.token.bit) + 1;
+  const Token all{.bit = 0, .bits = static_cast<std::uint16_t>(bits_.alu_bits)};
+  const StreamBit bits = tree.token.active() ? tree : StreamBit{.token = all};
+  const unsigned known = static_cast<unsigned>(bits.token.bit) + bits.token.bits;
   if (!batch_.streams.empty()) {
     Stream& last = batch_.streams.back();
     const std::uint64_t both = low_bits(std::min(known, last.bits));

@@ -12,19 +12,19 @@
 /// pixels by block of pixels, all steps of a block one after the other.
 namespace csgsim::array {
 
-/// Where a pixel's bits lie beside each other: the carry, the flag, the latch, the memory, and perhaps the register
+/// Where a pixel's bits lie beside each other: the carry, the flag, the latch, the memory, and perhaps the registers
 /// between the trees and the pixel.
 struct PixelBits {
   unsigned alu_bits = 1;
   unsigned memory_bits = 0;
-  bool has_tree = false;  ///< that register; without it a stream's coefficients stand for it
+  unsigned tree_bits = 0;  ///< of those registers; where there are none a stream's coefficients stand for them
 
   static constexpr unsigned carry = 0;
   static constexpr unsigned flag = 1;
   [[nodiscard]] constexpr unsigned latch(unsigned bit) const { return 2 + bit; }
   [[nodiscard]] constexpr unsigned memory(unsigned address) const { return 2 + alu_bits + address; }
-  [[nodiscard]] constexpr unsigned tree() const { return memory(memory_bits); }
-  [[nodiscard]] constexpr unsigned count() const { return tree() + (has_tree ? 1 : 0); }
+  [[nodiscard]] constexpr unsigned tree(unsigned bit) const { return memory(memory_bits) + bit; }
+  [[nodiscard]] constexpr unsigned count() const { return tree(tree_bits); }
 };
 
 /// The carry before the first of a run's steps.

@@ -18,38 +18,57 @@ std::vector<std::uint32_t> lanes_of(PlaneShape shape, std::span<const Place> pix
   return columns;
 }
 
+/// Those bits in a lane, of the lanes of one node.
+NodeBits in_lane(std::uint32_t bits, std::size_t lane, const NodeBits& shape) {
+  NodeBits planes = shape;
+  for (std::size_t bit = 0; bit < planes.size(); ++bit) {
+    std::fill(planes[bit].begin(), planes[bit].end(), 0);
+    planes[bit][lane / word_bits] = std::uint64_t{bits >> bit & 1U} << (lane % word_bits);
+  }
+  return planes;
+}
+
+/// Those bits in each lane.
+void fill_lanes(std::uint32_t bits, NodeBits& planes) {
+  for (std::size_t bit = 0; bit < planes.size(); ++bit)
+    planes[bit][0] = (bits >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
+}
+
 std::size_t words_for(std::size_t lanes) { return (lanes + word_bits - 1) / word_bits; }
 
 }  // namespace
 
-SteppedEvaluator::SteppedEvaluator(PlaneShape shape, unsigned degree, std::span<const Place> pixels)
+SteppedEvaluator::SteppedEvaluator(PlaneShape shape, unsigned degree, unsigned bits, std::span<const Place> pixels)
     : shape_(shape),
       degree_(degree),
+      bits_(bits),
       pixels_(pixels.begin(), pixels.end()),
       columns_of_lanes_(lanes_of(shape, pixels)),
-      columns_(shape.width, 1, degree, degree > 1),
-      rows_(shape.height, words_for(columns_of_lanes_.size()), degree, false) {
-  root_.value.resize(1);
-  row_.value.resize(words_for(columns_of_lanes_.size()));
+      columns_(shape.width, 1, {.degree = degree, .bits = bits, .has_rows = degree > 1}),
+      rows_(shape.height, words_for(columns_of_lanes_.size()), {.degree = degree, .bits = bits, .has_rows = false}) {
+  const NodeBits of_root(bits, Words(1));
+  const NodeBits of_row(bits, Words(words_for(columns_of_lanes_.size())));
+  root_.value = of_root;
+  row_.value = of_row;
   if (degree < 2) return;
-  root_.slope.resize(1);
-  root_.row_slope.resize(1);
-  row_.slope.resize(row_.value.size());
+  root_.slope = of_root;
+  root_.row_slope = of_root;
+  row_.slope = of_row;
 }
 
-std::size_t SteppedEvaluator::leaf_words() const {
+std::size_t SteppedEvaluator::plane_words() const {
   const PlaneShape built = pixels_.empty() ? shape_ : PlaneShape{static_cast<std::uint32_t>(pixels_.size()), 1};
   return built.padded_words();
 }
 
+std::size_t SteppedEvaluator::leaf_words() const { return bits_ * plane_words(); }
+
 /// The Y trees first: they take what the X tree has left the clock before.
 Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> leaves) {
   if (!root.token.active() && !any_active()) return {};
-  root_.value[0] = root.c ? ~std::uint64_t{0} : 0;
-  if (degree_ > 1) {
-    root_.slope[0] = root.a ? ~std::uint64_t{0} : 0;
-    root_.row_slope[0] = root.b ? ~std::uint64_t{0} : 0;
-  }
+  fill_lanes(root.c, root_.value);
+  fill_lanes(root.a, root_.slope);
+  fill_lanes(root.b, root_.row_slope);
   const unsigned x_levels = columns_.levels();
   const bool had_rows = rows_.levels() > 0;
   const Wire none;
@@ -61,7 +80,7 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
     if (degree_ > 1) gather(column.row_slope, row_.slope);
     return between;
   };
-  const TreeWires to_rows{{b_, root.b, x_levels}, {yy_, root.yy, x_levels}, {none, false, 0}};
+  const TreeWires to_rows{{b_, root.b, x_levels}, {yy_, root.yy, x_levels}, {none, 0, 0}};
   const TreeWires to_columns{{a_, root.a, 0}, {xx_, root.xx, 0}, {xy_, root.xy, 0}};
   if (had_rows) rows_.clock(enter_rows(), row_, to_rows);
   columns_.clock(root.token, root_, to_columns);
@@ -76,24 +95,30 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
   return reached;
 }
 
-/// A column's bit to each lane.
-void SteppedEvaluator::gather(const Words& column_bits, Words& row) const {
-  std::fill(row.begin(), row.end(), 0);
-  for (std::size_t lane = 0; lane < columns_of_lanes_.size(); ++lane)
-    row[lane / word_bits] |= (column_bits[columns_of_lanes_[lane]] & 1U) << (lane % word_bits);
+/// A column's bits to each lane.
+void SteppedEvaluator::gather(const NodeBits& columns, NodeBits& row) const {
+  for (std::size_t bit = 0; bit < row.size(); ++bit) {
+    std::fill(row[bit].begin(), row[bit].end(), 0);
+    for (std::size_t lane = 0; lane < columns_of_lanes_.size(); ++lane)
+      row[bit][lane / word_bits] |= (columns[bit][columns_of_lanes_[lane]] & 1U) << (lane % word_bits);
+  }
 }
 
 void SteppedEvaluator::put_leaves(std::span<std::uint64_t> leaves) const {
-  const Words& bits = rows_.at(rows_.levels(), row_).value;
-  if (pixels_.empty()) {
-    std::copy(bits.begin(), bits.end(), leaves.begin());
-    return;
-  }
-  std::fill(leaves.begin(), leaves.end(), 0);
-  const std::size_t node_words = row_.value.size();
-  for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    const std::uint64_t word = bits[pixels_[i].y * node_words + i / word_bits];
-    leaves[i / word_bits] |= (word >> (i % word_bits) & 1U) << (i % word_bits);
+  const NodeBits& planes = rows_.at(rows_.levels(), row_).value;
+  for (std::size_t bit = 0; bit < planes.size(); ++bit) {
+    const Words& bits = planes[bit];
+    const std::span<std::uint64_t> plane = leaves.subspan(bit * plane_words(), plane_words());
+    if (pixels_.empty()) {
+      std::copy(bits.begin(), bits.end(), plane.begin());
+      continue;
+    }
+    std::fill(plane.begin(), plane.end(), 0);
+    const std::size_t node_words = row_.value.front().size();
+    for (std::size_t i = 0; i < pixels_.size(); ++i) {
+      const std::uint64_t word = bits[pixels_[i].y * node_words + i / word_bits];
+      plane[i / word_bits] |= (word >> (i % word_bits) & 1U) << (i % word_bits);
+    }
   }
 }
 
@@ -104,25 +129,15 @@ std::size_t SteppedEvaluator::lane_of(std::uint32_t x) const {
 }
 
 LevelProbe SteppedEvaluator::x_level(unsigned level, std::uint32_t x, const RootBits& root) const {
-  NodeStreams in;
-  in.value.assign(1, root.c ? 1 : 0);
-  if (degree_ > 1) {
-    in.slope.assign(1, root.a ? 1 : 0);
-    in.row_slope.assign(1, root.b ? 1 : 0);
-  }
+  const NodeStreams in{in_lane(root.c, 0, root_.value), in_lane(root.a, 0, root_.slope),
+                       in_lane(root.b, 0, root_.row_slope)};
   return columns_.probe(level, x, 0, root.token, in);
 }
 
 LevelProbe SteppedEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const LevelProbe column = x_level(columns_.levels(), pixel.x, root);
   const std::size_t lane = lane_of(pixel.x);
-  NodeStreams in;
-  in.value.assign(row_.value.size(), 0);
-  in.value[lane / word_bits] = std::uint64_t{column.stream} << (lane % word_bits);
-  if (degree_ > 1) {
-    in.slope.assign(row_.slope.size(), 0);
-    in.slope[lane / word_bits] = std::uint64_t{column.row_slope} << (lane % word_bits);
-  }
+  const NodeStreams in{in_lane(column.stream, lane, row_.value), in_lane(column.row_slope, lane, row_.slope), {}};
   return rows_.probe(level, pixel.y, lane, column.token, in);
 }
 

@@ -14,17 +14,17 @@ namespace csgsim::array {
 /// the same, but comes of the bits that have gone through the adders, and of nothing else.
 class SteppedEvaluator {
  public:
-  /// `shape`: of the whole array. `pixels`, unless there are none: those alone, side by side; then only their columns
-  /// have Y trees.
-  SteppedEvaluator(PlaneShape shape, unsigned degree, std::span<const Place> pixels = {});
+  /// `shape`: of the whole array. `bits`: that enter in a clock. `pixels`, unless there are none: those alone, side by
+  /// side; then only their columns have Y trees.
+  SteppedEvaluator(PlaneShape shape, unsigned degree, unsigned bits, std::span<const Place> pixels = {});
 
   [[nodiscard]] bool any_active() const { return columns_.any_active() || rows_.any_active(); }
 
-  /// The bits at the pixels, as a PixelArray has them.
+  /// The bits at the pixels, as a PixelArray has them: a plane of each that enters in a clock.
   [[nodiscard]] std::size_t leaf_words() const;
 
-  /// One clock. `leaves`, leaf_words() of them, are written in clocks in which a bit reaches the pixels. Returns which
-  /// one did, as LinearEvaluator::clock.
+  /// One clock. `leaves`, leaf_words() of them, are written in clocks in which bits reach the pixels. Returns which
+  /// did, as LinearEvaluator::clock.
   Token clock(const RootBits& root, std::span<std::uint64_t> leaves);
 
   // As those of LinearEvaluator; the pixel has to be one that is built. Of degree 1 there are no slopes.
@@ -33,11 +33,13 @@ class SteppedEvaluator {
 
  private:
   [[nodiscard]] std::size_t lane_of(std::uint32_t x) const;
-  void gather(const Words& column_bits, Words& row) const;
+  [[nodiscard]] std::size_t plane_words() const;
+  void gather(const NodeBits& columns, NodeBits& row) const;
   void put_leaves(std::span<std::uint64_t> leaves) const;
 
   PlaneShape shape_;
   unsigned degree_;
+  unsigned bits_;
   std::vector<Place> pixels_;  ///< empty if all are built
   std::vector<std::uint32_t> columns_of_lanes_;
   SteppedTree columns_;

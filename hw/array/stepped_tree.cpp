@@ -6,10 +6,18 @@ namespace csgsim::array {
 
 namespace {
 
-std::uint64_t spread(bool bit) { return bit ? ~std::uint64_t{0} : 0; }
+std::uint64_t spread(std::uint32_t bits, unsigned bit) { return (bits >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0; }
 
 bool bit_at(const Words& words, std::size_t word, std::size_t lane) {
   return !words.empty() && (words[word + lane / word_bits] >> (lane % word_bits) & 1U) != 0;
+}
+
+/// The token's bits in a lane.
+std::uint32_t bits_at(const NodeBits& planes, Token token, std::size_t word, std::size_t lane) {
+  std::uint32_t bits = 0;
+  for (std::size_t bit = 0; bit < token.bits && bit < planes.size(); ++bit)
+    bits |= static_cast<std::uint32_t>(bit_at(planes[bit], word, lane)) << bit;
+  return bits;
 }
 
 /// A serial adder a lane: the sum's bit. The carry is that of the bit before, then of this one.
@@ -27,8 +35,8 @@ void begin(Token here, Words& carry) {
 
 }  // namespace
 
-SteppedTree::SteppedTree(std::uint32_t leaves, std::size_t node_words, unsigned degree, bool has_rows)
-    : node_words_(node_words), degree_(degree), has_rows_(has_rows), tokens_(tree_levels(leaves)) {
+SteppedTree::SteppedTree(std::uint32_t leaves, std::size_t node_words, Form form)
+    : node_words_(node_words), form_(form), tokens_(tree_levels(leaves)) {
   const auto depth = static_cast<unsigned>(tokens_.size());
   const auto nodes_at = [&](unsigned level) {
     const unsigned below = depth - level;
@@ -41,16 +49,18 @@ SteppedTree::SteppedTree(std::uint32_t leaves, std::size_t node_words, unsigned 
     const std::size_t children = nodes_at(k + 1);
     level.pairs = children - level.nodes;
     const std::size_t pairs = level.pairs * node_words;
+    const NodeBits registers(form.bits, Words(children * node_words));
     level.value_carry.resize(pairs);
-    level.out.value.resize(children * node_words);
-    if (degree < 2) continue;
+    level.out.value = registers;
+    if (form.degree < 2) continue;
     level.step_carry.resize(pairs);
     level.slope_carry.resize(pairs);
-    level.out.slope.resize(children * node_words);
-    level.delayed.assign(level.below, Words(level.nodes * node_words));
-    if (!has_rows) continue;
+    level.out.slope = registers;
+    level.delayed.assign((level.below + form.bits - 1) / form.bits,
+                         NodeBits(form.bits, Words(level.nodes * node_words)));
+    if (!form.has_rows) continue;
     level.row_carry.resize(pairs);
-    level.out.row_slope.resize(children * node_words);
+    level.out.row_slope = registers;
   }
 }
 
@@ -63,9 +73,8 @@ void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& w
   for (unsigned k = levels(); k-- > 0;) {
     const Token here = token_at(k, token);
     if (!here.active()) continue;
-    if (degree_ < 2) {
-      const bool counts = here.bit >= static_cast<int>(levels_[k].below);
-      add(levels_[k], here, at(k, root), counts && wires.multiplicand.at(levels() - 1));
+    if (form_.degree < 2) {
+      add(levels_[k], here, at(k, root), shifted(wires.multiplicand, k, levels_[k].below, here));
     } else {
       add_squares(k, here, at(k, root), wires);
     }
@@ -75,59 +84,90 @@ void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& w
   tokens_.front() = token;
 }
 
-/// The left children, and the right one of no pair, get what comes in. Of a level the nodes with a right child are the
-/// first ones, all but perhaps the last.
-void SteppedTree::pass(const Level& level, const Words& in, Words& out) const {
-  for (std::size_t node = 0; node < level.nodes; ++node)
-    std::copy_n(&in[node * node_words_], node_words_, &out[2 * node * node_words_]);
+/// What the tapped bits are beside the token's bits, at a level that these reach so many clocks after the roots, if
+/// they are so many places less worth there: from two taps, a clock apart, and 0 before the stream's first bit.
+std::uint32_t SteppedTree::shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const {
+  const unsigned late = clocks + places / form_.bits;
+  const unsigned crossed = places % form_.bits;
+  std::uint64_t bits = std::uint64_t{tap.at(late)} << crossed;
+  if (crossed > 0) bits |= tap.at(late + 1) >> (form_.bits - crossed);
+  const auto first = static_cast<unsigned>(here.bit);
+  const unsigned before = first < places ? places - first : 0;
+  return static_cast<std::uint32_t>(bits & low_bits(form_.bits) & ~low_bits(before));
 }
 
-void SteppedTree::add(Level& level, Token here, const NodeStreams& in, bool multiplicand) const {
-  pass(level, in.value, level.out.value);
-  begin(here, level.value_carry);
-  const std::uint64_t addend = spread(multiplicand);
-  for (std::size_t node = 0; node < level.pairs; ++node) {
-    const std::uint64_t* const value = &in.value[node * node_words_];
-    std::uint64_t* const carry = &level.value_carry[node * node_words_];
-    std::uint64_t* const right = &level.out.value[(2 * node + 1) * node_words_];
-    for (std::size_t word = 0; word < node_words_; ++word) right[word] = add_bit(value[word], addend, carry[word]);
+/// The left children, and the right one of no pair, get what comes in. Of a level the nodes with a right child are the
+/// first ones, all but perhaps the last.
+void SteppedTree::pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const {
+  for (unsigned bit = 0; bit < here.bits; ++bit) {
+    for (std::size_t node = 0; node < level.nodes; ++node)
+      std::copy_n(&in[bit][node * node_words_], node_words_, &out[bit][2 * node * node_words_]);
   }
 }
 
-/// What entered the nodes' delay lines `below` clocks ago; `slope` enters now.
-const Words& SteppedTree::delayed_slope(Level& level, const Words& slope) const {
-  if (level.below == 0) return slope;
-  return level.delayed[level.oldest];
+void SteppedTree::add(Level& level, Token here, const NodeStreams& in, std::uint32_t multiplicand) const {
+  pass(level, here, in.value, level.out.value);
+  begin(here, level.value_carry);
+  for (unsigned bit = 0; bit < here.bits; ++bit) {
+    const std::uint64_t addend = spread(multiplicand, bit);
+    for (std::size_t node = 0; node < level.pairs; ++node) {
+      const std::uint64_t* const value = &in.value[bit][node * node_words_];
+      std::uint64_t* const carry = &level.value_carry[node * node_words_];
+      std::uint64_t* const right = &level.out.value[bit][(2 * node + 1) * node_words_];
+      for (std::size_t word = 0; word < node_words_; ++word) right[word] = add_bit(value[word], addend, carry[word]);
+    }
+  }
 }
 
-/// A stream that comes d clocks late is worth 2^d times itself, and counts as 0 for its first d bits.
+/// The plane of the slopes' bit that is `below` places before that bit of the stream; null before the first. `slope`
+/// enters now, the ring's newest have entered a clock ago.
+const Words* SteppedTree::delayed_slope(const Level& level, int bit, const NodeBits& slope) const {
+  const int wanted = bit - static_cast<int>(level.below);
+  if (wanted < 0) return nullptr;
+  const auto width = static_cast<int>(form_.bits);
+  const auto late = static_cast<std::size_t>(bit / width - wanted / width);
+  const auto plane = static_cast<std::size_t>(wanted % width);
+  if (late == 0) return &slope[plane];
+  return &level.delayed[(level.oldest + level.delayed.size() - late) % level.delayed.size()][plane];
+}
+
+void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
+  if (level.delayed.empty()) return;
+  NodeBits& oldest = level.delayed[level.oldest];
+  for (unsigned bit = 0; bit < form_.bits; ++bit)
+    std::copy_n(slope[bit].begin(), level.nodes * node_words_, oldest[bit].begin());
+  level.oldest = (level.oldest + 1) % level.delayed.size();
+}
+
+/// A stream that is so many places late is worth as many powers of two of itself, and counts as 0 before its first bit.
 void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires) {
   Level& level = levels_[k];
   const unsigned half = level.below;
-  const auto counts = [&](unsigned delay) { return here.bit >= static_cast<int>(delay); };
-  const std::uint64_t slope_counts = spread(counts(half));
-  const std::uint64_t square = spread(counts(2 * half) && wires.square.at(k + 2 * half));
-  const std::uint64_t twice = spread(counts(half + 1) && wires.square.at(levels()));
-  const std::uint64_t cross = spread(has_rows_ && counts(half) && wires.cross.at(levels() - 1));
-  const Words& delayed = delayed_slope(level, in.slope);
-  pass(level, in.value, level.out.value);
-  pass(level, in.slope, level.out.slope);
-  if (has_rows_) pass(level, in.row_slope, level.out.row_slope);
+  const std::uint32_t square = shifted(wires.square, k, 2 * half, here);
+  const std::uint32_t twice = shifted(wires.square, k, half + 1, here);
+  const std::uint32_t cross = form_.has_rows ? shifted(wires.cross, k, half, here) : 0;
+  pass(level, here, in.value, level.out.value);
+  pass(level, here, in.slope, level.out.slope);
+  if (form_.has_rows) pass(level, here, in.row_slope, level.out.row_slope);
   for (Words* const carry : {&level.value_carry, &level.step_carry, &level.slope_carry, &level.row_carry})
     begin(here, *carry);
-  for (std::size_t node = 0; node < level.pairs; ++node) {
-    const std::size_t right = (2 * node + 1) * node_words_;
-    for (std::size_t word = 0; word < node_words_; ++word) {
-      const std::size_t at = node * node_words_ + word;
-      const std::uint64_t step = add_bit(delayed[at] & slope_counts, square, level.step_carry[at]);
-      level.out.value[right + word] = add_bit(in.value[at], step, level.value_carry[at]);
-      level.out.slope[right + word] = add_bit(in.slope[at], twice, level.slope_carry[at]);
-      if (has_rows_) level.out.row_slope[right + word] = add_bit(in.row_slope[at], cross, level.row_carry[at]);
+  for (unsigned bit = 0; bit < here.bits; ++bit) {
+    const Words* const delayed = delayed_slope(level, here.bit + static_cast<int>(bit), in.slope);
+    for (std::size_t node = 0; node < level.pairs; ++node) {
+      const std::size_t right = (2 * node + 1) * node_words_;
+      for (std::size_t word = 0; word < node_words_; ++word) {
+        const std::size_t at = node * node_words_ + word;
+        const std::uint64_t slope = delayed == nullptr ? 0 : (*delayed)[at];
+        const std::uint64_t step = add_bit(slope, spread(square, bit), level.step_carry[at]);
+        level.out.value[bit][right + word] = add_bit(in.value[bit][at], step, level.value_carry[at]);
+        level.out.slope[bit][right + word] = add_bit(in.slope[bit][at], spread(twice, bit), level.slope_carry[at]);
+        if (form_.has_rows)
+          level.out.row_slope[bit][right + word] =
+              add_bit(in.row_slope[bit][at], spread(cross, bit), level.row_carry[at]);
+      }
     }
   }
-  if (half == 0) return;
-  std::copy_n(in.slope.begin(), level.nodes * node_words_, level.delayed[level.oldest].begin());
-  level.oldest = level.oldest + 1 == half ? 0 : level.oldest + 1;
+  delay_slope(level, in.slope);
 }
 
 LevelProbe SteppedTree::probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
@@ -138,9 +178,9 @@ LevelProbe SteppedTree::probe(unsigned level, std::uint32_t leaf, std::size_t la
   const std::size_t node = leaf >> (levels() - level);
   const std::size_t word = node * node_words_;
   LevelProbe probe{.token = here,
-                   .stream = bit_at(in.value, word, lane),
-                   .slope = bit_at(in.slope, word, lane),
-                   .row_slope = bit_at(in.row_slope, word, lane)};
+                   .stream = bits_at(in.value, here, word, lane),
+                   .slope = bits_at(in.slope, here, word, lane),
+                   .row_slope = bits_at(in.row_slope, here, word, lane)};
   if (level == levels() || here.bit == 0 || node >= levels_[level].pairs) return probe;
   probe.carry = bit_at(levels_[level].value_carry, word, lane);
   probe.step_carry = bit_at(levels_[level].step_carry, word, lane);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -10,26 +11,30 @@
 
 namespace csgsim::array {
 
-/// A wire from the roots, on which a bit can be tapped for so many clocks (0 to 64) after it entered.
+/// Wires from the roots, on which a clock's bits can be tapped for so many clocks (0 to 64) after they entered.
 class Wire {
  public:
-  /// `entering`: the bit of this clock.
-  [[nodiscard]] bool at(unsigned delay, bool entering) const {
-    return delay == 0 ? entering : (bits_ >> (delay - 1) & 1U) != 0;
+  /// `entering`: the bits of this clock.
+  [[nodiscard]] std::uint32_t at(unsigned delay, std::uint32_t entering) const {
+    return delay == 0 ? entering : entered_[(newest_ + delay - 1) % entered_.size()];
   }
-  void shift(bool entering) { bits_ = bits_ << 1U | (entering ? 1U : 0U); }
+  void shift(std::uint32_t entering) {
+    newest_ = (newest_ + entered_.size() - 1) % entered_.size();
+    entered_[newest_] = entering;
+  }
 
  private:
-  std::uint64_t bits_ = 0;
+  std::array<std::uint32_t, 64> entered_{};  ///< a ring
+  std::size_t newest_ = 0;
 };
 
-/// A wire as a tree sees it in a clock, which is so many clocks away from the roots.
+/// Wires as a tree sees them in a clock, which are so many clocks away from the roots.
 struct Tap {
   const Wire& wire;
-  bool entering = false;
+  std::uint32_t entering = 0;
   unsigned ahead = 0;
 
-  [[nodiscard]] bool at(unsigned delay) const { return wire.at(ahead + delay, entering); }
+  [[nodiscard]] std::uint32_t at(unsigned delay) const { return wire.at(ahead + delay, entering); }
 };
 
 /// What the nodes of a tree share: of degree 1 the multiplicand; of degree 2 the factors of the square, and of the
@@ -40,20 +45,28 @@ struct TreeWires {
   Tap cross;
 };
 
-/// The streams that enter the nodes of a level, `node_words` words each after those of the node before: a bit a lane.
-/// Of degree 1 there are values alone.
+/// The bits of a clock, the first first: of each a plane, `node_words` words of a node after those of the node before,
+/// a bit a lane.
+using NodeBits = std::vector<Words>;
+
+/// The streams that enter the nodes of a level. Of degree 1 there are values alone.
 struct NodeStreams {
-  Words value;
-  Words slope;
-  Words row_slope;
+  NodeBits value;
+  NodeBits slope;
+  NodeBits row_slope;
 };
 
 /// A multiplier tree of LinearEvaluator node by node: the registers behind each, and its serial adders with their
 /// carries. Many trees that share their wires are stepped side by side, a lane of the words each.
 class SteppedTree {
  public:
-  /// `has_rows`: of an X tree of degree 2.
-  SteppedTree(std::uint32_t leaves, std::size_t node_words, unsigned degree, bool has_rows);
+  struct Form {
+    unsigned degree = 1;
+    unsigned bits = 1;      ///< that enter in a clock
+    bool has_rows = false;  ///< an X tree of degree 2
+  };
+
+  SteppedTree(std::uint32_t leaves, std::size_t node_words, Form form);
 
   [[nodiscard]] unsigned levels() const { return static_cast<unsigned>(levels_.size()); }
   [[nodiscard]] bool any_active() const;
@@ -82,22 +95,22 @@ class SteppedTree {
     Words step_carry;
     Words slope_carry;
     Words row_carry;
-    std::vector<Words> delayed;  ///< a ring of the slopes that are on their way to the adders, `below` clocks
+    std::vector<NodeBits> delayed;  ///< a ring of the slopes that are on their way to the adders, a clock's each
     std::size_t oldest = 0;
     NodeStreams out;  ///< the children's registers
   };
 
-  void add(Level& level, Token here, const NodeStreams& in, bool multiplicand) const;
+  [[nodiscard]] std::uint32_t shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const;
+  void add(Level& level, Token here, const NodeStreams& in, std::uint32_t multiplicand) const;
   void add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
-  void pass(const Level& level, const Words& in, Words& out) const;
-  [[nodiscard]] const Words& delayed_slope(Level& level, const Words& slope) const;
+  void pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const;
+  [[nodiscard]] const Words* delayed_slope(const Level& level, int bit, const NodeBits& slope) const;
+  void delay_slope(Level& level, const NodeBits& slope) const;
 
   std::size_t node_words_;
-  unsigned degree_;
-  bool has_rows_;
+  Form form_;
   std::vector<Token> tokens_;
   std::vector<Level> levels_;
-  Words delayed_;  ///< for one level
 };
 
 }  // namespace csgsim::array

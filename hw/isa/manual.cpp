@@ -89,7 +89,8 @@ what a root is taken of has twice the root's bits.
 constexpr std::string_view clocks_text = R"(## How clocks are counted
 
 Each instruction expands to bit steps, and each bit step takes one clock. A machine's ALU works on one bit of a field
-in a clock, or on several adjacent ones (`alu.bits`); linear expressions come one bit a clock in any case. Instructions
+in a clock, or on several adjacent ones (`alu.bits`); of a linear expression its trees bring one bit in a clock, or
+several (`evaluator.bits`). Instructions
 follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
 enter at the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of
 the trees once, at the end; what a machine waits for besides, its page says. The latency is one clock a level:
@@ -104,8 +105,8 @@ jump over them a request on the link. Both need a machine with a global OR.
 std::string_view clocks_of(ClockClass clock_class) {
   switch (clock_class) {
     case ClockClass::one: return "1";
-    case ClockClass::linear_once: return "width of the linear expression";
-    case ClockClass::linear_twice: return "twice the width of the linear expression: to compare, then to write";
+    case ClockClass::linear_once: return "width of the linear expression, over that of the trees, rounded up";
+    case ClockClass::linear_twice: return "twice as many: to compare, then to write";
     case ClockClass::field: return "width of the field, over the width of the ALU, rounded up";
     case ClockClass::two_fields:
       return "twice as many for the width of the wider field; once on machines that read twice a clock";

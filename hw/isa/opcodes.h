@@ -23,8 +23,8 @@ enum class FieldWidths : std::uint8_t {
 /// How many clocks an instruction takes (see hw/machines/clocks.h for the figures).
 enum class ClockClass : std::uint8_t {
   one,           ///< one bit step
-  linear_once,   ///< the linear expression is streamed once: its width
-  linear_twice,  ///< streamed once to compare, once to write: twice its width
+  linear_once,   ///< the linear expression is streamed once: one bit step a bit, or for as many as the trees bring
+  linear_twice,  ///< streamed once to compare, once to write
   field,         ///< one bit step a bit of the target field, or for as many as the ALU is wide
   two_fields,    ///< as `field`, with two memory reads of the source fields
   answer,        ///< one bit step, then the controller waits for the answer

@@ -13,9 +13,11 @@ std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint
     return row.alu_bits == machine.alu_bits && row.memory_reads == machine.memory_reads &&
            row.degree == machine.evaluator_degree;
   });
-  if (logic == pixel_logic_table.end()) return std::nullopt;
-  return std::uint64_t{memory_bits} * cell_transistors(machine.memory_reads) + logic->transistors +
-         tree_node_transistors(machine.evaluator_degree);
+  const auto node = std::ranges::find_if(node_logic_table, [&](const NodeLogic& row) {
+    return row.bits == machine.evaluator_bits && row.degree == machine.evaluator_degree;
+  });
+  if (logic == pixel_logic_table.end() || node == node_logic_table.end()) return std::nullopt;
+  return std::uint64_t{memory_bits} * cell_transistors(machine.memory_reads) + logic->transistors + node->transistors;
 }
 
 }  // namespace csgsim::machines

@@ -44,7 +44,29 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({
 });
 // clang-format on
 
-/// A node of the multiplier trees for expressions of that degree, 1 or 2; there is one a pixel.
-constexpr std::uint32_t tree_node_transistors(std::uint32_t degree) { return degree == 1 ? 90 : 258; }
+/// A node of the multiplier trees for expressions of that degree, 1 or 2, whose streams are so many bits wide; there is
+/// one a pixel.
+struct NodeLogic {
+  std::uint32_t bits;
+  std::uint32_t degree;
+  std::uint32_t transistors;
+};
+
+// clang-format off
+inline constexpr auto node_logic_table = std::to_array<NodeLogic>({
+    {1, 1, 90},
+    {2, 1, 158},
+    {4, 1, 294},
+    {8, 1, 560},
+    {16, 1, 1092},
+    {32, 1, 2170},
+    {1, 2, 258},
+    {2, 2, 431},
+    {4, 2, 801},
+    {8, 2, 1525},
+    {16, 2, 2950},
+    {32, 2, 5797},
+});
+// clang-format on
 
 }  // namespace csgsim::machines

@@ -19,6 +19,11 @@ std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& m
   return quotient_up(field_width(instruction), machine.alu_bits);
 }
 
+/// Clocks in which every bit of the expression has reached the pixels once.
+std::uint64_t linear_clocks(const isa::Instruction& instruction, const Machine& machine) {
+  return quotient_up(std::uint64_t{instruction.linear.width}, std::uint64_t{machine.evaluator_bits});
+}
+
 /// The bit of number k of the root takes 3 clocks, and for each of the k before it one, or two where the root's bits
 /// and the remainder's are read through one port.
 std::uint64_t root_clocks(std::uint64_t bits, const Machine& machine) {
@@ -40,8 +45,8 @@ std::uint64_t field_width(const isa::Instruction& instruction) {
 std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machine& machine) {
   switch (isa::info(instruction.opcode).clock_class) {
     case isa::ClockClass::one: return 1;
-    case isa::ClockClass::linear_once: return instruction.linear.width;
-    case isa::ClockClass::linear_twice: return 2ULL * instruction.linear.width;
+    case isa::ClockClass::linear_once: return linear_clocks(instruction, machine);
+    case isa::ClockClass::linear_twice: return 2 * linear_clocks(instruction, machine);
     case isa::ClockClass::field: return field_clocks(instruction, machine);
     case isa::ClockClass::two_fields: return field_clocks(instruction, machine) * (machine.memory_reads >= 2 ? 1 : 2);
     case isa::ClockClass::root: return root_clocks(instruction.fields[0].width / 2, machine);

@@ -9,6 +9,7 @@
 
 #include "hw/base/error.h"
 #include "hw/machines/figure_changes.h"
+#include "hw/machines/figure_error.h"
 #include "hw/machines/figure_file.h"
 #include "hw/machines/schema.h"
 
@@ -47,6 +48,8 @@ Machine read_machine(const FigureFile& file, std::span<const Kind* const> kinds)
   try {
     complete(machine);
     set_picture_size(machine, machine.picture);
+  } catch (const FigureError& error) {
+    file.fail(error.key(), error.what());
   } catch (const InputError& error) {
     file.fail("picture", error.what());
   }

@@ -171,7 +171,7 @@ std::vector<ReadFigure> FigureFile::figures(std::span<const FigureForm> forms,
 }
 
 void FigureFile::fail(std::string_view key, std::string_view message) const {
-  const toml::node* const node = root_.get(key);
+  const toml::node* const node = root_.at_path(key).node();
   FigureReader(file_, changed_).fail(node == nullptr ? root_.source().begin : node->source().begin, message);
 }
 

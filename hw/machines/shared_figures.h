@@ -27,6 +27,9 @@ inline constexpr FigureSchema alu_bits = figure<&Machine::alu_bits>("alu.bits", 
                                                                     "bits of a field that the ALU works on in a clock");
 inline constexpr FigureSchema level_latency =
     built_in_figure("evaluator.level_latency", "clocks", 1, "from one level of a multiplier tree to the next");
+inline constexpr FigureSchema evaluator_bits =
+    figure<&Machine::evaluator_bits>("evaluator.bits", "bits", 1, isa::max_field_width,
+                                     "of an expression that the trees bring the pixels in a clock, at most alu.bits");
 inline constexpr FigureSchema evaluator_degree = figure<&Machine::evaluator_degree>(
     "evaluator.degree", "", 1, 2, "of the expressions: 1, A*x + B*y + C; 2, with A*x*x + B*x*y + C*y*y before it");
 

@@ -8,6 +8,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
+#include "hw/machines/evaluator_check.h"
 #include "hw/machines/shared_figures.h"
 
 namespace csgsim::pixel_planes {
@@ -40,6 +41,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         "in pixel memory; with 2, a finished one is copied, and shown while the next is drawn"),
     shared::level_latency,
     shared::evaluator_degree,
+    shared::evaluator_bits,
     shared::clear_clocks,
     shared::link_width,
     shared::link_word_clocks,
@@ -51,7 +53,10 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 
 }  // namespace
 
-void Kind::complete(Machine& machine) const { machine.picture = {machine.array.width, machine.array.height}; }
+void Kind::complete(Machine& machine) const {
+  machines::check_evaluator(machine);
+  machine.picture = {machine.array.width, machine.array.height};
+}
 
 void Kind::set_picture(Machine& machine, machines::Size size) const {
   machine.array.width = size.width;

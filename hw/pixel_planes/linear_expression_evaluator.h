@@ -11,6 +11,12 @@
 
 namespace csgsim::pixel_planes {
 
+/// What trees carry.
+struct TreeForm {
+  unsigned degree = 1;  ///< of the expressions
+  unsigned bits = 1;    ///< of a stream, side by side
+};
+
 /// The two multiplier trees (thesis fig. 7.1): coefficient bits in at the roots, a bit of F out at every pixel. What
 /// comes out is worked out of the coefficients, or of the bits in stepped trees' adders: at the same clocks.
 class LinearExpressionEvaluator final : public sc_core::sc_module {

@@ -20,7 +20,9 @@ namespace {
 
 array::PlaneShape plane_shape(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
-array::Sequencer sequencer(const machines::Machine& machine) { return {machine.memory_reads, machine.alu_bits}; }
+array::Sequencer sequencer(const machines::Machine& machine) {
+  return {machine.memory_reads, machine.alu_bits, machine.evaluator_bits};
+}
 
 ControllerFigures controller_figures(const machines::Machine& machine) {
   return {.link_width = machine.link.width,
@@ -34,7 +36,7 @@ std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, 
                                               const systemc::Foretold* foretold) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
   const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
-  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree, pixels);
+  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree, machine.evaluator_bits, pixels);
 }
 
 /// The array holds the whole picture when the program is through.
@@ -252,9 +254,10 @@ std::uint64_t PixelPlanes::skip_to(const isa::Program& program, wave::Window win
 std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave::Request& request) const {
   std::vector<wave::Tap> taps = host_taps();
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
+  const TreeForm trees{machine_.evaluator_degree, machine_.evaluator_bits};
   add(controller_taps(program));
-  add(root_taps("root", root_, machine_.evaluator_degree));
-  add(control_taps("pixels", control_at_pixels_, program,
+  add(root_taps("root", root_, trees));
+  add(control_taps("pixels", control_at_pixels_, trees.bits, program,
                    [this] { return wave::Number(control_at_pixels_.read().ordinal); }));
   taps.push_back(wave::bit("answer.valid", [this] { return answer_.read().valid; }));
   taps.push_back(wave::bit("answer.any_enabled", [this] {
@@ -264,8 +267,7 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
     const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
-    add(pixel_taps(request.pixels[i],
-                   {processors_, evaluator_, control_at_pixels_, place, built, nullptr, machine_.evaluator_degree},
+    add(pixel_taps(request.pixels[i], {processors_, evaluator_, control_at_pixels_, place, built, nullptr, trees},
                    program, request.tree_levels, machine_.alu_bits));
   }
   return taps;

@@ -42,7 +42,13 @@ void PixelProcessors::step(const array::ArrayStep& step) {
 array::PixelProbe PixelProcessors::probe(std::uint32_t x, std::uint32_t y) const {
   const TreeWord& word = tree.read();
   array::PixelProbe probe = pixels_.probe(x, y, word.bit);
-  if (word.pixels != nullptr) probe.tree = array::bit_of(*word.pixels, pixels_.shape(), x, y);
+  if (word.pixels == nullptr) return probe;
+  const std::size_t plane = pixels_.shape().padded_words();
+  probe.tree = 0;
+  for (std::size_t bit = 0; bit < word.bit.token.bits; ++bit) {
+    const std::span<const std::uint64_t> bits(&(*word.pixels)[bit * plane], plane);
+    probe.tree |= static_cast<std::uint32_t>(array::bit_of(bits, pixels_.shape(), x, y)) << bit;
+  }
   return probe;
 }
 

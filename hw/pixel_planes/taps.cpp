@@ -17,10 +17,16 @@ using wave::Tap;
 
 constexpr unsigned address_bits = 12;  // of isa::max_memory_bits
 
-std::string_view function_of(const ControlWord& word) {
+std::string function_of(const ControlWord& word) {
   if (word.clears) return "clear";
   if (word.refreshes) return "refresh";
-  return word.step.function == array::AluFunction::idle ? "" : array::info(word.step.function).name;
+  std::string names;
+  for (const array::AluFunction function : {word.step.function, word.step.beyond, word.step.sign}) {
+    if (function == array::AluFunction::idle) continue;
+    names += names.empty() ? "" : "+";
+    names += array::info(function).name;
+  }
+  return names;
 }
 
 /// One pixel of the array, as its taps look at it.
@@ -62,32 +68,35 @@ class Probe {
 
 }  // namespace
 
-std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, unsigned degree) {
-  const auto tap = [&](const char* name, auto read) {
-    return wave::bit(part + name, [&root, read] {
+std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, TreeForm trees) {
+  const auto reading = [&root](auto read) {
+    return [&root, read] {
       const array::RootBits& bits = root.read().bits;
       return bits.token.active() ? Number(read(bits)) : std::nullopt;
-    });
+    };
   };
-  std::vector<Tap> taps{tap(".a", [](const array::RootBits& bits) { return bits.a; }),
-                        tap(".b", [](const array::RootBits& bits) { return bits.b; }),
-                        tap(".c", [](const array::RootBits& bits) { return bits.c; }),
-                        wave::number(part + ".bit", 8, [&root] {
-                          const array::Token token = root.read().bits.token;
-                          return token.active() ? Number(static_cast<std::uint64_t>(token.bit)) : std::nullopt;
-                        })};
-  if (degree < 2) return taps;
-  taps.push_back(tap(".xx", [](const array::RootBits& bits) { return bits.xx; }));
-  taps.push_back(tap(".xy", [](const array::RootBits& bits) { return bits.xy; }));
-  taps.push_back(tap(".yy", [](const array::RootBits& bits) { return bits.yy; }));
+  const auto tap = [&](const char* name, std::uint32_t array::RootBits::*member) {
+    return wave::bits(part + name, trees.bits, reading([member](const array::RootBits& bits) { return bits.*member; }));
+  };
+  std::vector<Tap> taps{tap(".a", &array::RootBits::a), tap(".b", &array::RootBits::b), tap(".c", &array::RootBits::c),
+                        wave::number(part + ".bit", 8, reading([](const array::RootBits& bits) {
+                                       return static_cast<std::uint64_t>(bits.token.bit);
+                                     }))};
+  if (trees.bits > 1)
+    taps.push_back(wave::number(part + ".bits", 6,
+                                reading([](const array::RootBits& bits) { return std::uint64_t{bits.token.bits}; })));
+  if (trees.degree < 2) return taps;
+  taps.push_back(tap(".xx", &array::RootBits::xx));
+  taps.push_back(tap(".xy", &array::RootBits::xy));
+  taps.push_back(tap(".yy", &array::RootBits::yy));
   return taps;
 }
 
 std::vector<Tap> control_taps(const std::string& part, const sc_core::sc_signal<ControlWord>& control,
-                              const isa::Program& program, std::function<Number()> at) {
+                              unsigned tree_bits, const isa::Program& program, std::function<Number()> at) {
   std::vector<Tap> taps = wave::instruction_taps(
       part, program, [&control, at = std::move(at)] { return control.read().steps ? at() : std::nullopt; });
-  taps.push_back(wave::text(part + ".function", [&control] { return std::string(function_of(control.read())); }));
+  taps.push_back(wave::text(part + ".function", [&control] { return function_of(control.read()); }));
   const auto address = [&](const char* name, auto has, auto read) {
     taps.push_back(wave::number(part + name, address_bits, [&control, has, read] {
       const array::ArrayStep& step = control.read().step;
@@ -111,6 +120,13 @@ std::vector<Tap> control_taps(const std::string& part, const sc_core::sc_signal<
     const Step& step = control.read().step;
     return step.function == array::AluFunction::idle ? std::nullopt : Number(step.bits);
   }));
+  if (tree_bits > 1) {
+    taps.push_back(wave::number(part + ".first", 6, [&control] {
+      const Step& step = control.read().step;
+      const bool takes = step.source == array::OperandSource::tree && array::info(step.function).reads_x;
+      return takes ? Number(step.first) : std::nullopt;
+    }));
+  }
   taps.push_back(
       wave::hexadecimal(part + ".constant", 32, [&control]() -> Number { return control.read().step.constant; }));
   return taps;
@@ -126,7 +142,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
       throw InputError(std::string("the ") + (is_x ? "X" : "Y") + " tree has levels 0 to " + std::to_string(deepest) +
                        "; there is no tree." + (is_x ? "x:" : "y:") + std::to_string(level.level));
   }
-  const bool has_squares = point.degree > 1;
+  const TreeForm trees = point.trees;
   const auto probe = std::make_shared<const Probe>(std::move(point));
   const auto shown = [probe](auto read) {
     return [probe, read]() -> Number { return probe->shows() ? Number(read(*probe)) : std::nullopt; };
@@ -141,24 +157,29 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
         return at.token.active() ? member(at) : std::nullopt;
       });
     };
-    taps.push_back(wave::bit(name, read([](const array::LevelProbe& at) -> Number { return at.stream; })));
+    const auto stream = [&](const std::string& of, std::uint32_t array::LevelProbe::*member) {
+      taps.push_back(
+          wave::bits(of, trees.bits, read([member](const array::LevelProbe& at) -> Number { return at.*member; })));
+    };
+    stream(name, &array::LevelProbe::stream);
     taps.push_back(wave::bit(name + "_carry", read([](const array::LevelProbe& at) -> Number { return at.carry; })));
     taps.push_back(wave::number(name + "_bit", 8, read([](const array::LevelProbe& at) -> Number {
                                   return static_cast<std::uint64_t>(at.token.bit);
                                 })));
-    if (!has_squares) continue;
+    if (trees.degree < 2) continue;
     const auto bit = [&](const char* of, bool array::LevelProbe::*member) {
       taps.push_back(
           wave::bit(name + of, read([member](const array::LevelProbe& at) -> Number { return at.*member; })));
     };
-    bit("_slope", &array::LevelProbe::slope);
+    stream(name + "_slope", &array::LevelProbe::slope);
     bit("_slope_carry", &array::LevelProbe::slope_carry);
     bit("_step_carry", &array::LevelProbe::step_carry);
     if (level.axis != wave::TreeLevel::Axis::x) continue;
-    bit("_row_slope", &array::LevelProbe::row_slope);
+    stream(name + "_row_slope", &array::LevelProbe::row_slope);
     bit("_row_slope_carry", &array::LevelProbe::row_slope_carry);
   }
-  taps.push_back(wave::bit(part + ".tree_bit", shown([](const Probe& one) { return one.registers().tree; })));
+  taps.push_back(
+      wave::bits(part + ".tree_bit", trees.bits, shown([](const Probe& one) { return one.registers().tree; })));
   taps.push_back(wave::bit(part + ".carry", shown([](const Probe& one) { return one.registers().carry; })));
   taps.push_back(wave::bit(part + ".flag", shown([](const Probe& one) { return one.registers().flag; })));
   taps.push_back(wave::bit(part + ".enable", shown([](const Probe& one) { return one.registers().enable; })));

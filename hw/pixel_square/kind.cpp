@@ -9,6 +9,7 @@
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/evaluator_check.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/shared_figures.h"
 #include "hw/pixel_square/screen.h"
@@ -36,6 +37,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::alu_bits,
     shared::level_latency,
     shared::evaluator_degree,
+    shared::evaluator_bits,
     shared::clear_clocks,
     shared::link_width,
     shared::link_word_clocks,
@@ -136,6 +138,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
 });
 
 }  // namespace
+
+void Kind::complete(Machine& machine) const { machines::check_evaluator(machine); }
 
 /// Graphics processors do it themselves.
 std::uint32_t Kind::hosts(const Machine& machine) const {

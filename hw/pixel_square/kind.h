@@ -10,6 +10,7 @@ class Kind final : public machines::KindOf<Figures> {
  public:
   using KindOf::KindOf;
 
+  void complete(Machine& machine) const override;
   /// The squares of the machine's picture, as large as a renderer's array, those at the right and bottom edges cut off
   /// there, in the machine's order; where a divider takes groups of squares first, group after group.
   std::vector<isa::Region> regions(const Machine& machine) const override;

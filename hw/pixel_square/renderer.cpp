@@ -14,7 +14,7 @@ array::PlaneShape plane_shape(const machines::Machine& machine) { return {machin
 
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
-  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree);
+  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree, machine.evaluator_bits);
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, 
 /// The accounts are those of the commands that are on their way to the pixels, one a clock, and of the one before.
 Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form)
     : sc_core::sc_module(name),
-      degree_(machine.evaluator_degree),
+      trees_{machine.evaluator_degree, machine.evaluator_bits},
       accounts_("accounts", static_cast<int>(machines::evaluator_latency(machine.array)) + 2),
       controller_("controller", machine),
       control_delay_("control_delay", machines::evaluator_latency(machine.array)),

@@ -29,7 +29,7 @@ struct RendererParts {
   const pixel_planes::PixelProcessors& processors;
   const pixel_planes::LinearExpressionEvaluator& evaluator;
   const SquareCompletion& completion;
-  unsigned degree = 1;  ///< of the expressions
+  pixel_planes::TreeForm trees;
 };
 
 /// Draws one square after another, with the modules of Pixel-planes between a controller and an output port of its own:
@@ -64,11 +64,11 @@ class Renderer final : public sc_core::sc_module {
   [[nodiscard]] const array::PixelArray& pixels() const { return processors_.pixels(); }
 
   [[nodiscard]] RendererParts parts() const {
-    return {controller_, root_, control_, control_at_pixels_, processors_, evaluator_, completion_, degree_};
+    return {controller_, root_, control_, control_at_pixels_, processors_, evaluator_, completion_, trees_};
   }
 
  private:
-  const unsigned degree_;  ///< of the expressions
+  const pixel_planes::TreeForm trees_;
   sc_core::sc_signal<pixel_planes::RootWord> root_{"root_bits"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_{"control"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_at_pixels_{"control_at_pixels"};

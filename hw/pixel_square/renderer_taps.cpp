@@ -53,8 +53,8 @@ std::vector<Tap> renderer_taps(const std::string& part, const RendererParts& par
                                      return number ? Number(firsts[*number] + word.ordinal) : std::nullopt;
                                    }),
             taps);
-  wave::add(pixel_planes::root_taps(part + ".root", parts.root, parts.degree), taps);
-  wave::add(pixel_planes::control_taps(part + ".pixels", parts.control_at_pixels, program,
+  wave::add(pixel_planes::root_taps(part + ".root", parts.root, parts.trees), taps);
+  wave::add(pixel_planes::control_taps(part + ".pixels", parts.control_at_pixels, parts.trees.bits, program,
                                        at_pixels(parts, program, std::nullopt)),
             taps);
   return taps;
@@ -67,7 +67,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, std::uint32_t segment, const Rend
   const auto shows = [parts, segment] { return has(parts, segment); };
   std::vector<Tap> taps = wave::instruction_taps(wave::part_of(pixel), program, at_pixels(parts, program, segment));
   wave::add(pixel_planes::pixel_taps(
-                pixel, {parts.processors, parts.evaluator, parts.control_at_pixels, place, place, shows, parts.degree},
+                pixel, {parts.processors, parts.evaluator, parts.control_at_pixels, place, place, shows, parts.trees},
                 program, levels, alu_bits),
             taps);
   return taps;

@@ -25,7 +25,7 @@ SquareController::SquareController(sc_core::sc_module_name name, const machines:
       latency_(machines::evaluator_latency(machine.array)),
       pixels_(std::uint64_t{machine.array.width} * machine.array.height),
       receiver_(command_word_bits(machines::own<Figures>(machine), machine.link.width)),
-      sequencer_(machine.memory_reads, machine.alu_bits) {
+      sequencer_(machine.memory_reads, machine.alu_bits, machine.evaluator_bits) {
   SC_HAS_PROCESS(SquareController);
   SC_METHOD(act);
   dont_initialize();

@@ -28,7 +28,7 @@ constexpr double gate_transistors = 4;  ///< a NAND of two inputs
 // Gates one after the other.
 constexpr double full_adder_gates = 3;
 constexpr double select_gates = 4;  ///< of the ALU's operands and operation
-constexpr double carry_gates = 2;   ///< a bit of the ALU
+constexpr double carry_gates = 2;   ///< a bit of an adder
 constexpr double turn_gates = 2;    ///< a level of the rotator before a port, a multiplexer
 
 /// A figure of the description as a number; nothing if its kind has none, or it stands for no limit.
@@ -76,12 +76,22 @@ double pixel_path(const Machine& machine, const Process& process) {
   return static_cast<double>(process.memory_access) + gates * static_cast<double>(process.gate_delay);
 }
 
-/// Flip-flops of a pixel and its node (docs/area.md, "Logic").
+/// Streams that a node passes on, with what it makes of them.
+double streams_of(const Machine& machine) {
+  return (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
+}
+
+/// Flip-flops of a pixel and its node (docs/area.md, "Logic"): those of the streams, a carry for each adder, and with
+/// one bit of a stream in a clock one for the slope that is delayed, which is in the wider streams.
 double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
-  const double flag_and_node = machine.evaluator_degree == 1 ? 3 : 1 + 8;
-  return 3 + operand_latch + flag_and_node;
+  const double carries = machine.evaluator_degree == 1 ? 1 : 3;
+  const double flag_and_delay = machine.evaluator_degree == 1 ? 0 : machine.evaluator_bits == 1 ? 2 : 1;
+  return 3 + operand_latch + streams_of(machine) + carries + flag_and_delay;
 }
+
+/// The carry of a node's adder goes through its bits.
+double node_gates(const Machine& machine) { return full_adder_gates + carry_gates * (machine.evaluator_bits - 1.0); }
 
 /// Joules of a pixel in a clock.
 double pixel_energy(const Machine& machine, double logic, const Process& process) {
@@ -89,12 +99,11 @@ double pixel_energy(const Machine& machine, double logic, const Process& process
   // Bit lines are as long as the side of a square memory.
   const double read = static_cast<double>(process.memory_energy) *
                       std::sqrt(machine.array.memory_bits / static_cast<double>(process.memory_bits));
-  const double adders = machine.alu_bits + (machine.evaluator_degree == 1 ? 1.0 : 3.0);
-  const double streams = machine.evaluator_degree == 1 ? 2 : 4;
+  const double adders = machine.alu_bits + (machine.evaluator_degree == 1 ? 1.0 : 3.0) * machine.evaluator_bits;
   const double pitch = std::sqrt(pixel_area(machine, logic, process));  // mm
   return aj * (ports * machine.alu_bits * read + adders * static_cast<double>(process.adder_energy) +
                register_bits(machine) * static_cast<double>(process.register_energy) +
-               streams * pitch * static_cast<double>(process.wire_energy));
+               streams_of(machine) * pitch * static_cast<double>(process.wire_energy));
 }
 
 /// Transistors of what all pixels of an array share, for each array.
@@ -114,7 +123,7 @@ std::vector<ClockPath> clock_paths(const Machine& machine, const Process& proces
   const double pitch = std::sqrt(pixel_area(machine, *logic, process));  // mm
   const double half_side = pitch * std::max(machine.array.width, machine.array.height) / 2;
   std::vector<ClockPath> paths{{"pixel", registered + pixel_path(machine, process)},
-                               {"trees", registered + full_adder_gates * gate},
+                               {"trees", registered + node_gates(machine) * gate},
                                {"wire", registered + half_side * static_cast<double>(process.wire_delay)}};
   if (machines::has_global_or(machine)) {
     const std::uint64_t pixels = std::uint64_t{machine.array.width} * machine.array.height;

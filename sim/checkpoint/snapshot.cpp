@@ -23,10 +23,10 @@ std::uint64_t hash_of(const isa::Program& program) {
 }
 
 std::uint64_t hash_of(const machines::Machine& machine) {
-  std::string text =
-      fmt::format("{} {}x{} of {}x{} {} {} {} {} {} {}", machine.kind->name, machine.picture.width,
-                  machine.picture.height, machine.array.width, machine.array.height, machine.array.memory_bits,
-                  machine.clock_hz, machine.memory_reads, machine.alu_bits, machine.clear_clocks, machine.link.width);
+  std::string text = fmt::format("{} {}x{} of {}x{} {} {} {} {} {} {} {}", machine.kind->name, machine.picture.width,
+                                 machine.picture.height, machine.array.width, machine.array.height,
+                                 machine.array.memory_bits, machine.clock_hz, machine.memory_reads, machine.alu_bits,
+                                 machine.evaluator_bits, machine.clear_clocks, machine.link.width);
   for (const machines::Figure& figure : machine.figures) text += fmt::format(" {}={}", figure.key, figure.value);
   Hash hash;
   hash.add(text);

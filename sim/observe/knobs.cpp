@@ -33,6 +33,7 @@ struct FigureStep {
 /// Figures of all kinds that machines could be built with otherwise, and that no Program depends on.
 constexpr auto figure_steps = std::to_array<FigureStep>({
     {"alu.bits", Step::twice},
+    {"evaluator.bits", Step::twice},
     {"memory.reads", Step::twice},
     {"memory.clear_clocks", Step::half},
     {"link.width", Step::twice},

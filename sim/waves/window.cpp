@@ -205,7 +205,8 @@ LastWrite last_write(std::string_view what, const isa::Program& program, const m
     const bool is_here = segment.region.holds(pixel.x, pixel.y);
     const array::Place place{pixel.x - segment.region.x, pixel.y - segment.region.y};
     array::PixelReplay replay({&place, 1}, program.shape.memory_bits,
-                              array::Sequencer(machine.memory_reads, machine.alu_bits), machine.alu_bits);
+                              array::Sequencer(machine.memory_reads, machine.alu_bits, machine.evaluator_bits),
+                              machine.alu_bits);
     replay.begin(segment.region);
     for (std::uint32_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& instruction = segment.instructions[i];

@@ -48,7 +48,7 @@ void run_in_turns(std::vector<Row>& rows) {
 /// Calls use(step) with every bit step of the Program, and done() after each instruction.
 template <class Use, class Done>
 std::uint64_t each_step(const isa::Program& program, Use use, Done done) {
-  array::Sequencer sequencer(1, 1);
+  array::Sequencer sequencer(1, 1, 1);
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : program.segments.front().instructions) {
     sequencer.begin(instruction);

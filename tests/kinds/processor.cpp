@@ -38,7 +38,7 @@ class Meaning {
     if (trees_.levels() > 0) trees_.clock(step.root, leaves_);
   }
 
-  array::Sequencer sequencer_{1, 1};
+  array::Sequencer sequencer_{1, 1, 1};
   array::LinearEvaluator trees_;
   array::StreamBit leaves_;
   array::PixelArray pixels_;

@@ -38,6 +38,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"reads", &machine.memory_reads},
                                                     {"alu", &machine.alu_bits},
                                                     {"degree", &machine.evaluator_degree},
+                                                    {"trees", &machine.evaluator_bits},
                                                     {"link", &machine.link.width},
                                                     {"word", &machine.link.word_clocks},
                                                     {"depth", &machine.link.fifo_depth},

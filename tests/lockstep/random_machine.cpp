@@ -91,6 +91,7 @@ std::optional<machines::Machine> random_machine(const machines::Kind& kind, std:
   // What divides models is held against models, which need some memory at a pixel.
   constexpr std::uint32_t bits_of_models = 200;
   if (machines::division(machine)) machine.array.memory_bits = std::max(machine.array.memory_bits, bits_of_models);
+  machine.evaluator_bits = std::min(machine.evaluator_bits, machine.alu_bits);
   try {
     machines::complete(machine);
   } catch (const InputError&) {

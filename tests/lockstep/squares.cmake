@@ -58,7 +58,13 @@ foreach(row IN ITEMS
     "backing=64 backing_width=5 divider=1 bits=200 depth=64 levels=2 group=2 list=1000 record=32 port=7 renderers=2 programs=10"
     "latency=300 word=7 depth=4 renderers=2 buffers=2 port=24 move=4 clear=3" "word=2 depth=1 port=24"
     "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1000 link_width=6 latency=7 clear=2 port=13 programs=200"
-    "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1 link_width=6 clear=2 port=7 move=1 programs=200")
+    "width=1 height=1 picture_width=3 picture_height=7 bits=16 depth=1 link_width=6 clear=2 port=7 move=1 programs=200"
+    "alu=4 trees=4 depth=9 port=24" "alu=32 trees=32 reads=2 depth=64 renderers=3 buffers=2 port=24 move=1"
+    "degree=1 alu=8 trees=5 width=5 height=3 picture_width=33 picture_height=11 renderers=2 depth=2 port=24 latency=7"
+    "alu=16 trees=9 divider=2 processors=3 renderers=2 ring=32 channels=2 depth=20 or=1 or_fan_in=3 instructions=30"
+    "alu=4 trees=3 divider=1 bits=200 depth=64 levels=2 group=2 list=1000 record=32 port=24 renderers=2 programs=10"
+    "stepped=1 alu=6 trees=5 depth=64 renderers=2 buffers=2 port=24 move=2 programs=20"
+    "stepped=1 degree=1 alu=32 trees=32 width=5 height=3 picture_width=33 picture_height=11 depth=2 port=24")
   csgsim_lockstep_row(lockstep_squares "squares ${row}" "${row}")
 endforeach()
 

@@ -54,6 +54,8 @@ Settings read_settings(int count, char** arguments) {
                                                     {"reads", &machine.memory_reads},
                                                     {"clear", &machine.clear_clocks},
                                                     {"degree", &machine.evaluator_degree},
+                                                    {"alu", &machine.alu_bits},
+                                                    {"trees", &machine.evaluator_bits},
                                                     {"link_width", &machine.link.width},
                                                     {"word", &machine.link.word_clocks},
                                                     {"depth", &machine.link.fifo_depth},

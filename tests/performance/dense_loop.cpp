@@ -156,7 +156,7 @@ CSGSIM_WIDEST void carry_out(AluFunction function, const Operands& operands) {
 DenseLoop::DenseLoop(const isa::ArrayShape& shape)
     : row_words_((shape.width + word_bits - 1) / word_bits),
       height_(shape.height),
-      sequencer_(1, 1),
+      sequencer_(1, 1, 1),
       memory_(shape.memory_bits, Plane(row_words_ * height_)),
       present_(row_words_ * height_),
       enable_(present_.size()),

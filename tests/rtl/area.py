@@ -22,11 +22,13 @@ PAGE = ROOT / "docs" / "area.md"
 
 ALU_BITS = (1, 2, 4, 8, 16, 32)
 PAGE_ALU_BITS = (1, 2, 4, 8)
+NODE_BITS = ALU_BITS  # of a stream in a clock
 READS = (1, 2)
 MEMORY_BITS = (64, 72, 96, 128, 208, 256)
 CELL = {1: 3, 2: 5}  # transistors of a memory bit, by read ports: as hw/machines/area.h has it
 STATIC_CELL = {1: 6, 2: 8}
 SOURCES = "pixel.v multiplier_tree.v receiver.v controller.v frame_buffer.v area.v"
+WIDE_SOURCES = "area_wide.v"  # alone, so that what else is synthesised does not depend on it
 SCRIPT = "+strash;dch;map,-a"
 
 
@@ -38,10 +40,10 @@ def yosys(commands):
     return run.stdout.rsplit("Printing statistics.", 1)[1]
 
 
-def synthesised(top, parameters, liberty, defines=""):
+def synthesised(top, parameters, liberty, defines="", sources=SOURCES):
     """Gates, flip-flops, transistors, and the area in a cell library (None without one)."""
     values = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
-    begin = [f"read_verilog -I. {defines} {SOURCES}", f"hierarchy -top {top} {values}", f"synth -flatten -top {top}"]
+    begin = [f"read_verilog -I. {defines} {sources}", f"hierarchy -top {top} {values}", f"synth -flatten -top {top}"]
     text = yosys(begin + ["dfflegalize -cell $_DFF_P_ 01", f"abc -g cmos4 -script {SCRIPT}", "opt_clean",
                           "stat -tech cmos"])
     cells = int(re.search(r"Number of cells: +(\d+)", text)[1])
@@ -61,9 +63,14 @@ def pixel(alu_bits, reads, degree, liberty):
                        "-D CSGSIM_ROOTS" if degree == 2 else "")
 
 
-def node_of_degree_2(liberty):
-    """The mean of the nodes of a Y tree: half of them delay their slope by no register, a quarter by one, an eighth by two."""
-    none, one, two = (synthesised("area_node_2", {"DELAY": delay}, liberty) for delay in range(3))
+def node(bits, degree, liberty):
+    """Of degree 2 the mean of the nodes of a Y tree: half of them delay their slope by no bit, a quarter by one, an eighth by two."""
+    wide = {"BITS": bits} if bits > 1 else {}
+    top = ("area_wide_node" if wide else "area_node") + ("_2" if degree == 2 else "")
+    sources = WIDE_SOURCES if wide else SOURCES
+    if degree == 1:
+        return synthesised(top, wide, liberty, sources=sources)
+    none, two = (synthesised(top, wide | {"DELAY": delay}, liberty, sources=sources) for delay in (0, 2))
     return {key: None if none[key] is None else round((none[key] + two[key]) / 2) for key in none}
 
 
@@ -103,17 +110,21 @@ def pixel_name(alu, reads, degree):
     return f"pixel, ALU of {alu}, {reads} read{'s' if reads > 1 else ''} a clock{flag}"
 
 
+def node_name(bits, degree):
+    return ("node of the multiplier trees" + (" of degree 2" if degree == 2 else "") +
+            (f", {bits} bits a clock" if bits > 1 else ""))
+
+
 def tables(pixels, nodes, wired_or, rest):
     """The tables of the page, by mark."""
     head = ["", "gates", "flip-flops", "transistors", "area, µm²"]
     shown = [(alu, reads, 1) for alu in PAGE_ALU_BITS for reads in READS] + [(1, reads, 2) for reads in READS]
     logic = [figures(pixel_name(*key), pixels[key]) for key in shown]
-    logic.append(figures("node of the multiplier trees", nodes[1]))
-    logic.append(figures("node of the multiplier trees of degree 2", nodes[2]))
+    logic += [figures(node_name(bits, degree), nodes[bits, degree]) for degree in (1, 2) for bits in PAGE_ALU_BITS]
     logic.append(["global OR, 64 inputs a gate, 1/4,096 of it"] + wired_or)
 
     def logic_of(key):
-        return pixels[key]["transistors"] + nodes[key[2]]["transistors"]
+        return pixels[key]["transistors"] + nodes[1, key[2]]["transistors"]
 
     def row(key, cell):
         return [grouped(logic_of(key) + bits * cell[key[1]]) for bits in MEMORY_BITS]
@@ -128,6 +139,7 @@ def tables(pixels, nodes, wired_or, rest):
 def header(pixels, nodes):
     rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {row['transistors']}}},"
                      for (alu, reads, degree), row in pixels.items())
+    of_nodes = "\n".join(f"    {{{bits}, {degree}, {row['transistors']}}}," for (bits, degree), row in nodes.items())
     return f"""#pragma once
 
 #include <array>
@@ -151,8 +163,19 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({{
 }});
 // clang-format on
 
-/// A node of the multiplier trees for expressions of that degree, 1 or 2; there is one a pixel.
-constexpr std::uint32_t tree_node_transistors(std::uint32_t degree) {{ return degree == 1 ? {nodes[1]['transistors']} : {nodes[2]['transistors']}; }}
+/// A node of the multiplier trees for expressions of that degree, 1 or 2, whose streams are so many bits wide; there is
+/// one a pixel.
+struct NodeLogic {{
+  std::uint32_t bits;
+  std::uint32_t degree;
+  std::uint32_t transistors;
+}};
+
+// clang-format off
+inline constexpr auto node_logic_table = std::to_array<NodeLogic>({{
+{of_nodes}
+}});
+// clang-format on
 
 }}  // namespace csgsim::machines
 """
@@ -173,13 +196,14 @@ def check():
 
     # It takes the whole machine.
     yosys([f"read_verilog -I. {SOURCES}", "hierarchy -check -top frame_buffer", "proc", "check -assert", "stat"])
-    nodes = {1: synthesised("area_node", {}, None)["transistors"], 2: node_of_degree_2(None)["transistors"]}
-    expect(f"degree == 1 ? {nodes[1]} : {nodes[2]};", text, TABLE, f"tree nodes take {nodes[1]} and {nodes[2]} transistors")
+    nodes = {(bits, degree): node(bits, degree, None)["transistors"] for degree in (1, 2) for bits in (1, 2)}
+    for (bits, degree), now in nodes.items():
+        expect(f"{{{bits}, {degree}, {now}}}", text, TABLE, f"a node of {bits} bits and degree {degree} takes {now} transistors")
     for alu_bits, reads, degree in ((1, 1, 1), (1, 2, 1), (2, 1, 1), (1, 1, 2), (1, 2, 2)):
         now = pixel(alu_bits, reads, degree, None)["transistors"]
         what = f"an ALU of {alu_bits} with {reads} reads and degree {degree} takes {now} transistors"
         expect(f"{{{alu_bits}, {reads}, {degree}, {now}}}", text, TABLE, what)
-        logic = now + nodes[degree]
+        logic = now + nodes[1, degree]
         cells = [alu_bits, reads, degree, grouped(logic)] + [grouped(logic + n * CELL[reads]) for n in MEMORY_BITS]
         expect("| " + " | ".join(map(str, cells)) + " |", page, PAGE, what)
     for line in wrong:
@@ -196,7 +220,7 @@ def main():
         return check()
     pixels = {(alu, reads, degree): pixel(alu, reads, degree, options.liberty)
               for degree in (1, 2) for alu in ALU_BITS for reads in READS}
-    nodes = {1: synthesised("area_node", {}, options.liberty), 2: node_of_degree_2(options.liberty)}
+    nodes = {(bits, degree): node(bits, degree, options.liberty) for degree in (1, 2) for bits in NODE_BITS}
     whole_or = synthesised("global_or", {"LINES": 4096, "FAN_IN": 64}, options.liberty)
     wired_or = [f"{value / 4096:.2f}" if value is not None else area_on_page("global OR, 64 inputs a gate, 1/4,096 of it")
                 for value in whole_or.values()]

@@ -115,28 +115,53 @@ void PlainArray::select(std::uint32_t width, std::uint32_t height) {
   }
 }
 
+/// Of the trees' bits, where a step takes any, those from `first` on go one each to the function, to what is done
+/// beyond the field, and to what is done with the sign.
+void PlainArray::carry_out(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel) {
+  const auto work = [&](AluFunction function, bool constant, bool x, bool y, bool latch,
+                        std::vector<bool>::size_type to) {
+    PixelState state{.x = x,
+                     .y = y,
+                     .present = pixel.present,
+                     .enable = pixel.enable,
+                     .carry = pixel.carry,
+                     .latch = latch,
+                     .flag = pixel.flag};
+    const bool writes = array::info(function).writes;
+    if (writes) state.memory = pixel.memory[to];
+    state = after(function, constant, state);
+    pixel.enable = state.enable;
+    pixel.carry = state.carry;
+    pixel.flag = state.flag;
+    if (writes) pixel.memory[to] = state.memory;
+    return state.latch;
+  };
+  const auto leaf = [&](unsigned bit) { return (leaves >> (step.first + bit) & 1U) != 0; };
+  for (unsigned bit = 0; bit < step.bits; ++bit) {
+    const AluFunction function = array::function_of_bit(step, bit);
+    const array::AluInfo& row = array::info(function);
+    bool x = false;
+    if (row.reads_x && step.source == array::OperandSource::tree) x = leaf(bit);
+    if (row.reads_x && step.source == array::OperandSource::latch) x = pixel.latch[bit];
+    if (row.reads_x && step.source == array::OperandSource::memory) x = pixel.memory[step.x + bit];
+    const bool y = row.reads_y && pixel.memory[step.y + bit];
+    pixel.latch[bit] = work(function, (step.constant >> bit & 1U) != 0, x, y, pixel.latch[bit], step.write + bit);
+  }
+  for (unsigned bit = step.bits; bit < step.bits + step.beyond_bits; ++bit)
+    work(step.beyond, false, leaf(bit), false, false, 0);
+  if (step.sign != AluFunction::idle) work(step.sign, false, leaf(step.bits + step.beyond_bits), false, false, 0);
+}
+
 void PlainArray::step(const array::ArrayStep& step, const array::StreamBit& tree) {
   for (std::size_t i = 0; i < pixels_.size(); ++i) {
-    Pixel& pixel = pixels_[i];
-    const bool leaf =
-        tree.at({static_cast<std::uint32_t>(i % shape_.width), static_cast<std::uint32_t>(i / shape_.width)});
-    for (unsigned bit = 0; bit < step.bits; ++bit) {
-      const AluFunction function = array::function_of_bit(step, bit);
-      const array::AluInfo& row = array::info(function);
-      PixelState state{.present = pixel.present, .enable = pixel.enable, .carry = pixel.carry, .flag = pixel.flag};
-      if (row.reads_x && step.source == array::OperandSource::tree) state.x = leaf;
-      if (row.reads_x && step.source == array::OperandSource::latch) state.x = pixel.latch[bit];
-      if (row.reads_x && step.source == array::OperandSource::memory) state.x = pixel.memory[step.x + bit];
-      if (row.reads_y) state.y = pixel.memory[step.y + bit];
-      if (row.writes) state.memory = pixel.memory[step.write + bit];
-      state.latch = pixel.latch[bit];
-      state = after(function, (step.constant >> bit & 1U) != 0, state);
-      pixel.enable = state.enable;
-      pixel.carry = state.carry;
-      pixel.flag = state.flag;
-      pixel.latch[bit] = state.latch;
-      if (row.writes) pixel.memory[step.write + bit] = state.memory;
+    const array::Place place{static_cast<std::uint32_t>(i % shape_.width),
+                             static_cast<std::uint32_t>(i / shape_.width)};
+    std::uint32_t leaves = 0;
+    for (unsigned bit = 0; bit < tree.token.bits && tree.token.active(); ++bit) {
+      const auto number = static_cast<unsigned>(tree.token.bit) + bit;
+      leaves |= static_cast<std::uint32_t>(array::value_at(tree, place.x, place.y) >> number & 1U) << bit;
     }
+    carry_out(step, leaves, pixels_[i]);
   }
 }
 

@@ -50,6 +50,8 @@ class PlainArray {
   void step(const array::ArrayStep& step, const array::StreamBit& tree);
 
  private:
+  static void carry_out(const array::ArrayStep& step, std::uint32_t leaves, Pixel& pixel);
+
   array::PlaneShape shape_;
   std::vector<Pixel> pixels_;
 };

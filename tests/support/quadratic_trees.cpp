@@ -4,7 +4,10 @@ namespace csgsim::test {
 
 namespace {
 
-NodeStreams root_streams(const RootBits& root) { return {.value = root.c, .slope = root.a, .row_slope = root.b}; }
+/// Of trees that take a bit in a clock.
+NodeStreams root_streams(const RootBits& root) {
+  return {.value = root.c != 0, .slope = root.a != 0, .row_slope = root.b != 0};
+}
 
 }  // namespace
 
@@ -72,8 +75,8 @@ NodeStreams QuadraticWay::row_streams(const RootBits& root) const {
 /// The Y tree first: it takes what the X tree has put out before.
 void QuadraticWay::clock(const RootBits& root) {
   const Token between = columns_.tokens.leaves(root.token);
-  rows_.clock(between, row_streams(root), {yy_, TappedWire(), root.yy, false, columns_.tokens.levels()});
-  columns_.clock(root.token, root_streams(root), {xx_, xy_, root.xx, root.xy, 0});
+  rows_.clock(between, row_streams(root), {yy_, TappedWire(), root.yy != 0, false, columns_.tokens.levels()});
+  columns_.clock(root.token, root_streams(root), {xx_, xy_, root.xx != 0, root.xy != 0, 0});
   xx_.shift(root.xx);
   xy_.shift(root.xy);
   yy_.shift(root.yy);

@@ -88,11 +88,15 @@ struct Case {
 const std::vector<Case> cases{
     {"pixel-powers", "frame_buffer", {"root.xx", "root.xy", "root.yy", "pixel_12_8.flag"}},
     {"pixel-planes-4+evaluator.degree=2+memory.reads=2+alu.bits=4", "frame_buffer", {"root.xx", "pixel_12_8.flag"}},
+    {"pixel-powers+alu.bits=8+evaluator.bits=7",
+     "frame_buffer",
+     {"root.xx", "root.bits", "pixels.first", "pixel_12_8.flag"}},
     {"scan-line+evaluator.degree=2", "scan_line", {"entry.aa", "pixel_12_8.aa"}},
     {"pixel-square+evaluator.degree=2+divider.kind=host",
      "pixel_square",
      {"renderer_0.root.xx", "renderer_0.root.yy", "pixel_12_8.flag"}},
     {"pixel-planes-5", "pixel_square", {"renderer_0.root.xy", "pixel_12_8.flag"}},
+    {"pixel-planes-5+alu.bits=4+evaluator.bits=4", "pixel_square", {"renderer_0.root.xy", "renderer_0.root.bits"}},
 };
 
 void hold(const Case& one) {

@@ -86,6 +86,7 @@ std::size_t hold_against_engine(const Case& one, const std::string& top) {
 const std::vector<Case> frame_buffers{
     {"pixel-planes-4", "--size 24x16", {{12, 8}, {3, 2}}, "200:2400"},
     {"pixel-planes-4+memory.reads=2+alu.bits=4", "--size 20x20", {{10, 11}}, "0:1500"},
+    {"pixel-planes-4+alu.bits=8+evaluator.bits=3", "--size 20x20", {{10, 11}}, "0:1500"},
 };
 
 TEST_CASE("a wave of a frame buffer shows what the reference has, at every clock") {
@@ -129,44 +130,54 @@ TEST_CASE("the instruction at the pixels is the one whose clocks they are, with 
 }
 
 TEST_CASE("what the probed pixels do alone is what they do in the whole machine") {
-  const Case one{"pixel-planes-4", "--size 70x40", {{35, 20}, {64, 3}}, ""};
-  const Folder folder;
-  compiled(one, folder / "p.csgt");
   const std::string tree = " --probe tree.x:3 --probe tree.x:7 --probe tree.y:0 --probe tree.y:6";
-  for (const std::string window :
-       {"--window 0:90", "--window primitive:2", "--window purpose:merge", "--at owner", "--window 6000:12000"}) {
-    CAPTURE(window);
-    const std::string words = "wave " + (folder / "p.csgt") + " --pixel 35,20 --pixel 64,3 " + window + tree + " -o ";
-    REQUIRE(run(words + (folder / "probed.vcd")).code == 0);
-    REQUIRE(run(words + (folder / "whole.vcd") + " --whole").code == 0);
-    CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
-    CHECK(content(folder / "probed.vcd").size() > 3000);
-    CHECK_NOTHROW(Vcd(content(folder / "probed.vcd")));
+  for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=16+evaluator.bits=5"}) {
+    CAPTURE(machine);
+    const Case one{machine, "--size 70x40", {{35, 20}, {64, 3}}, ""};
+    const Folder folder;
+    compiled(one, folder / "p.csgt");
+    for (const std::string window :
+         {"--window 0:90", "--window primitive:2", "--window purpose:merge", "--at owner", "--window 2000:6000"}) {
+      CAPTURE(window);
+      const std::string words = "wave " + (folder / "p.csgt") + " --machine " + machine +
+                                " --pixel 35,20 --pixel 64,3 " + window + tree + " -o ";
+      REQUIRE(run(words + (folder / "probed.vcd")).code == 0);
+      REQUIRE(run(words + (folder / "whole.vcd") + " --whole").code == 0);
+      CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
+      CHECK(content(folder / "probed.vcd").size() > 3000);
+      CHECK_NOTHROW(Vcd(content(folder / "probed.vcd")));
+    }
   }
 }
 
 TEST_CASE("the wave of stepped trees, which levels of trees ask for, is that of trees that are worked out") {
-  const Case one{"pixel-planes-4", "--size 37x21", {{35, 20}, {35, 3}}, ""};
-  const Folder folder;
-  compiled(one, folder / "p.csgt");
   const std::string tree = " --probe tree.x:0 --probe tree.x:4 --probe tree.x:6 --probe tree.y:2 --probe tree.y:5";
-  for (const std::string more : {"--window 0:90", "--window purpose:merge", "--at owner --whole"}) {
-    CAPTURE(more);
-    const std::string words = "wave " + (folder / "p.csgt") + " --pixel 35,20 --pixel 35,3 " + more + tree;
-    REQUIRE(run(words + " -o " + (folder / "stepped.vcd")).code == 0);
-    REQUIRE(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")).code == 0);
-    REQUIRE(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")).code == 0);
-    CHECK(content(folder / "stepped.vcd") == content(folder / "worked_out.vcd"));
-    CHECK(content(folder / "asked.vcd") == content(folder / "worked_out.vcd"));
+  for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=4+evaluator.bits=4"}) {
+    CAPTURE(machine);
+    const Case one{machine, "--size 37x21", {{35, 20}, {35, 3}}, ""};
+    const Folder folder;
+    compiled(one, folder / "p.csgt");
+    for (const std::string more : {"--window 0:90", "--window purpose:merge", "--at owner --whole"}) {
+      CAPTURE(more);
+      const std::string words =
+          "wave " + (folder / "p.csgt") + " --machine " + machine + " --pixel 35,20 --pixel 35,3 " + more + tree;
+      REQUIRE(run(words + " -o " + (folder / "stepped.vcd")).code == 0);
+      REQUIRE(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")).code == 0);
+      REQUIRE(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")).code == 0);
+      CHECK(content(folder / "stepped.vcd") == content(folder / "worked_out.vcd"));
+      CHECK(content(folder / "asked.vcd") == content(folder / "worked_out.vcd"));
+    }
   }
 }
 
 /// 2^bits - 1.
 std::int64_t mask(unsigned bits) { return (std::int64_t{1} << bits) - 1; }
 
-TEST_CASE("level by level the trees form A x + C and then A x + B y + C") {
+/// Of trees that bring so many bits in a clock.
+void hold_levels(const std::string& machine_name, unsigned tree_bits, std::uint64_t clocks) {
+  CAPTURE(machine_name);
   const Folder folder;
-  const Case one{"pixel-planes-4", "--size 16x8", {{11, 5}}, "0:4000"};
+  const Case one{machine_name, "--size 16x8", {{11, 5}}, fmt::format("0:{}", clocks + 100)};
   const isa::Program program = compiled(one, folder / "p.csgt");
   const std::string tree = " --probe tree.x:0 --probe tree.x:2 --probe tree.x:4 --probe tree.y:3";
   const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd", tree);
@@ -178,7 +189,7 @@ TEST_CASE("level by level the trees form A x + C and then A x + B y + C") {
     std::uint64_t delay;  ///< clocks from the root
   };
   std::size_t streams = 0;
-  machines::Machine machine = kinds::load("pixel-planes-4");
+  machines::Machine machine = kinds::load(machine_name);
   machines::adopt(machine, program);
   const EngineState state(program, machine, 11, 5);
   for (const Level& level : {Level{"tree_x_0", 0, 0, 0}, Level{"tree_x_2", 8, 0, 2}, Level{"tree_x_4", 11, 0, 4},
@@ -186,7 +197,7 @@ TEST_CASE("level by level the trees form A x + C and then A x + B y + C") {
     const std::string name = "frame_buffer.pixel_11_5." + level.name;
     CAPTURE(name);
     std::int64_t gathered = 0;
-    for (std::uint64_t clock = 0; clock < 3900; ++clock) {
+    for (std::uint64_t clock = 0; clock < clocks; ++clock) {
       const std::uint64_t middle = (clock + 1) * 100'000 + 50'000;
       const auto bit = vcd.number_at(name + "_bit", middle);
       if (!bit) continue;
@@ -195,13 +206,19 @@ TEST_CASE("level by level the trees form A x + C and then A x + B y + C") {
       const auto number = state.instruction_at(clock + 7 - level.delay);  // when that bit is at the pixels
       if (!number) continue;
       const isa::Linear& linear = program.segments.front().instructions[*number].linear;
-      if (*bit + 1 != linear.width) continue;
+      if (*bit + tree_bits < linear.width) continue;
       const std::int64_t sum = linear.a * level.a + linear.b * level.b + linear.c;
       REQUIRE(gathered == (sum & mask(linear.width)));
       ++streams;
     }
   }
   CHECK(streams > 100);
+}
+
+TEST_CASE("level by level the trees form A x + C and then A x + B y + C, however many bits they bring in a clock") {
+  hold_levels("pixel-planes-4", 1, 3900);
+  hold_levels("pixel-planes-4+alu.bits=4+evaluator.bits=3", 3, 1900);
+  hold_levels("pixel-planes-4+alu.bits=32+evaluator.bits=32", 32, 700);
 }
 
 TEST_CASE("the wave of the last write of a field ends with the clock that shows what was written") {

@@ -118,6 +118,29 @@ const machines::FigureSchema* figure_of(const machines::Machine& machine, std::s
   return found == machine.kind->schema.end() ? nullptr : &*found;
 }
 
+/// The base with the last value of every figure but that one: what does not fit the base may fit these.
+ModelOptions with_others(const ModelOptions& base, std::span<const Dimension> dimensions, const Dimension& but) {
+  ModelOptions one = base;
+  for (const Dimension& dimension : dimensions) {
+    if (dimension.key != but.key && varied_option(dimension.key) == nullptr)
+      vary(one, dimension.key, dimension.values.back());
+  }
+  return one;
+}
+
+bool is_possible(const ModelOptions& base, const std::string& key, const std::string& value) {
+  try {
+    ModelOptions one = base;
+    vary(one, key, value);
+    static_cast<void>(machine_of(one));
+  } catch (const InputError&) {
+    return false;
+  } catch (const UsageError&) {
+    return false;
+  }
+  return true;
+}
+
 /// The design has that value, whatever the others are; what is wrong with it is wrong with --vary.
 ModelOptions varied_once(const ModelOptions& base, const std::string& key, const std::string& value) {
   ModelOptions one = base;
@@ -144,8 +167,8 @@ void check_keys(const machines::Machine& machine, std::span<const Dimension> dim
   }
 }
 
-/// Each value has to be possible by itself, and a figure's may not be what an option says otherwise: --size, or
-/// --memory-bits.
+/// Each value has to be possible by itself, or with the last values of the other figures, and a figure's may not be
+/// what an option says otherwise: --size, or --memory-bits.
 void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
   const machines::Machine machine = machine_of(base);
   check_keys(machine, dimensions);
@@ -159,7 +182,10 @@ void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
     const machines::FigureSchema* const figure = figure_of(machine, dimension.key);
     if (figure == nullptr) continue;
     for (const std::string& value : dimension.values) {
-      const ModelOptions one = varied_once(with_options, dimension.key, value);
+      const ModelOptions others = with_others(with_options, dimensions, dimension);
+      const bool fits_others =
+          !is_possible(with_options, dimension.key, value) && is_possible(others, dimension.key, value);
+      const ModelOptions one = varied_once(fits_others ? others : with_options, dimension.key, value);
       if (figure->load(machine_of(one)) != figure->load(kinds::load(one.machine)))
         throw UsageError("--vary", fmt::format("an option says otherwise than {}={}; leave out --size, --memory-bits",
                                                dimension.key, value));

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -107,8 +108,8 @@ void look(const Pair& pair) {
   for (std::uint32_t address = 0; address < memory_bits; ++address) look_at_memory(pair, address);
 }
 
-std::uint64_t up_to(std::uint64_t value, std::int16_t bit) {
-  return value & array::low_bits(static_cast<std::size_t>(bit) + 1);
+std::uint64_t up_to(std::uint64_t value, array::Token token) {
+  return value & array::low_bits(static_cast<std::size_t>(token.bit) + token.bits);
 }
 
 struct Squares {
@@ -134,11 +135,16 @@ void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer
   sequencer.begin(instruction);
   while (sequencer.busy()) {
     const array::BitStep step = sequencer.issue();
-    const std::int16_t bit = step.root.token.bit;
+    const array::Token token = step.root.token;
     // As the trees bring it: no coefficient has more bits than have come.
-    if (step.root.token.active())
-      pair.tree = {step.root.token,        up_to(a, bit),          up_to(b, bit),         up_to(c, bit),
-                   up_to(squares.xx, bit), up_to(squares.xy, bit), up_to(squares.yy, bit)};
+    if (token.active())
+      pair.tree = {token,
+                   up_to(a, token),
+                   up_to(b, token),
+                   up_to(c, token),
+                   up_to(squares.xx, token),
+                   up_to(squares.xy, token),
+                   up_to(squares.yy, token)};
     pair.step(step.pixels);
     if (looks_of_8 > 0 && *rc::gen::inRange(0, 8) < looks_of_8) look(pair);
   }
@@ -146,7 +152,7 @@ void carry_out(Pair& pair, const isa::Instruction& instruction, array::Sequencer
 
 /// A step that no instruction has, perhaps.
 ArrayStep any_step(unsigned alu_bits) {
-  const auto bits = *rc::gen::inRange(1U, alu_bits + 1);
+  const auto bits = *rc::gen::inRange(1U, std::min(alu_bits, 8U) + 1);
   const auto address = rc::gen::inRange<std::uint16_t>(0, memory_bits - 8);
   return {.function = static_cast<array::AluFunction>(*rc::gen::inRange<std::size_t>(0, std::size(array::alu_table))),
           .source = *rc::gen::element(array::OperandSource::latch, array::OperandSource::memory),
@@ -192,8 +198,9 @@ void check(array::PlaneShape shape) {
   CAPTURE(shape.width);
   CAPTURE(shape.height);
   CHECK(rc::check([shape] {
-    const auto alu_bits = *rc::gen::element(1U, 1U, 3U);
-    array::Sequencer sequencer(*rc::gen::inRange(1U, 3U), alu_bits);
+    const auto alu_bits = *rc::gen::element(1U, 1U, 3U, 8U, 32U);
+    const auto tree_bits = *rc::gen::inRange(1U, alu_bits + 1);
+    array::Sequencer sequencer(*rc::gen::inRange(1U, 3U), alu_bits, tree_bits);
     Pair pair(shape, alu_bits);
     const int acts = *rc::gen::inRange(5, 60);
     for (int i = 0; i < acts; ++i) act(pair, sequencer);

@@ -124,9 +124,10 @@ TEST_CASE("pixels replayed alone have the reference's memory and enable, whateve
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 12U), *rc::gen::inRange(1U, 12U), bits};
     const std::vector<Place> places = any_places({shape.width, shape.height});
     const auto reads = *rc::gen::inRange(1U, 3U);
-    const auto alu = *rc::gen::inRange(1U, 5U);
+    const auto alu = *rc::gen::inRange(1U, 9U);
+    const auto trees = *rc::gen::inRange(1U, alu + 1);
     const isa::Region region{0, 0, *rc::gen::inRange(1U, shape.width + 1), *rc::gen::inRange(1U, shape.height + 1)};
-    array::PixelReplay replay(places, bits, array::Sequencer(reads, alu), alu);
+    array::PixelReplay replay(places, bits, array::Sequencer(reads, alu, trees), alu);
     array::PixelReplay quick = replay;
     replay.begin(region);
     quick.begin(region);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hw/array/sequencer.h"
@@ -16,31 +15,69 @@
 namespace {
 
 using csgsim::array::AluFunction;
+using csgsim::array::ArrayStep;
 using csgsim::array::BitStep;
+using csgsim::array::RootBits;
 using csgsim::array::Sequencer;
 namespace isa = csgsim::isa;
 
-csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bits) {
+csgsim::machines::Machine machine_with(std::uint32_t reads, std::uint32_t alu_bits, std::uint32_t tree_bits) {
   csgsim::machines::Machine machine = csgsim::machines::blank(csgsim::pixel_planes::kind);
   machine.array = {1, 1, 64};  // no latency: a question is one clock, as is its step
   machine.memory_reads = reads;
   machine.alu_bits = alu_bits;
+  machine.evaluator_bits = tree_bits;
   return machine;
 }
 
-/// Read ports of pixel memory and bits of the ALU.
-constexpr std::pair<std::uint32_t, std::uint32_t> hardware[] = {{1, 1}, {2, 1}, {1, 2}, {1, 3},  {1, 4},
-                                                                {2, 4}, {1, 8}, {2, 8}, {1, 32}, {2, 32}};
+struct Hardware {
+  std::uint32_t reads;  ///< ports of pixel memory
+  std::uint32_t alu_bits;
+  std::uint32_t tree_bits;  ///< that the trees bring in a clock
+};
+constexpr Hardware hardware[] = {{1, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 3, 3},  {1, 4, 2},  {2, 4, 3},
+                                 {1, 8, 1}, {2, 8, 7}, {1, 8, 8}, {1, 32, 5}, {2, 32, 32}};
+
+/// What is done with a bit of a stream.
+struct BitWork {
+  int bit = 0;  ///< of the stream
+  AluFunction function = AluFunction::idle;
+  unsigned y = 0;  ///< addresses
+  unsigned write = 0;
+
+  bool operator==(const BitWork&) const = default;
+};
+
+/// With each bit with which something is done.
+std::vector<BitWork> bits_of(Sequencer sequencer, const isa::Instruction& instruction) {
+  std::vector<BitWork> all;
+  sequencer.begin(instruction);
+  while (sequencer.busy()) {
+    const BitStep step = sequencer.issue();
+    const ArrayStep& pixels = step.pixels;
+    RC_ASSERT(pixels.function == AluFunction::idle ||
+              pixels.first + worked_bits(pixels) <= unsigned{step.root.token.bits});
+    for (unsigned bit = 0; bit < worked_bits(pixels); ++bit) {
+      const AluFunction function = function_of_bit(pixels, bit);
+      if (function == AluFunction::idle) continue;
+      const bool reads = info(function).reads_y;
+      const bool writes = info(function).writes;
+      all.push_back({step.root.token.bit + pixels.first + static_cast<int>(bit), function, reads ? pixels.y + bit : 0,
+                     writes ? pixels.write + bit : 0});
+    }
+  }
+  return all;
+}
 
 isa::Instruction some_instruction() { return *csgsim::test::arbitrary_instruction({8, 8, 64}, 64, 1); }
 
 }  // namespace
 
 TEST_CASE("an instruction has as many bit steps as the table has clocks, and only the last says so") {
-  for (const auto& [reads, alu_bits] : hardware) {
-    CHECK(rc::check([reads = reads, alu_bits = alu_bits] {
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
+    CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
       const isa::Instruction instruction = some_instruction();
-      Sequencer sequencer(reads, alu_bits);
+      Sequencer sequencer(reads, alu_bits, tree_bits);
       sequencer.begin(instruction);
       std::uint64_t steps = 0;
       while (sequencer.busy()) {
@@ -48,15 +85,15 @@ TEST_CASE("an instruction has as many bit steps as the table has clocks, and onl
         const bool last = sequencer.issue().last;
         RC_ASSERT(last == !sequencer.busy());
       }
-      RC_ASSERT(steps == csgsim::machines::clocks(instruction, machine_with(reads, alu_bits)));
+      RC_ASSERT(steps == csgsim::machines::clocks(instruction, machine_with(reads, alu_bits, tree_bits)));
     }));
   }
 }
 
 TEST_CASE("no step reads pixel memory more often than it has ports") {
-  for (const auto& [reads, alu_bits] : hardware) {
-    CHECK(rc::check([reads = reads, alu_bits = alu_bits] {
-      Sequencer sequencer(reads, alu_bits);
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
+    CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
+      Sequencer sequencer(reads, alu_bits, tree_bits);
       sequencer.begin(some_instruction());
       while (sequencer.busy()) RC_ASSERT(memory_reads(sequencer.issue().pixels) <= reads);
     }));
@@ -64,7 +101,7 @@ TEST_CASE("no step reads pixel memory more often than it has ports") {
 }
 
 TEST_CASE("coefficients are sent LSB first in two's complement, with the bit's number") {
-  Sequencer sequencer(1, 1);
+  Sequencer sequencer(1, 1, 1);
   sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
   for (unsigned j = 0; j < 4; ++j) {
     const BitStep step = sequencer.issue();
@@ -77,8 +114,62 @@ TEST_CASE("coefficients are sent LSB first in two's complement, with the bit's n
   CHECK_FALSE(sequencer.busy());
 }
 
+TEST_CASE("wide trees are sent several bits in a clock, and what is left of the stream in its last") {
+  Sequencer sequencer(1, 8, 3);
+  // -2 is 1110 in four bits, 5 is 0101 and 1 is 0001.
+  sequencer.begin({.opcode = isa::Opcode::edge_negative, .linear = {.a = -2, .b = 5, .c = 1, .width = 4}});
+  const BitStep first = sequencer.issue();
+  CHECK(first.root == RootBits{.token = {.bit = 0, .bits = 3}, .a = 0b110, .b = 0b101, .c = 0b001});
+  CHECK(first.pixels == ArrayStep{});
+  const BitStep second = sequencer.issue();
+  CHECK(second.root == RootBits{.token = {.bit = 3, .bits = 1}, .a = 1, .b = 0, .c = 0});
+  CHECK(second.pixels == ArrayStep{.function = AluFunction::enable_and});
+  CHECK(second.last);
+}
+
+TEST_CASE("what of fraction, field, beyond and sign comes in a clock is dealt with in that clock") {
+  // Bits 0 to 2 of F are its fraction, 3 to 6 meet the field, 7 to 10 are beyond it, 11 is the sign.
+  const isa::Instruction instruction{
+      .opcode = isa::Opcode::linear_ge, .fields = {isa::Field{20, 4}}, .linear = {1, 1, 1, 12, 3}};
+  using enum AluFunction;
+  const auto steps = [&](std::uint32_t tree_bits) {
+    Sequencer sequencer(1, 32, tree_bits);
+    sequencer.begin(instruction);
+    std::vector<ArrayStep> all;
+    while (sequencer.busy()) all.push_back(sequencer.issue().pixels);
+    return all;
+  };
+  CHECK(steps(5) ==
+        std::vector<ArrayStep>{{.function = compare_from_1, .y = 20, .bits = 2, .first = 3},
+                               {.function = compare, .y = 22, .bits = 2, .beyond_bits = 3, .beyond = compare_with_0},
+                               {.function = compare_with_0, .bits = 1, .sign = sign_enable}});
+  CHECK(steps(3) == std::vector<ArrayStep>{{},
+                                           {.function = compare_from_1, .y = 20, .bits = 3},
+                                           {.function = compare, .y = 23, .beyond_bits = 2, .beyond = compare_with_0},
+                                           {.function = compare_with_0, .bits = 2, .sign = sign_enable}});
+  for (const std::uint32_t all : {12U, 13U, 32U})
+    CHECK(steps(all) == std::vector<ArrayStep>{{.function = compare_from_1,
+                                                .y = 20,
+                                                .bits = 4,
+                                                .first = 3,
+                                                .beyond_bits = 4,
+                                                .beyond = compare_with_0,
+                                                .sign = sign_enable}});
+}
+
+TEST_CASE("whatever the trees bring in a clock, each bit of F is given to the same function, with the same memory") {
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
+    CHECK(rc::check([reads = reads, alu_bits = alu_bits, tree_bits = tree_bits] {
+      const isa::Instruction instruction = some_instruction();
+      RC_PRE(isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear));
+      RC_ASSERT(bits_of(Sequencer(reads, alu_bits, tree_bits), instruction) ==
+                bits_of(Sequencer(reads, 1, 1), instruction));
+    }));
+  }
+}
+
 TEST_CASE("with one read port the first source is latched a clock before the second is read") {
-  Sequencer sequencer(1, 1);
+  Sequencer sequencer(1, 1, 1);
   sequencer.begin({.opcode = isa::Opcode::bit_and, .fields = {isa::Field{3, 1}, isa::Field{4, 1}, isa::Field{5, 1}}});
   const BitStep first = sequencer.issue();
   CHECK(first.pixels.function == AluFunction::latch_x);
@@ -92,8 +183,9 @@ TEST_CASE("with one read port the first source is latched a clock before the sec
 }
 
 TEST_CASE("every opcode with fields of every width takes the clocks of the table, whatever the ALU's width") {
-  for (const auto& [reads, bits] : hardware) {
-    const std::uint32_t alu_bits = bits;  // a name of its own, which CAPTURE needs
+  for (const auto& [reads, bits, brought] : hardware) {
+    const std::uint32_t alu_bits = bits;  // names of their own, which CAPTURE needs
+    const std::uint32_t tree_bits = brought;
     for (const isa::OpcodeInfo& row : isa::opcode_table) {
       for (std::uint16_t width = 1; width <= isa::max_field_width; ++width) {
         isa::Instruction instruction{.opcode = row.opcode};
@@ -108,14 +200,15 @@ TEST_CASE("every opcode with fields of every width takes the clocks of the table
         if (isa::has_operand(row.operands, isa::OperandKind::linear)) {
           instruction.linear = {1, 1, 1, static_cast<std::uint16_t>(width + 3), 2};
         }
-        Sequencer sequencer(reads, alu_bits);
+        Sequencer sequencer(reads, alu_bits, tree_bits);
         sequencer.begin(instruction);
         std::uint64_t steps = 0;
         for (; sequencer.busy(); ++steps) sequencer.issue();
         CAPTURE(std::string(row.name));
         CAPTURE(width);
         CAPTURE(alu_bits);
-        CHECK(steps == csgsim::machines::clocks(instruction, machine_with(reads, alu_bits)));
+        CAPTURE(tree_bits);
+        CHECK(steps == csgsim::machines::clocks(instruction, machine_with(reads, alu_bits, tree_bits)));
       }
     }
   }
@@ -123,9 +216,9 @@ TEST_CASE("every opcode with fields of every width takes the clocks of the table
 
 TEST_CASE(
     "a root of w bits takes w*w + 2w clocks, or with two reads a clock (w*w + 5w) / 2, whatever the ALU's width") {
-  for (const auto& [reads, alu_bits] : hardware) {
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     for (std::uint16_t bits = 1; bits <= 30; ++bits) {
-      Sequencer sequencer(reads, alu_bits);
+      Sequencer sequencer(reads, alu_bits, tree_bits);
       sequencer.begin(
           {.opcode = isa::Opcode::root, .fields = {isa::Field{2, static_cast<std::uint16_t>(2 * bits + 1)}}});
       unsigned clocks = 0;
@@ -144,7 +237,7 @@ TEST_CASE(
 }
 
 TEST_CASE("squares take a clock in which the pixels rest, and their coefficients come with the next stream alone") {
-  Sequencer sequencer(1, 1);
+  Sequencer sequencer(1, 1, 1);
   sequencer.begin({.opcode = isa::Opcode::squares, .linear = {.a = 1, .b = -2, .c = 4, .width = 4}});
   const BitStep rest = sequencer.issue();
   CHECK(rest.last);
@@ -168,10 +261,10 @@ TEST_CASE("squares take a clock in which the pixels rest, and their coefficients
 }
 
 TEST_CASE("the steps of a constant write each bit of the field once, in order, with its bit of the constant") {
-  for (const auto& [reads, alu_bits] : hardware) {
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
     constexpr std::uint64_t constant = 0xb3a5;
     for (const isa::Opcode opcode : {isa::Opcode::set_constant, isa::Opcode::xor_constant}) {
-      Sequencer sequencer(reads, alu_bits);
+      Sequencer sequencer(reads, alu_bits, tree_bits);
       sequencer.begin({.opcode = opcode, .fields = {isa::Field{7, 17}}, .constant = constant});
       std::uint64_t written = 0;
       unsigned next = 7;
@@ -189,8 +282,8 @@ TEST_CASE("the steps of a constant write each bit of the field once, in order, w
 }
 
 TEST_CASE("a comparison begins its carry at the first bit, ripples it, and decides at the last") {
-  for (const auto& [reads, alu_bits] : hardware) {
-    Sequencer sequencer(reads, alu_bits);
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
+    Sequencer sequencer(reads, alu_bits, tree_bits);
     sequencer.begin({.opcode = isa::Opcode::field_lt, .fields = {isa::Field{0, 9}, isa::Field{9, 9}}});
     std::vector<AluFunction> functions;
     while (sequencer.busy()) {
@@ -206,8 +299,8 @@ TEST_CASE("a comparison begins its carry at the first bit, ripples it, and decid
 }
 
 TEST_CASE("the steps of a sum ripple its carry through the target, and read the source only where that has bits") {
-  for (const auto& [reads, alu_bits] : hardware) {
-    Sequencer sequencer(reads, alu_bits);
+  for (const auto& [reads, alu_bits, tree_bits] : hardware) {
+    Sequencer sequencer(reads, alu_bits, tree_bits);
     sequencer.begin({.opcode = isa::Opcode::add, .fields = {isa::Field{3, 9}, isa::Field{59, 5}}});
     std::vector<AluFunction> functions;
     unsigned next = 59;  // bit of the source, the last of the memory is 63

@@ -25,11 +25,17 @@ using array::RootBits;
 
 constexpr std::uint16_t widest = isa::max_linear_width;
 
+/// What trees are built for.
+struct Form {
+  unsigned degree = 1;
+  unsigned bits = 1;
+};
+
 /// Streams of those widths, their bits at random, one after the other or with clocks between.
 class Streams {
  public:
-  Streams(const std::vector<std::uint16_t>& widths, unsigned degree, std::uint64_t seed)
-      : widths_(widths.begin(), widths.end()), degree_(degree), random_(seed) {}
+  Streams(const std::vector<std::uint16_t>& widths, Form form, std::uint64_t seed)
+      : widths_(widths.begin(), widths.end()), form_(form), random_(seed) {}
 
   [[nodiscard]] bool over() const { return left_ == 0 && widths_.empty(); }
 
@@ -40,18 +46,20 @@ class Streams {
       left_ = widths_.front();
       widths_.pop_front();
       bit_ = 0;
-      squares_ = degree_ > 1 && random_() % 3 > 0;
+      squares_ = form_.degree > 1 && random_() % 3 > 0;
     }
-    --left_;
-    const std::uint64_t random = random_();
-    const auto is_set = [&](unsigned i) { return (random >> i & 1U) != 0; };
-    return {
-        {bit_++}, is_set(0), is_set(1), is_set(2), squares_ && is_set(3), squares_ && is_set(4), squares_ && is_set(5)};
+    const auto bits = static_cast<std::uint16_t>(std::min(left_, form_.bits));
+    const array::Token token{bit_, bits};
+    left_ -= bits;
+    bit_ = static_cast<std::int16_t>(bit_ + bits);
+    const auto any = [&] { return static_cast<std::uint32_t>(random_() & array::low_bits(bits)); };
+    const auto any_square = [&] { return squares_ ? any() : 0; };
+    return {token, any(), any(), any(), any_square(), any_square(), any_square()};
   }
 
  private:
   std::deque<std::uint16_t> widths_;
-  unsigned degree_;
+  Form form_;
   std::mt19937_64 random_;
   unsigned left_ = 0;
   bool squares_ = false;
@@ -67,11 +75,21 @@ bool same(const LevelProbe& stepped, const LevelProbe& worked_out, unsigned degr
                         stepped.row_slope_carry == worked_out.row_slope_carry);
 }
 
+/// The token's bits at a pixel, of planes one after the other.
+std::uint32_t leaves_at(const array::Words& planes, PlaneShape shape, Place place, array::Token token) {
+  std::uint32_t bits = 0;
+  for (std::size_t bit = 0; bit < token.bits; ++bit) {
+    const std::span<const std::uint64_t> plane(&planes[bit * shape.padded_words()], shape.padded_words());
+    bits |= static_cast<std::uint32_t>(array::bit_of(plane, shape, place.x, place.y)) << bit;
+  }
+  return bits;
+}
+
 /// Whether both have the same until the last bit has reached the pixels. `pixels`: those that are built; none: all.
-bool agree(PlaneShape shape, unsigned degree, const std::vector<Place>& pixels, const std::vector<Place>& probed,
+bool agree(PlaneShape shape, Form form, const std::vector<Place>& pixels, const std::vector<Place>& probed,
            Streams streams) {
   array::LinearEvaluator worked_out(shape);
-  array::SteppedEvaluator stepped(shape, degree, pixels);
+  array::SteppedEvaluator stepped(shape, form.degree, form.bits, pixels);
   array::Words bits(stepped.leaf_words());
   array::StreamBit expected;
   const PlaneShape built = pixels.empty() ? shape : PlaneShape{static_cast<std::uint32_t>(pixels.size()), 1};
@@ -80,9 +98,9 @@ bool agree(PlaneShape shape, unsigned degree, const std::vector<Place>& pixels, 
     const RootBits root = streams.next();
     for (const Place place : probed) {
       for (unsigned k = 0; k <= worked_out.x_levels(); ++k)
-        same_so_far &= same(stepped.x_level(k, place.x, root), worked_out.x_level(k, place.x, root), degree);
+        same_so_far &= same(stepped.x_level(k, place.x, root), worked_out.x_level(k, place.x, root), form.degree);
       for (unsigned k = 0; k <= worked_out.y_levels(); ++k)
-        same_so_far &= same(stepped.y_level(k, place, root), worked_out.y_level(k, place, root), degree);
+        same_so_far &= same(stepped.y_level(k, place, root), worked_out.y_level(k, place, root), form.degree);
     }
     const bool reached = worked_out.clock(root, expected);
     const array::Token token = stepped.clock(root, bits);
@@ -91,10 +109,18 @@ bool agree(PlaneShape shape, unsigned degree, const std::vector<Place>& pixels, 
     same_so_far &= token == expected.token;
     for (std::uint32_t y = 0; y < built.height; ++y) {
       for (std::uint32_t x = 0; x < built.width; ++x)
-        same_so_far &= array::bit_of(bits, built, x, y) == expected.at(pixels.empty() ? Place{x, y} : pixels[x]);
+        same_so_far &= leaves_at(bits, built, {x, y}, token) == expected.at(pixels.empty() ? Place{x, y} : pixels[x]);
     }
   }
   return same_so_far;
+}
+
+/// Bits of a pixel into planes one after the other.
+void put_leaves(std::uint32_t leaves, PlaneShape shape, Place place, array::Words& planes) {
+  for (std::size_t first = shape.word_of(place.x, place.y); first < planes.size(); first += shape.padded_words()) {
+    planes[first] |= std::uint64_t{leaves & 1U} << (place.x % array::word_bits);
+    leaves >>= 1U;
+  }
 }
 
 std::vector<Place> any_places(PlaneShape shape, std::size_t most) {
@@ -109,6 +135,11 @@ std::vector<std::uint16_t> any_widths(std::size_t count) {
   return widths;
 }
 
+/// As many bits in a clock as trees are built for, those of one bit as often as all others.
+Form any_form(unsigned degree) {
+  return {degree, *rc::gen::weightedOneOf<unsigned>({{1, rc::gen::just(1U)}, {3, rc::gen::inRange(2U, 33U)}})};
+}
+
 PlaneShape any_shape() { return {*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)}; }
 
 }  // namespace
@@ -118,8 +149,9 @@ TEST_CASE("stepped trees bring every pixel what is worked out, in the same clock
     CAPTURE(degree);
     CHECK(rc::check([degree] {
       const PlaneShape shape = any_shape();
-      RC_ASSERT(agree(shape, degree, {}, any_places(shape, 3),
-                      Streams(any_widths(3), degree, *rc::gen::arbitrary<std::uint64_t>())));
+      const Form form = any_form(degree);
+      RC_ASSERT(agree(shape, form, {}, any_places(shape, 3),
+                      Streams(any_widths(3), form, *rc::gen::arbitrary<std::uint64_t>())));
     }));
   }
 }
@@ -130,13 +162,16 @@ TEST_CASE("stepped trees of some pixels bring these, side by side, what they bri
     CHECK(rc::check([degree] {
       const PlaneShape shape = any_shape();
       const std::vector<Place> pixels = any_places(shape, 70);
-      RC_ASSERT(agree(shape, degree, pixels, {pixels.front(), pixels.back()},
-                      Streams(any_widths(3), degree, *rc::gen::arbitrary<std::uint64_t>())));
+      const Form form = any_form(degree);
+      RC_ASSERT(agree(shape, form, pixels, {pixels.front(), pixels.back()},
+                      Streams(any_widths(3), form, *rc::gen::arbitrary<std::uint64_t>())));
     }));
   }
 }
 
-TEST_CASE("streams of every width go through trees of every depth, with neither, one and both of them") {
+TEST_CASE(
+    "streams of every width go through trees of every depth and of every number of bits in a clock, with neither, one "
+    "and both of them") {
   std::vector<std::uint16_t> every(widest);
   std::iota(every.begin(), every.end(), std::uint16_t{1});
   for (const unsigned degree : {1U, 2U}) {
@@ -146,7 +181,11 @@ TEST_CASE("streams of every width go through trees of every depth, with neither,
       CAPTURE(shape.width);
       CAPTURE(shape.height);
       const Place last{shape.width - 1, shape.height - 1};
-      CHECK(agree(shape, degree, {}, {last}, Streams(every, degree, 1)));
+      for (unsigned bits = 1; bits <= 32; ++bits) {
+        CAPTURE(bits);
+        const Form form{degree, bits};
+        CHECK(agree(shape, form, {}, {last}, Streams(every, form, bits)));
+      }
     }
   }
 }
@@ -155,12 +194,13 @@ TEST_CASE("pixels that are brought bits do what those do that are brought coeffi
   CHECK(rc::check([] {
     constexpr std::uint32_t memory_bits = 40;
     const isa::ArrayShape shape{*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 30U), memory_bits};
-    const auto alu_bits = *rc::gen::inRange(1U, 4U);
+    const auto alu_bits = *rc::gen::inRange(1U, 6U);
+    const auto tree_bits = *rc::gen::inRange(1U, alu_bits + 1);
     const PlaneShape plane{shape.width, shape.height};
     array::PixelArray by_coefficients(shape, alu_bits);
     array::PixelArray by_bits(shape, alu_bits);
-    array::Sequencer sequencer(*rc::gen::inRange(1U, 3U), alu_bits);
-    array::Words bits(plane.padded_words());
+    array::Sequencer sequencer(*rc::gen::inRange(1U, 3U), alu_bits, tree_bits);
+    array::Words bits(tree_bits * plane.padded_words());
     array::StreamBit tree;
     for (int n = 0; n < 15; ++n) {
       const isa::Instruction one = *test::arbitrary_instruction(shape, memory_bits, 0);
@@ -174,8 +214,7 @@ TEST_CASE("pixels that are brought bits do what those do that are brought coeffi
                   .c = static_cast<std::uint64_t>(one.linear.c)};
           std::fill(bits.begin(), bits.end(), 0);
           for (std::uint32_t y = 0; y < shape.height; ++y) {
-            for (std::uint32_t x = 0; x < shape.width; ++x)
-              bits[plane.word_of(x, y)] |= std::uint64_t{tree.at({x, y})} << (x % array::word_bits);
+            for (std::uint32_t x = 0; x < shape.width; ++x) put_leaves(tree.at({x, y}), plane, {x, y}, bits);
           }
         }
         by_coefficients.step(step.pixels, tree);
@@ -204,7 +243,8 @@ TEST_CASE("trees as deep as those of the largest arrays are stepped alike") {
       const PlaneShape shape{*rc::gen::inRange(1000U, isa::max_array_side + 1),
                              *rc::gen::inRange(1000U, isa::max_array_side + 1)};
       const std::vector<Place> pixels = any_places(shape, 2);
-      RC_ASSERT(agree(shape, degree, pixels, pixels, Streams({widest}, degree, *rc::gen::arbitrary<std::uint64_t>())));
+      const Form form = any_form(degree);
+      RC_ASSERT(agree(shape, form, pixels, pixels, Streams({widest}, form, *rc::gen::arbitrary<std::uint64_t>())));
     }));
   }
 }

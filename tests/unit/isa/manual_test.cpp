@@ -21,7 +21,7 @@ TEST_CASE("the tables of the manual have a row an instruction, a number of clock
            "| 31 | `add` | target, source | s no wider than t | 42 | where E: t := the low bits of t + s; the carry "
            "out of the "
            "top bit is lost |\n",
-           "| twice the width of the linear expression: to compare, then to write | `keep_max` `keep_min` |\n",
+           "| twice as many: to compare, then to write | `keep_max` `keep_min` |\n",
            "| 1 + latency of the trees + levels of the global OR | `global_or` `skip_if_none` |\n",
            "| `classify` | a primitive of an active tree compared with Z1 |\n",
        }) {

@@ -120,6 +120,34 @@ TEST_CASE("squares take a clock, and what adds F to a field the width of the exp
   CHECK(linear_clocks(Opcode::linear_minus, {0, 20}, 40) == 40);
 }
 
+TEST_CASE("wider trees bring as many bits of an expression in a clock, the last of them too few to fill it or not") {
+  Instruction instruction;
+  instruction.fields[0] = {0, 20};
+  instruction.linear = {.a = 1, .b = -2, .c = 3, .width = 34, .shift = 12};
+  const auto with = [&](Opcode opcode, std::uint32_t tree_bits) {
+    instruction.opcode = opcode;
+    machines::Machine wide = machine(1);
+    wide.alu_bits = 32;
+    wide.evaluator_bits = tree_bits;
+    return machines::clocks(instruction, wide);
+  };
+  for (const Opcode opcode : {Opcode::edge_negative, Opcode::linear_ge, Opcode::load_linear, Opcode::linear_plus}) {
+    CHECK(with(opcode, 1) == 34);
+    CHECK(with(opcode, 2) == 17);
+    CHECK(with(opcode, 4) == 9);
+    CHECK(with(opcode, 17) == 2);
+    CHECK(with(opcode, 32) == 2);
+  }
+  // Each pass begins with a clock of its own.
+  CHECK(with(Opcode::keep_max, 4) == 18);
+  CHECK(with(Opcode::keep_min, 32) == 4);
+  // Neither the squares before a stream, nor roots, nor questions have to do with it.
+  CHECK(with(Opcode::squares, 32) == 1);
+  CHECK(with(Opcode::global_or, 32) == 1 + 18);
+  instruction.fields[0] = {0, 41};
+  CHECK(with(Opcode::root, 32) == 20 * 20 + 2 * 20);
+}
+
 TEST_CASE("a wider ALU works on as many bits of a field in a clock, the last of them too few to fill it or not") {
   Instruction instruction;
   instruction.fields = {Field{0, 20}, Field{20, 20}, Field{40, 20}};

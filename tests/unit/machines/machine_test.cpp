@@ -157,7 +157,7 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
   CHECK(keys ==
         "array.width array.height array.memory_bits clock.frequency alu.bits memory.reads memory.writes "
         "global_or.present global_or.fan_in scan_out.pixels scan_out.port scan_out.buffers evaluator.level_latency "
-        "evaluator.degree "
+        "evaluator.degree evaluator.bits "
         "memory.clear_clocks link.width link.word_clocks "
         "link.fifo_depth link.latency host.processor host.count ");
   CHECK(machine.figures[3].value == "10000000");
@@ -174,6 +174,26 @@ TEST_CASE("a machine file says how wide the ALU is") {
   CHECK(
       read_description(changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 16"), "my.toml", kinds::all()).alu_bits ==
       16);
+}
+
+TEST_CASE("a machine file says how many bits the trees bring in a clock, no more than the ALU takes") {
+  const std::string trees = "[evaluator.bits]\nvalue = ";
+  CHECK(read_description(changed(trees + "1", trees + "1"), "my.toml", kinds::all()).evaluator_bits == 1);
+  std::string wide = changed("[alu.bits]\nvalue = 1", "[alu.bits]\nvalue = 8");
+  wide.replace(wide.find(trees + "1"), trees.size() + 1, trees + "8");
+  CHECK(read_description(wide, "my.toml", kinds::all()).evaluator_bits == 8);
+  const std::string text = changed(trees + "1", trees + "2");
+  const auto line = 1 + std::ranges::count(text.substr(0, text.find(trees)), '\n');
+  CHECK(message_of_change(trees + "1", trees + "2") ==
+        fmt::format(
+            "my.toml:{}:1: evaluator.bits is 2 and alu.bits 1: the ALU takes what the trees bring in a clock; make "
+            "evaluator.bits at most 1, or alu.bits at least 2",
+            line));
+  for (const std::string name : {"pixel-planes-4", "pixel-square", "pixel-planes-5", "pixel-powers"}) {
+    CAPTURE(name);
+    CHECK(kinds::load(name + "+evaluator.bits=3+alu.bits=3").evaluator_bits == 3);
+    CHECK_THROWS_AS(kinds::load(name + "+alu.bits=3+evaluator.bits=4"), InputError);
+  }
 }
 
 TEST_CASE("a machine has a global OR or has none") {

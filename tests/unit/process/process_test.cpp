@@ -143,6 +143,8 @@ TEST_CASE("the paths of a clock are as their gates add up by hand") {
   // Four bits: two levels of the rotator, two gates each.
   CHECK(path(small_machine("+alu.bits=4"), one, "pixel") == doctest::Approx(100 + 1000 + 10 * (3 + 4 + 4 + 8)));
   CHECK(path(small_machine(), one, "trees") == doctest::Approx(100 + 30));
+  // Eight bits: the carry goes through seven more, two gates each.
+  CHECK(path(small_machine("+alu.bits=8+evaluator.bits=8"), one, "trees") == doctest::Approx(100 + 10 * (3 + 7 * 2)));
   // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 a pixel; half of 64 of them.
   CHECK(path(small_machine(), one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
   // 64 lines a gate: three levels of four.
@@ -159,6 +161,9 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   const machines::Resources pixels{4096, 4096 * 64};
   const double shared = (35'966 + 16 * 32 * 18'666.0 / 512) * 2e-6;
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
+  // 1068 + 294 of logic where ALU and trees have four bits.
+  CHECK(process::machine_mm2(small_machine("+alu.bits=4+evaluator.bits=4"), pixels, one) ==
+        doctest::Approx(4096 * (1362 * 2e-6 + 64 * 3e-6) + shared));
   const machines::Resources buffered{4096, 4096 * 64 + 1000};
   CHECK(process::machine_mm2(machine, buffered, one) == doctest::Approx(4096 * 1060e-6 + shared + 1000 * 3e-6));
   const auto squares = [&](const std::string& changes) {
@@ -191,6 +196,15 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   // Degree 2: three adders, eight flip-flops and four streams a node, and a flag at the pixel.
   const double squares = 1e-18 * (2 * 40 * 0.1 + 4 * 5 + 13 * 2 + 4 * 7 * std::sqrt((392 + 258) * 2e-6 + 64 * 3e-6));
   CHECK(part_of("+evaluator.degree=2", {1000, 0}, 1000 * squares) == doctest::Approx(1));
+  // Trees of four bits: as many adders, eight flip-flops of streams and a carry, eight streams; 1068 + 294 of logic. Of
+  // degree 2 sixteen of streams, three carries and the flag, sixteen streams; 1150 + 801.
+  const auto wide = [](double adders, double registers, double streams, double logic) {
+    const double pitch = std::sqrt(logic * 2e-6 + 64 * 3e-6);
+    return 1e-18 * (2 * 4 * 40 * 0.1 + (4 + adders) * 5 + (3 + 4 + registers) * 2 + streams * 7 * pitch);
+  };
+  CHECK(part_of("+alu.bits=4+evaluator.bits=4", {1000, 0}, 1000 * wide(4, 9, 8, 1362)) == doctest::Approx(1));
+  CHECK(part_of("+alu.bits=4+evaluator.bits=4+evaluator.degree=2", {1000, 0}, 1000 * wide(12, 20, 16, 1951)) ==
+        doctest::Approx(1));
   const double gates = (4096 * 434 + 35'966 + 18'666) / 4.0;
   CHECK(part_of("", {1000, 2}, 1000 * clock + gates * 4e-12 * 2) == doctest::Approx(1));
   CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));

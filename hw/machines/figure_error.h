@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "hw/base/error.h"
+
+namespace csgsim::machines {
+
+/// A figure that does not fit the others of its machine.
+class FigureError : public InputError {
+ public:
+  FigureError(std::string_view key, std::string_view message) : InputError(message), key_(key) {}
+
+  [[nodiscard]] const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
+}  // namespace csgsim::machines
