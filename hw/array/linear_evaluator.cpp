@@ -46,8 +46,11 @@ std::uint64_t half_of(std::uint32_t node, unsigned below, std::uint32_t leaves) 
 
 }  // namespace
 
-LinearEvaluator::LinearEvaluator(PlaneShape shape)
-    : shape_(shape), x_levels_(tree_levels(shape.width)), y_levels_(tree_levels(shape.height)), bits_(levels()) {}
+LinearEvaluator::LinearEvaluator(PlaneShape shape, unsigned register_levels)
+    : shape_(shape),
+      x_levels_{tree_levels(shape.width), register_levels},
+      y_levels_{tree_levels(shape.height), register_levels},
+      bits_(latency()) {}
 
 StreamBit LinearEvaluator::entering(const RootBits& root) const {
   if (!root.token.active()) return {};
@@ -76,22 +79,22 @@ bool LinearEvaluator::clock(const RootBits& root, StreamBit& leaves) {
   bits_[newest] = entered;
   active_ += (entered.token.active() ? 1U : 0U);
   active_ -= had ? 1U : 0U;
-  const StreamBit& reached = at(levels(), root);
+  const StreamBit& reached = at(latency(), root);
   if (!reached.token.active()) return false;
   leaves = reached;
   return true;
 }
 
-/// Level k holds what entered k clocks ago.
-StreamBit LinearEvaluator::at(unsigned level, const RootBits& root) const {
-  if (level == 0) return entering(root);
-  const std::size_t place = oldest_ + level - 1;
+/// What entered so many clocks ago.
+StreamBit LinearEvaluator::at(unsigned clocks, const RootBits& root) const {
+  if (clocks == 0) return entering(root);
+  const std::size_t place = oldest_ + clocks - 1;
   return bits_[place < bits_.size() ? place : place - bits_.size()];
 }
 
 LevelProbe LinearEvaluator::x_level(unsigned level, std::uint32_t x, const RootBits& root) const {
-  const StreamBit bit = at(level, root);
-  const unsigned below = x_levels_ - level;
+  const StreamBit bit = at(x_levels_.clocks_to(level), root);
+  const unsigned below = x_levels_.levels - level;
   const std::uint32_t node = node_of(x, below);
   return probe_of(bit,
                   {.value = value_at(bit, node, 0),
@@ -103,8 +106,8 @@ LevelProbe LinearEvaluator::x_level(unsigned level, std::uint32_t x, const RootB
 }
 
 LevelProbe LinearEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
-  const StreamBit bit = at(x_levels_ + level, root);
-  const unsigned below = y_levels_ - level;
+  const StreamBit bit = at(x_levels_.clocks() + y_levels_.clocks_to(level), root);
+  const unsigned below = y_levels_.levels - level;
   const std::uint32_t node = node_of(pixel.y, below);
   return probe_of(
       bit,

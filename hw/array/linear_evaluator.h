@@ -30,6 +30,25 @@ constexpr unsigned tree_levels(std::uint32_t leaves) {
   return levels;
 }
 
+/// What trees are built for.
+struct TreeForm {
+  unsigned degree = 1;           ///< of the expressions
+  unsigned bits = 1;             ///< of a stream, side by side
+  unsigned register_levels = 1;  ///< from one register to the next
+};
+
+/// A tree's levels, of which so many lie between two registers; behind the last there are registers in any case.
+struct TreeDepth {
+  unsigned levels = 0;
+  unsigned between_registers = 1;
+
+  /// From the root to a level, that of the leaves being number `levels`.
+  [[nodiscard]] constexpr unsigned clocks_to(unsigned level) const {
+    return level == levels ? clocks() : level / between_registers;
+  }
+  [[nodiscard]] constexpr unsigned clocks() const { return (levels + between_registers - 1) / between_registers; }
+};
+
 /// What is at a level of a tree on the way to a pixel, in the middle of a clock.
 struct LevelProbe {
   Token token;               ///< of the bits that enter the level
@@ -45,7 +64,7 @@ struct LevelProbe {
 };
 
 /// The Linear Expression Evaluator (thesis 7.2.1): an X tree over the columns, whose leaves A*x + C each enter a Y tree
-/// over the rows. Bit j of A*x + B*y + C reaches the pixels levels() clocks after bit j of A, B and C entered, for
+/// over the rows. Bit j of A*x + B*y + C reaches the pixels latency() clocks after bit j of A, B and C entered, for
 /// instructions of any width, back to back. In a clock k bits enter, 1 to 32; those of a stream's last clock may be
 /// fewer.
 ///
@@ -72,15 +91,20 @@ struct LevelProbe {
 /// than in trees of degree 1. With w bits a clock all that is delayed is aligned as the multiplicand is; of the slope
 /// the last n-1-k bits are kept at the node, w of which are in what it passes on.
 ///
+/// Where there are registers behind every r-th level of a tree alone, and behind its last, r adders lie one behind the
+/// other in a clock. What a level adds has then to come with the stream's bits of that clock: all taps of a level
+/// are as many clocks earlier as the stream is.
+///
 /// What the registers hold follows from the coefficients' bits that have entered, which are kept instead of them.
 class LinearEvaluator {
  public:
-  explicit LinearEvaluator(PlaneShape shape);
+  /// `register_levels`: levels of a tree from one register to the next, 1 or more.
+  explicit LinearEvaluator(PlaneShape shape, unsigned register_levels = 1);
 
-  /// Clocks from the roots to the pixels: ceil(log2 width) + ceil(log2 height).
-  [[nodiscard]] unsigned levels() const { return x_levels_ + y_levels_; }
-  [[nodiscard]] unsigned x_levels() const { return x_levels_; }
-  [[nodiscard]] unsigned y_levels() const { return y_levels_; }
+  /// Clocks from the roots to the pixels.
+  [[nodiscard]] unsigned latency() const { return x_levels_.clocks() + y_levels_.clocks(); }
+  [[nodiscard]] unsigned x_levels() const { return x_levels_.levels; }
+  [[nodiscard]] unsigned y_levels() const { return y_levels_.levels; }
 
   /// Is a bit on its way to the pixels?
   [[nodiscard]] bool any_active() const { return active_ > 0; }
@@ -101,13 +125,13 @@ class LinearEvaluator {
 
  private:
   [[nodiscard]] StreamBit entering(const RootBits& root) const;
-  [[nodiscard]] StreamBit at(unsigned level, const RootBits& root) const;
+  [[nodiscard]] StreamBit at(unsigned clocks, const RootBits& root) const;
 
   PlaneShape shape_;
-  unsigned x_levels_;
-  unsigned y_levels_;
+  TreeDepth x_levels_;
+  TreeDepth y_levels_;
   StreamBit last_;               ///< that entered
-  std::vector<StreamBit> bits_;  ///< a ring: what has come to the levels after the first
+  std::vector<StreamBit> bits_;  ///< a ring: what has come to the registers
   std::size_t oldest_ = 0;
   unsigned active_ = 0;  ///< of them
 };

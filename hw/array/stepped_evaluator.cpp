@@ -38,19 +38,19 @@ std::size_t words_for(std::size_t lanes) { return (lanes + word_bits - 1) / word
 
 }  // namespace
 
-SteppedEvaluator::SteppedEvaluator(PlaneShape shape, unsigned degree, unsigned bits, std::span<const Place> pixels)
+SteppedEvaluator::SteppedEvaluator(PlaneShape shape, TreeForm form, std::span<const Place> pixels)
     : shape_(shape),
-      degree_(degree),
-      bits_(bits),
+      degree_(form.degree),
+      bits_(form.bits),
       pixels_(pixels.begin(), pixels.end()),
       columns_of_lanes_(lanes_of(shape, pixels)),
-      columns_(shape.width, 1, {.degree = degree, .bits = bits, .has_rows = degree > 1}),
-      rows_(shape.height, words_for(columns_of_lanes_.size()), {.degree = degree, .bits = bits, .has_rows = false}) {
-  const NodeBits of_root(bits, Words(1));
-  const NodeBits of_row(bits, Words(words_for(columns_of_lanes_.size())));
+      columns_(shape.width, 1, form, form.degree > 1),
+      rows_(shape.height, words_for(columns_of_lanes_.size()), form, false) {
+  const NodeBits of_root(bits_, Words(1));
+  const NodeBits of_row(bits_, Words(words_for(columns_of_lanes_.size())));
   root_.value = of_root;
   row_.value = of_row;
-  if (degree < 2) return;
+  if (degree_ < 2) return;
   root_.slope = of_root;
   root_.row_slope = of_root;
   row_.slope = of_row;
@@ -71,7 +71,6 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
   fill_lanes(root.b, root_.row_slope);
   const unsigned x_levels = columns_.levels();
   const bool had_rows = rows_.levels() > 0;
-  const Wire none;
   const auto enter_rows = [&] {
     const Token between = columns_.token_at(x_levels, root.token);
     if (!between.active()) return between;
@@ -80,10 +79,8 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
     if (degree_ > 1) gather(column.row_slope, row_.slope);
     return between;
   };
-  const TreeWires to_rows{{b_, root.b, x_levels}, {yy_, root.yy, x_levels}, {none, 0, 0}};
-  const TreeWires to_columns{{a_, root.a, 0}, {xx_, root.xx, 0}, {xy_, root.xy, 0}};
-  if (had_rows) rows_.clock(enter_rows(), row_, to_rows);
-  columns_.clock(root.token, root_, to_columns);
+  if (had_rows) rows_.clock(enter_rows(), row_, to_rows(root));
+  columns_.clock(root.token, root_, to_columns(root));
   a_.shift(root.a);
   b_.shift(root.b);
   xx_.shift(root.xx);
@@ -93,6 +90,16 @@ Token SteppedEvaluator::clock(const RootBits& root, std::span<std::uint64_t> lea
   const Token reached = had_rows ? rows_.token_at(rows_.levels(), {}) : enter_rows();
   if (reached.active()) put_leaves(leaves);
   return reached;
+}
+
+TreeWires SteppedEvaluator::to_columns(const RootBits& root) const {
+  return {{a_, root.a, 0}, {xx_, root.xx, 0}, {xy_, root.xy, 0}};
+}
+
+/// No wire brings the Y trees a product of both coordinates.
+TreeWires SteppedEvaluator::to_rows(const RootBits& root) const {
+  const unsigned ahead = columns_.clocks();
+  return {{b_, root.b, ahead}, {yy_, root.yy, ahead}, {none_, 0, 0}};
 }
 
 /// A column's bits to each lane.
@@ -131,14 +138,14 @@ std::size_t SteppedEvaluator::lane_of(std::uint32_t x) const {
 LevelProbe SteppedEvaluator::x_level(unsigned level, std::uint32_t x, const RootBits& root) const {
   const NodeStreams in{in_lane(root.c, 0, root_.value), in_lane(root.a, 0, root_.slope),
                        in_lane(root.b, 0, root_.row_slope)};
-  return columns_.probe(level, x, 0, root.token, in);
+  return columns_.probe(level, x, 0, root.token, in, to_columns(root));
 }
 
 LevelProbe SteppedEvaluator::y_level(unsigned level, Place pixel, const RootBits& root) const {
   const LevelProbe column = x_level(columns_.levels(), pixel.x, root);
   const std::size_t lane = lane_of(pixel.x);
   const NodeStreams in{in_lane(column.stream, lane, row_.value), in_lane(column.row_slope, lane, row_.slope), {}};
-  return rows_.probe(level, pixel.y, lane, column.token, in);
+  return rows_.probe(level, pixel.y, lane, column.token, in, to_rows(root));
 }
 
 }  // namespace csgsim::array

@@ -14,9 +14,9 @@ namespace csgsim::array {
 /// the same, but comes of the bits that have gone through the adders, and of nothing else.
 class SteppedEvaluator {
  public:
-  /// `shape`: of the whole array. `bits`: that enter in a clock. `pixels`, unless there are none: those alone, side by
-  /// side; then only their columns have Y trees.
-  SteppedEvaluator(PlaneShape shape, unsigned degree, unsigned bits, std::span<const Place> pixels = {});
+  /// `shape`: of the whole array. `pixels`, unless there are none: those alone, side by side; then only their columns
+  /// have Y trees.
+  SteppedEvaluator(PlaneShape shape, TreeForm form, std::span<const Place> pixels = {});
 
   [[nodiscard]] bool any_active() const { return columns_.any_active() || rows_.any_active(); }
 
@@ -34,6 +34,8 @@ class SteppedEvaluator {
  private:
   [[nodiscard]] std::size_t lane_of(std::uint32_t x) const;
   [[nodiscard]] std::size_t plane_words() const;
+  [[nodiscard]] TreeWires to_columns(const RootBits& root) const;
+  [[nodiscard]] TreeWires to_rows(const RootBits& root) const;
   void gather(const NodeBits& columns, NodeBits& row) const;
   void put_leaves(std::span<std::uint64_t> leaves) const;
 
@@ -51,6 +53,7 @@ class SteppedEvaluator {
   Wire xx_;
   Wire xy_;
   Wire yy_;
+  Wire none_;  ///< that nothing comes on
 };
 
 }  // namespace csgsim::array

@@ -35,9 +35,13 @@ void begin(Token here, Words& carry) {
 
 }  // namespace
 
-SteppedTree::SteppedTree(std::uint32_t leaves, std::size_t node_words, Form form)
-    : node_words_(node_words), form_(form), tokens_(tree_levels(leaves)) {
-  const auto depth = static_cast<unsigned>(tokens_.size());
+SteppedTree::SteppedTree(std::uint32_t leaves, std::size_t node_words, TreeForm form, bool has_rows)
+    : node_words_(node_words),
+      form_(form),
+      has_rows_(has_rows),
+      depth_{tree_levels(leaves), form.register_levels},
+      tokens_(depth_.clocks()) {
+  const unsigned depth = depth_.levels;
   const auto nodes_at = [&](unsigned level) {
     const unsigned below = depth - level;
     return (leaves + (std::size_t{1} << below) - 1) >> below;
@@ -58,7 +62,7 @@ SteppedTree::SteppedTree(std::uint32_t leaves, std::size_t node_words, Form form
     level.out.slope = registers;
     level.delayed.assign((level.below + form.bits - 1) / form.bits,
                          NodeBits(form.bits, Words(level.nodes * node_words)));
-    if (!form.has_rows) continue;
+    if (!has_rows) continue;
     level.row_carry.resize(pairs);
     level.out.row_slope = registers;
   }
@@ -68,20 +72,24 @@ bool SteppedTree::any_active() const {
   return std::any_of(tokens_.begin(), tokens_.end(), [](Token token) { return token.active(); });
 }
 
-/// The deepest level first: each takes what the one above has left the clock before.
+/// The deepest registers first: what is behind them takes what those above have left the clock before. Levels without
+/// registers between them take from each other in the same clock.
 void SteppedTree::clock(Token token, const NodeStreams& root, const TreeWires& wires) {
-  for (unsigned k = levels(); k-- > 0;) {
-    const Token here = token_at(k, token);
+  for (unsigned stage = clocks(); stage-- > 0;) {
+    const unsigned first = stage * depth_.between_registers;
+    const Token here = token_at(first, token);
     if (!here.active()) continue;
-    if (form_.degree < 2) {
-      add(levels_[k], here, at(k, root), shifted(wires.multiplicand, k, levels_[k].below, here));
-    } else {
-      add_squares(k, here, at(k, root), wires);
-    }
+    for (unsigned k = first; k < std::min(first + depth_.between_registers, levels()); ++k)
+      act(k, here, at(k, root), wires);
   }
   if (tokens_.empty()) return;
   std::shift_right(tokens_.begin(), tokens_.end(), 1);
   tokens_.front() = token;
+}
+
+void SteppedTree::act(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires) {
+  if (form_.degree >= 2) return add_squares(k, here, in, wires);
+  add(levels_[k], here, in, shifted(wires.multiplicand, depth_.clocks_to(k), levels_[k].below, here));
 }
 
 /// What the tapped bits are beside the token's bits, at a level that these reach so many clocks after the roots, if
@@ -119,16 +127,24 @@ void SteppedTree::add(Level& level, Token here, const NodeStreams& in, std::uint
   }
 }
 
-/// The plane of the slopes' bit that is `below` places before that bit of the stream; null before the first. `slope`
-/// enters now, the ring's newest have entered a clock ago.
-const Words* SteppedTree::delayed_slope(const Level& level, int bit, const NodeBits& slope) const {
+/// Where the slopes' bit is that is `below` places before that bit of the stream; nowhere before the first.
+std::optional<SteppedTree::Delayed> SteppedTree::delayed_bit(const Level& level, int bit) const {
   const int wanted = bit - static_cast<int>(level.below);
-  if (wanted < 0) return nullptr;
+  if (wanted < 0) return std::nullopt;
   const auto width = static_cast<int>(form_.bits);
-  const auto late = static_cast<std::size_t>(bit / width - wanted / width);
-  const auto plane = static_cast<std::size_t>(wanted % width);
-  if (late == 0) return &slope[plane];
-  return &level.delayed[(level.oldest + level.delayed.size() - late) % level.delayed.size()][plane];
+  return Delayed{static_cast<std::size_t>(bit / width - wanted / width), static_cast<std::size_t>(wanted % width)};
+}
+
+/// What entered the ring so many clocks ago, 1 at least.
+const NodeBits& SteppedTree::entered(const Level& level, std::size_t clocks) {
+  return level.delayed[(level.oldest + level.delayed.size() - clocks) % level.delayed.size()];
+}
+
+/// The plane of that bit, null if there is none; `slope` enters now.
+const Words* SteppedTree::delayed_slope(const Level& level, int bit, const NodeBits& slope) const {
+  const std::optional<Delayed> delayed = delayed_bit(level, bit);
+  if (!delayed) return nullptr;
+  return delayed->clocks == 0 ? &slope[delayed->plane] : &entered(level, delayed->clocks)[delayed->plane];
 }
 
 void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
@@ -143,12 +159,13 @@ void SteppedTree::delay_slope(Level& level, const NodeBits& slope) const {
 void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires) {
   Level& level = levels_[k];
   const unsigned half = level.below;
-  const std::uint32_t square = shifted(wires.square, k, 2 * half, here);
-  const std::uint32_t twice = shifted(wires.square, k, half + 1, here);
-  const std::uint32_t cross = form_.has_rows ? shifted(wires.cross, k, half, here) : 0;
+  const unsigned clocks = depth_.clocks_to(k);
+  const std::uint32_t square = shifted(wires.square, clocks, 2 * half, here);
+  const std::uint32_t twice = shifted(wires.square, clocks, half + 1, here);
+  const std::uint32_t cross = has_rows_ ? shifted(wires.cross, clocks, half, here) : 0;
   pass(level, here, in.value, level.out.value);
   pass(level, here, in.slope, level.out.slope);
-  if (form_.has_rows) pass(level, here, in.row_slope, level.out.row_slope);
+  if (has_rows_) pass(level, here, in.row_slope, level.out.row_slope);
   for (Words* const carry : {&level.value_carry, &level.step_carry, &level.slope_carry, &level.row_carry})
     begin(here, *carry);
   for (unsigned bit = 0; bit < here.bits; ++bit) {
@@ -161,7 +178,7 @@ void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, con
         const std::uint64_t step = add_bit(slope, spread(square, bit), level.step_carry[at]);
         level.out.value[bit][right + word] = add_bit(in.value[bit][at], step, level.value_carry[at]);
         level.out.slope[bit][right + word] = add_bit(in.slope[bit][at], spread(twice, bit), level.slope_carry[at]);
-        if (form_.has_rows)
+        if (has_rows_)
           level.out.row_slope[bit][right + word] =
               add_bit(in.row_slope[bit][at], spread(cross, bit), level.row_carry[at]);
       }
@@ -170,22 +187,68 @@ void SteppedTree::add_squares(unsigned k, Token here, const NodeStreams& in, con
   delay_slope(level, in.slope);
 }
 
+SteppedTree::LaneBits SteppedTree::lane_bits(const NodeStreams& in, Token here, std::size_t node,
+                                             std::size_t lane) const {
+  const std::size_t word = node * node_words_;
+  return {bits_at(in.value, here, word, lane), bits_at(in.slope, here, word, lane),
+          bits_at(in.row_slope, here, word, lane)};
+}
+
+/// The bits of a node's slope that are `below` places before the token's.
+std::uint32_t SteppedTree::delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token here,
+                                        std::uint32_t slope) const {
+  std::uint32_t bits = 0;
+  for (unsigned bit = 0; bit < here.bits; ++bit) {
+    const std::optional<Delayed> delayed = delayed_bit(level, here.bit + static_cast<int>(bit));
+    if (!delayed) continue;
+    const bool is_set = delayed->clocks == 0
+                            ? (slope >> delayed->plane & 1U) != 0
+                            : bit_at(entered(level, delayed->clocks)[delayed->plane], node * node_words_, lane);
+    bits |= static_cast<std::uint32_t>(is_set) << bit;
+  }
+  return bits;
+}
+
+/// What comes out of the adders of a node before the clock's end.
+SteppedTree::LaneBits SteppedTree::right_child(unsigned k, std::size_t node, std::size_t lane, Token here, LaneBits in,
+                                               const TreeWires& wires) const {
+  const Level& level = levels_[k];
+  const unsigned half = level.below;
+  const unsigned clocks = depth_.clocks_to(k);
+  const auto sum = [&](std::uint32_t one, std::uint32_t other, const Words& carries) {
+    const bool carry = here.bit > 0 && bit_at(carries, node * node_words_, lane);
+    return static_cast<std::uint32_t>((std::uint64_t{one} + other + (carry ? 1U : 0U)) & low_bits(here.bits));
+  };
+  const auto tapped = [&](const Tap& tap, unsigned places) {
+    return static_cast<std::uint32_t>(shifted(tap, clocks, places, here) & low_bits(here.bits));
+  };
+  if (form_.degree < 2) return {.value = sum(in.value, tapped(wires.multiplicand, half), level.value_carry)};
+  const std::uint32_t step =
+      sum(delayed_lane(level, node, lane, here, in.slope), tapped(wires.square, 2 * half), level.step_carry);
+  LaneBits out{.value = sum(in.value, step, level.value_carry),
+               .slope = sum(in.slope, tapped(wires.square, half + 1), level.slope_carry)};
+  if (has_rows_) out.row_slope = sum(in.row_slope, tapped(wires.cross, half), level.row_carry);
+  return out;
+}
+
+/// From the last registers on the way the streams go through the adders of the levels in between.
 LevelProbe SteppedTree::probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
-                              const NodeStreams& root) const {
+                              const NodeStreams& root, const TreeWires& wires) const {
   const Token here = token_at(level, token);
   if (!here.active()) return {};
-  const NodeStreams& in = at(level, root);
-  const std::size_t node = leaf >> (levels() - level);
-  const std::size_t word = node * node_words_;
-  LevelProbe probe{.token = here,
-                   .stream = bits_at(in.value, here, word, lane),
-                   .slope = bits_at(in.slope, here, word, lane),
-                   .row_slope = bits_at(in.row_slope, here, word, lane)};
+  const auto node_of = [&](unsigned at_level) { return std::size_t{leaf >> (levels() - at_level)}; };
+  unsigned k = level == levels() ? level : level - level % depth_.between_registers;
+  LaneBits bits = lane_bits(at(k, root), here, node_of(k), lane);
+  for (; k < level; ++k)
+    if (node_of(k + 1) % 2 == 1) bits = right_child(k, node_of(k), lane, here, bits, wires);
+  LevelProbe probe{.token = here, .stream = bits.value, .slope = bits.slope, .row_slope = bits.row_slope};
+  const std::size_t node = node_of(level);
   if (level == levels() || here.bit == 0 || node >= levels_[level].pairs) return probe;
-  probe.carry = bit_at(levels_[level].value_carry, word, lane);
-  probe.step_carry = bit_at(levels_[level].step_carry, word, lane);
-  probe.slope_carry = bit_at(levels_[level].slope_carry, word, lane);
-  probe.row_slope_carry = bit_at(levels_[level].row_carry, word, lane);
+  const auto carry = [&](const Words& carries) { return bit_at(carries, node * node_words_, lane); };
+  probe.carry = carry(levels_[level].value_carry);
+  probe.step_carry = carry(levels_[level].step_carry);
+  probe.slope_carry = carry(levels_[level].slope_carry);
+  probe.row_slope_carry = carry(levels_[level].row_carry);
   return probe;
 }
 

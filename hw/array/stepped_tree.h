@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "hw/array/linear_evaluator.h"
@@ -60,21 +61,21 @@ struct NodeStreams {
 /// carries. Many trees that share their wires are stepped side by side, a lane of the words each.
 class SteppedTree {
  public:
-  struct Form {
-    unsigned degree = 1;
-    unsigned bits = 1;      ///< that enter in a clock
-    bool has_rows = false;  ///< an X tree of degree 2
-  };
+  /// `has_rows`: of an X tree of degree 2.
+  SteppedTree(std::uint32_t leaves, std::size_t node_words, TreeForm form, bool has_rows);
 
-  SteppedTree(std::uint32_t leaves, std::size_t node_words, Form form);
-
-  [[nodiscard]] unsigned levels() const { return static_cast<unsigned>(levels_.size()); }
+  [[nodiscard]] unsigned levels() const { return depth_.levels; }
+  [[nodiscard]] unsigned clocks() const { return depth_.clocks(); }
   [[nodiscard]] bool any_active() const;
 
   /// The token at a level in a clock in which `root` enters; that of the leaves is at the last.
-  [[nodiscard]] Token token_at(unsigned level, Token root) const { return level == 0 ? root : tokens_[level - 1]; }
+  [[nodiscard]] Token token_at(unsigned level, Token root) const {
+    const unsigned clocks = depth_.clocks_to(level);
+    return clocks == 0 ? root : tokens_[clocks - 1];
+  }
 
-  /// What enters the nodes of a level, `root` the first.
+  /// What enters the nodes of a level, `root` the first; of a level that has no registers before it, in the clock that
+  /// was last.
   [[nodiscard]] const NodeStreams& at(unsigned level, const NodeStreams& root) const {
     return level == 0 ? root : levels_[level - 1].out;
   }
@@ -82,9 +83,10 @@ class SteppedTree {
   /// One clock, in which that token and those bits are at the root.
   void clock(Token token, const NodeStreams& root, const TreeWires& wires);
 
-  /// What is at the node of a level on the way to that leaf, in a lane.
+  /// What is at the node of a level on the way to that leaf, in a lane, in a clock in which that token and those bits
+  /// are at the root.
   [[nodiscard]] LevelProbe probe(unsigned level, std::uint32_t leaf, std::size_t lane, Token token,
-                                 const NodeStreams& root) const;
+                                 const NodeStreams& root, const TreeWires& wires) const;
 
  private:
   struct Level {
@@ -100,16 +102,38 @@ class SteppedTree {
     NodeStreams out;  ///< the children's registers
   };
 
+  /// A clock's bits of a node's streams in a lane.
+  struct LaneBits {
+    std::uint32_t value = 0;
+    std::uint32_t slope = 0;
+    std::uint32_t row_slope = 0;
+  };
+
+  [[nodiscard]] LaneBits lane_bits(const NodeStreams& in, Token here, std::size_t node, std::size_t lane) const;
+  [[nodiscard]] LaneBits right_child(unsigned k, std::size_t node, std::size_t lane, Token here, LaneBits in,
+                                     const TreeWires& wires) const;
+  [[nodiscard]] std::uint32_t delayed_lane(const Level& level, std::size_t node, std::size_t lane, Token here,
+                                           std::uint32_t slope) const;
   [[nodiscard]] std::uint32_t shifted(const Tap& tap, unsigned clocks, unsigned places, Token here) const;
   void add(Level& level, Token here, const NodeStreams& in, std::uint32_t multiplicand) const;
+  void act(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
   void add_squares(unsigned k, Token here, const NodeStreams& in, const TreeWires& wires);
   void pass(const Level& level, Token here, const NodeBits& in, NodeBits& out) const;
+  /// A bit of a slope on its way to the adders: clocks since it entered the ring, and which of that clock's bits.
+  struct Delayed {
+    std::size_t clocks = 0;
+    std::size_t plane = 0;
+  };
+  [[nodiscard]] std::optional<Delayed> delayed_bit(const Level& level, int bit) const;
+  static const NodeBits& entered(const Level& level, std::size_t clocks);
   [[nodiscard]] const Words* delayed_slope(const Level& level, int bit, const NodeBits& slope) const;
   void delay_slope(Level& level, const NodeBits& slope) const;
 
   std::size_t node_words_;
-  Form form_;
-  std::vector<Token> tokens_;
+  TreeForm form_;
+  bool has_rows_;
+  TreeDepth depth_;
+  std::vector<Token> tokens_;  ///< at the registers
   std::vector<Level> levels_;
 };
 

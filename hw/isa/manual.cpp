@@ -94,7 +94,8 @@ several (`evaluator.bits`). Instructions
 follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
 enter at the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of
 the trees once, at the end; what a machine waits for besides, its page says. The latency is one clock a level:
-ceil(log2 width) + ceil(log2 height) of the machine's array. `global_or` and `skip_if_none` pay it too, and a clock for
+ceil(log2 width) + ceil(log2 height) of the machine's array, or less where registers lie behind every r-th level alone
+(`evaluator.register_levels`). `global_or` and `skip_if_none` pay it too, and a clock for
 each level of the global OR, as the controller waits for the answer; instructions that are skipped take no clock, the
 jump over them a request on the link. Both need a machine with a global OR.
 

@@ -1,11 +1,36 @@
 #include "hw/machines/area.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "hw/machines/area_table.h"
 #include "hw/machines/kind.h"
 
 namespace csgsim::machines {
+
+namespace {
+
+constexpr double register_transistors = 16;  ///< as Yosys counts them
+
+/// Levels of a tree with so many leaves.
+std::uint32_t levels_of(std::uint32_t leaves) {
+  return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
+}
+
+}  // namespace
+
+/// Level k has 2^k nodes.
+double registered_nodes(const Machine& machine) {
+  const std::uint32_t levels = levels_of(machine.array.height);
+  if (levels == 0) return 1;
+  std::uint64_t registered = 0;
+  for (std::uint32_t level = 0; level < levels; ++level) {
+    const bool is_last = level + 1 == levels;
+    if (is_last || (level + 1) % machine.register_levels == 0) registered += std::uint64_t{1} << level;
+  }
+  return static_cast<double>(registered) / static_cast<double>((std::uint64_t{1} << levels) - 1);
+}
 
 std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint32_t memory_bits) {
   if (!machine.kind->bit_serial_pixels()) return std::nullopt;
@@ -17,7 +42,10 @@ std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint
     return row.bits == machine.evaluator_bits && row.degree == machine.evaluator_degree;
   });
   if (logic == pixel_logic_table.end() || node == node_logic_table.end()) return std::nullopt;
-  return std::uint64_t{memory_bits} * cell_transistors(machine.memory_reads) + logic->transistors + node->transistors;
+  const double streams = (machine.evaluator_degree == 1 ? 2.0 : 4.0) * machine.evaluator_bits;
+  const double left_out = (1 - registered_nodes(machine)) * streams * register_transistors;
+  return std::uint64_t{memory_bits} * cell_transistors(machine.memory_reads) + logic->transistors + node->transistors -
+         static_cast<std::uint64_t>(std::llround(left_out));
 }
 
 }  // namespace csgsim::machines

@@ -13,9 +13,12 @@ namespace csgsim::machines {
 /// port that reads. Assumed.
 constexpr std::uint32_t cell_transistors(std::uint32_t memory_reads) { return 1 + 2 * memory_reads; }
 
+/// The part of the nodes of a column's tree behind which there are registers: all with registers behind every level.
+double registered_nodes(const Machine& machine);
+
 /// Of one pixel of the machine, if it had so many memory bits: processor, memory and its node of the multiplier trees,
 /// where its expressions are of degree 2 with the flag for roots and the adders for squares, and all adders as wide as
-/// evaluator.bits.
+/// evaluator.bits. Of its streams' registers as much is counted as its share of those that there are.
 /// None where that pixel has not been synthesised: the machine's processors are of another make, or its ALU or its node
 /// is of another width.
 std::optional<std::uint64_t> pixel_transistors(const Machine& machine, std::uint32_t memory_bits);

@@ -32,8 +32,9 @@ std::uint64_t root_clocks(std::uint64_t bits, const Machine& machine) {
 
 }  // namespace
 
-std::uint32_t evaluator_latency(const isa::ArrayShape& array) {
-  return tree_levels(array.width) + tree_levels(array.height);
+std::uint32_t evaluator_latency(const Machine& machine) {
+  return quotient_up(tree_levels(machine.array.width), machine.register_levels) +
+         quotient_up(tree_levels(machine.array.height), machine.register_levels);
 }
 
 std::uint64_t field_width(const isa::Instruction& instruction) {
@@ -50,7 +51,7 @@ std::uint64_t bit_serial_clocks(const isa::Instruction& instruction, const Machi
     case isa::ClockClass::field: return field_clocks(instruction, machine);
     case isa::ClockClass::two_fields: return field_clocks(instruction, machine) * (machine.memory_reads >= 2 ? 1 : 2);
     case isa::ClockClass::root: return root_clocks(instruction.fields[0].width / 2, machine);
-    case isa::ClockClass::answer: return 1ULL + evaluator_latency(machine.array);
+    case isa::ClockClass::answer: return 1ULL + evaluator_latency(machine);
   }
   return 0;
 }

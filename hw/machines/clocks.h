@@ -9,9 +9,10 @@
 namespace csgsim::machines {
 
 /// Clocks between a coefficient's first bit at the roots of the multiplier trees and the first bit of F at the pixels:
-/// one a tree level, ceil(log2 width) + ceil(log2 height). A program pays it once at its end (the last instruction has
+/// one for as many levels of a tree as lie between registers, of ceil(log2 width) in one and ceil(log2 height) in the
+/// other. A program pays it once at its end (the last instruction has
 /// to reach the pixels) and once at each answer to the host.
-std::uint32_t evaluator_latency(const isa::ArrayShape& array);
+std::uint32_t evaluator_latency(const Machine& machine);
 
 /// Width of the widest memory operand.
 std::uint64_t field_width(const isa::Instruction& instruction);

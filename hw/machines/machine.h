@@ -51,6 +51,7 @@ struct Machine {
   std::uint64_t clock_hz = 0;          ///< instruction bit steps, or packets, a second
   std::uint32_t memory_reads = 1;      ///< reads of pixel memory a clock: 1 or 2
   std::uint32_t evaluator_degree = 1;  ///< of the expressions that reach the pixels: 1 or 2
+  std::uint32_t register_levels = 1;   ///< of the trees, from one register to the next
   std::uint32_t evaluator_bits = 1;    ///< of an expression that reach the pixels in a clock: at most alu_bits
   std::uint32_t alu_bits = 1;      ///< adjacent bits of a field that the ALU works on, and a port delivers, in a clock
   std::uint32_t clear_clocks = 0;  ///< in which all memory of the pixel processors becomes 0

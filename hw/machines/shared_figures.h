@@ -7,6 +7,8 @@
 /// Rows of the schema that several kinds of machine have.
 namespace csgsim::machines::shared {
 
+inline constexpr std::int64_t most_register_levels = 16;
+
 inline constexpr FigureSchema array_width = figure<&Machine::array, &isa::ArrayShape::width>(
     "array.width", "pixels", 1, isa::max_array_side, "pixel processors in a row");
 inline constexpr FigureSchema array_height = figure<&Machine::array, &isa::ArrayShape::height>(
@@ -26,7 +28,10 @@ inline constexpr FigureSchema memory_writes =
 inline constexpr FigureSchema alu_bits = figure<&Machine::alu_bits>("alu.bits", "bits", 1, isa::max_field_width,
                                                                     "bits of a field that the ALU works on in a clock");
 inline constexpr FigureSchema level_latency =
-    built_in_figure("evaluator.level_latency", "clocks", 1, "from one level of a multiplier tree to the next");
+    built_in_figure("evaluator.level_latency", "clocks", 1, "from one register of a multiplier tree to the next");
+inline constexpr FigureSchema register_levels =
+    figure<&Machine::register_levels>("evaluator.register_levels", "levels", 1, most_register_levels,
+                                      "of a multiplier tree from one register to the next; the last has registers");
 inline constexpr FigureSchema evaluator_bits =
     figure<&Machine::evaluator_bits>("evaluator.bits", "bits", 1, isa::max_field_width,
                                      "of an expression that the trees bring the pixels in a clock, at most alu.bits");

@@ -6,13 +6,14 @@ namespace csgsim::pixel_planes {
 
 /// Without a level the leaves are wires, which follow the roots within the clock.
 LinearExpressionEvaluator::LinearExpressionEvaluator(sc_core::sc_module_name name, array::PlaneShape shape,
+                                                     unsigned register_levels,
                                                      std::optional<array::SteppedEvaluator> adders)
-    : sc_core::sc_module(name), trees_(shape), adders_(std::move(adders)) {
+    : sc_core::sc_module(name), trees_(shape, register_levels), adders_(std::move(adders)) {
   if (adders_) pixels_.fill(array::Words(adders_->leaf_words()));
   SC_HAS_PROCESS(LinearExpressionEvaluator);
   SC_METHOD(step);
   dont_initialize();
-  if (trees_.levels() == 0) {
+  if (trees_.latency() == 0) {
     sensitive << root;
   } else {
     sensitive << clock.pos();
@@ -21,7 +22,7 @@ LinearExpressionEvaluator::LinearExpressionEvaluator(sc_core::sc_module_name nam
 
 /// Sleeps while no bit is on its way.
 void LinearExpressionEvaluator::step() {
-  if (trees_.levels() > 0 && !clock.posedge()) return;
+  if (trees_.latency() > 0 && !clock.posedge()) return;
   const array::RootBits& bits = root.read().bits;
   if (adders_) {
     step_adders(bits);

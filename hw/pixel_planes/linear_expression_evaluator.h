@@ -11,12 +11,6 @@
 
 namespace csgsim::pixel_planes {
 
-/// What trees carry.
-struct TreeForm {
-  unsigned degree = 1;  ///< of the expressions
-  unsigned bits = 1;    ///< of a stream, side by side
-};
-
 /// The two multiplier trees (thesis fig. 7.1): coefficient bits in at the roots, a bit of F out at every pixel. What
 /// comes out is worked out of the coefficients, or of the bits in stepped trees' adders: at the same clocks.
 class LinearExpressionEvaluator final : public sc_core::sc_module {
@@ -25,7 +19,7 @@ class LinearExpressionEvaluator final : public sc_core::sc_module {
   sc_core::sc_in<RootWord> root{"root"};
   sc_core::sc_out<TreeWord> leaves{"leaves"};  ///< the registers at the pixels
 
-  LinearExpressionEvaluator(sc_core::sc_module_name name, array::PlaneShape shape,
+  LinearExpressionEvaluator(sc_core::sc_module_name name, array::PlaneShape shape, unsigned register_levels,
                             std::optional<array::SteppedEvaluator> adders = std::nullopt);
 
   // As array::LinearEvaluator.

@@ -26,17 +26,21 @@ array::Sequencer sequencer(const machines::Machine& machine) {
 
 ControllerFigures controller_figures(const machines::Machine& machine) {
   return {.link_width = machine.link.width,
-          .latency = machines::evaluator_latency(machine.array),
+          .latency = machines::evaluator_latency(machine),
           .memory_bits = machine.array.memory_bits,
           .clear_clocks = machine.clear_clocks,
           .two_buffers = machines::own<Figures>(machine).scan_out_buffers >= 2};
+}
+
+array::TreeForm tree_form(const machines::Machine& machine) {
+  return {machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
 }
 
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
                                               const systemc::Foretold* foretold) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
   const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
-  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree, machine.evaluator_bits, pixels);
+  return array::SteppedEvaluator(plane_shape(machine), tree_form(machine), pixels);
 }
 
 /// The array holds the whole picture when the program is through.
@@ -66,14 +70,14 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
     : sc_core::sc_module(name),
       machine_(machine),
       foretold_(foretold == nullptr ? std::nullopt : std::optional(*foretold)),
-      latency_(machines::evaluator_latency(machine.array)),
+      latency_(machines::evaluator_latency(machine)),
       clock_("clock", systemc::period_of(machine)),
       link_("link", static_cast<int>(machine.link.fifo_depth)),
       accounts_("accounts", static_cast<int>(latency_) + 2),
       host_("host", machine.link),
       controller_("controller", sequencer(machine), controller_figures(machine)),
       control_delay_("control_delay", latency_),
-      evaluator_("evaluator", plane_shape(machine), adders(machine, form, foretold)),
+      evaluator_("evaluator", plane_shape(machine), machine.register_levels, adders(machine, form, foretold)),
       processors_("processors", machine.array, machine.alu_bits, foretold),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       scan_out_("scan_out", plane_shape(machine), machines::own<Figures>(machine).scan_out_pixels,
@@ -254,7 +258,7 @@ std::uint64_t PixelPlanes::skip_to(const isa::Program& program, wave::Window win
 std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave::Request& request) const {
   std::vector<wave::Tap> taps = host_taps();
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
-  const TreeForm trees{machine_.evaluator_degree, machine_.evaluator_bits};
+  const array::TreeForm trees = tree_form(machine_);
   add(controller_taps(program));
   add(root_taps("root", root_, trees));
   add(control_taps("pixels", control_at_pixels_, trees.bits, program,

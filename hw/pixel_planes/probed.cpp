@@ -34,7 +34,7 @@ void for_each_carried_out(const isa::Program& program, const std::vector<bool>& 
 std::optional<Start> start_before(const isa::Program& program, const machines::Machine& machine,
                                   const systemc::Foretold& foretold, wave::Window window) {
   // One more for the word that the pixels have carried out last, which is looked at too.
-  const std::uint64_t lead = machines::evaluator_latency(machine.array) + 2;
+  const std::uint64_t lead = machines::evaluator_latency(machine) + 2;
   std::optional<Start> start;
   std::uint64_t first = 0;  // ordinal of the segment's first instruction
   std::uint32_t segment_before = 0;

@@ -12,7 +12,7 @@ ScanOutTiming::ScanOutTiming(const machines::Machine& machine, std::uint32_t col
       rows_(machine.array.height),
       shift_clocks_((machine.array.width + machines::own<Figures>(machine).scan_out_pixels - 1) /
                     machines::own<Figures>(machine).scan_out_pixels),
-      way_(machines::evaluator_latency(machine.array) + 2),
+      way_(machines::evaluator_latency(machine) + 2),
       shared_(machines::own<Figures>(machine).scan_out_port == ScanOutPort::shared),
       row_begun_(edge),
       request_(edge + 1) {

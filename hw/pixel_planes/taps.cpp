@@ -68,7 +68,7 @@ class Probe {
 
 }  // namespace
 
-std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, TreeForm trees) {
+std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, array::TreeForm trees) {
   const auto reading = [&root](auto read) {
     return [&root, read] {
       const array::RootBits& bits = root.read().bits;
@@ -142,7 +142,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
       throw InputError(std::string("the ") + (is_x ? "X" : "Y") + " tree has levels 0 to " + std::to_string(deepest) +
                        "; there is no tree." + (is_x ? "x:" : "y:") + std::to_string(level.level));
   }
-  const TreeForm trees = point.trees;
+  const array::TreeForm trees = point.trees;
   const auto probe = std::make_shared<const Probe>(std::move(point));
   const auto shown = [probe](auto read) {
     return [probe, read]() -> Number { return probe->shows() ? Number(read(*probe)) : std::nullopt; };

@@ -19,7 +19,8 @@ namespace csgsim::pixel_planes {
 
 /// Bits of the coefficients as they enter the trees: `PART.a`, `.b`, `.c`, and the number of the first, `.bit`; of
 /// degree 2 also `.xx`, `.xy`, `.yy`; where several are side by side also how many, `.bits`.
-std::vector<wave::Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, TreeForm trees);
+std::vector<wave::Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root,
+                                 array::TreeForm trees);
 
 /// The control word at the pixels, with the instruction that it is a step of: `PART.instruction`, `.text`, ...,
 /// `.function`, `.read_x`, `.read_y`, `.write`, `.bits`, `.constant`. Where the trees bring several bits in a clock
@@ -38,7 +39,7 @@ struct PixelPoint {
   array::Place place;                              ///< of the array
   array::Place built;                              ///< where the pixel processors have it
   std::function<bool()> shows;
-  TreeForm trees;
+  array::TreeForm trees;
 };
 
 /// Registers, memory ports and fields of the pixel, and the tree levels on its way: `pixel_X_Y.tree_bit`, `.carry`,

@@ -95,7 +95,7 @@ class FrameModel {
     }
     link_.stop(free_, false);
     return {.clocks = free_,
-            .latency_clocks = machines::evaluator_latency(machine_.array),
+            .latency_clocks = machines::evaluator_latency(machine_),
             .account = account(account_, link_.account(), machine_, instructions_)};
   }
 
@@ -169,7 +169,7 @@ class FrameModel {
       account_.copying += copy_clocks_;
       free_ = latched + copy_clocks_;
     }
-    const std::uint64_t latency = machines::evaluator_latency(machine_.array);
+    const std::uint64_t latency = machines::evaluator_latency(machine_);
     account_.draining += waited(free_, free_ + latency);
     free_ += latency;
   }
@@ -390,7 +390,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (!steps[i].empty() && isa::is_question(instructions[i].opcode)) steps[i].end = steps[i].begin + 1;
   }
-  return machines::later(std::move(steps), machines::evaluator_latency(machine.array));
+  return machines::later(std::move(steps), machines::evaluator_latency(machine));
 }
 
 std::vector<machines::FrameTiming> time_sequence(std::span<const DrawnFrame> frames, const machines::Machine& machine) {

@@ -38,6 +38,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     shared::level_latency,
     shared::evaluator_degree,
     shared::evaluator_bits,
+    shared::register_levels,
     shared::clear_clocks,
     shared::link_width,
     shared::link_word_clocks,

@@ -12,9 +12,13 @@ namespace {
 
 array::PlaneShape plane_shape(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
 
+array::TreeForm tree_form(const machines::Machine& machine) {
+  return {machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
+}
+
 std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form) {
   if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
-  return array::SteppedEvaluator(plane_shape(machine), machine.evaluator_degree, machine.evaluator_bits);
+  return array::SteppedEvaluator(plane_shape(machine), tree_form(machine));
 }
 
 }  // namespace
@@ -22,11 +26,11 @@ std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, 
 /// The accounts are those of the commands that are on their way to the pixels, one a clock, and of the one before.
 Renderer::Renderer(sc_core::sc_module_name name, const machines::Machine& machine, systemc::EvaluatorForm form)
     : sc_core::sc_module(name),
-      trees_{machine.evaluator_degree, machine.evaluator_bits},
-      accounts_("accounts", static_cast<int>(machines::evaluator_latency(machine.array)) + 2),
+      trees_(tree_form(machine)),
+      accounts_("accounts", static_cast<int>(machines::evaluator_latency(machine)) + 2),
       controller_("controller", machine),
-      control_delay_("control_delay", machines::evaluator_latency(machine.array)),
-      evaluator_("evaluator", plane_shape(machine), adders(machine, form)),
+      control_delay_("control_delay", machines::evaluator_latency(machine)),
+      evaluator_("evaluator", plane_shape(machine), machine.register_levels, adders(machine, form)),
       processors_("processors", machine.array, machine.alu_bits),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       output_("output", machines::own<Figures>(machine)) {

@@ -29,7 +29,7 @@ struct RendererParts {
   const pixel_planes::PixelProcessors& processors;
   const pixel_planes::LinearExpressionEvaluator& evaluator;
   const SquareCompletion& completion;
-  pixel_planes::TreeForm trees;
+  array::TreeForm trees;
 };
 
 /// Draws one square after another, with the modules of Pixel-planes between a controller and an output port of its own:
@@ -68,7 +68,7 @@ class Renderer final : public sc_core::sc_module {
   }
 
  private:
-  const pixel_planes::TreeForm trees_;
+  const array::TreeForm trees_;
   sc_core::sc_signal<pixel_planes::RootWord> root_{"root_bits"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_{"control"};
   sc_core::sc_signal<pixel_planes::ControlWord> control_at_pixels_{"control_at_pixels"};

@@ -22,7 +22,7 @@ SquareController::SquareController(sc_core::sc_module_name name, const machines:
       figures_(machines::own<Figures>(machine)),
       clear_clocks_(std::max(machine.clear_clocks, 1U)),
       memory_bits_(machine.array.memory_bits),
-      latency_(machines::evaluator_latency(machine.array)),
+      latency_(machines::evaluator_latency(machine)),
       pixels_(std::uint64_t{machine.array.width} * machine.array.height),
       receiver_(command_word_bits(machines::own<Figures>(machine), machine.link.width)),
       sequencer_(machine.memory_reads, machine.alu_bits, machine.evaluator_bits) {

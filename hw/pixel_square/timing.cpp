@@ -188,7 +188,7 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
     const bool is_question = isa::is_question(program.segments[segment].instructions[i].opcode);
     if (is_question && !spans[i].empty()) spans[i].end = spans[i].begin + 1;
   }
-  return machines::later(std::move(spans), machines::evaluator_latency(machine.array));
+  return machines::later(std::move(spans), machines::evaluator_latency(machine));
 }
 
 }  // namespace csgsim::pixel_square

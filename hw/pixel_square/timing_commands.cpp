@@ -32,7 +32,7 @@ std::vector<TimedCommand> timed_commands(const isa::Program& program, std::size_
     commands[skip->index + 1].skips = isa::skipped_after(segment.instructions[skip->index], 0);
   commands.push_back({.kind = CommandKind::end,
                       .words = isa::wire_words(isa::SegmentEnd{}, width),
-                      .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine.array)},
+                      .clocks = 1 + std::uint64_t{machines::evaluator_latency(machine)},
                       .region = &segment.region});
   return commands;
 }

@@ -51,7 +51,7 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
       decoder_(numbers(machine).decoder(renderer)),
       output_(numbers(machine).output(renderer)),
       waiting_(squares_waiting(machines::own<Figures>(machine), colour_bits)),
-      latency_(machines::evaluator_latency(machine.array)),
+      latency_(machines::evaluator_latency(machine)),
       colour_bits_(colour_bits),
       port_bits_(colour_word_bits(machines::own<Figures>(machine))),
       move_clocks_(move_clocks(machine, colour_bits)),

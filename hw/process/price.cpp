@@ -87,11 +87,24 @@ double register_bits(const Machine& machine) {
   const double operand_latch = machine.memory_reads == 1 ? machine.alu_bits : 0;
   const double carries = machine.evaluator_degree == 1 ? 1 : 3;
   const double flag_and_delay = machine.evaluator_degree == 1 ? 0 : machine.evaluator_bits == 1 ? 2 : 1;
-  return 3 + operand_latch + streams_of(machine) + carries + flag_and_delay;
+  return 3 + operand_latch + streams_of(machine) * machines::registered_nodes(machine) + carries + flag_and_delay;
 }
 
-/// The carry of a node's adder goes through its bits.
-double node_gates(const Machine& machine) { return full_adder_gates + carry_gates * (machine.evaluator_bits - 1.0); }
+/// Adders one behind the other between registers of a tree.
+double adders_in_series(const Machine& machine) {
+  const double levels = levels_of(std::max(machine.array.width, machine.array.height), 2);
+  return std::clamp<double>(machine.register_levels, 1, std::max(levels, 1.0));
+}
+
+/// A carry goes through the bits of an adder while the sums of the lower ones are already in the next.
+double tree_gates(const Machine& machine) {
+  return full_adder_gates * adders_in_series(machine) + carry_gates * (machine.evaluator_bits - 1.0);
+}
+
+/// mm between those adders, where the first wire would be so long: each is half as long as the one before.
+double tree_wires(const Machine& machine, double longest) {
+  return longest * (1 - std::exp2(1 - adders_in_series(machine)));
+}
 
 /// Joules of a pixel in a clock.
 double pixel_energy(const Machine& machine, double logic, const Process& process) {
@@ -120,11 +133,13 @@ std::vector<ClockPath> clock_paths(const Machine& machine, const Process& proces
   if (!logic) return {};
   const auto registered = static_cast<double>(process.register_delay);
   const auto gate = static_cast<double>(process.gate_delay);
+  const auto wire = static_cast<double>(process.wire_delay);
   const double pitch = std::sqrt(pixel_area(machine, *logic, process));  // mm
   const double half_side = pitch * std::max(machine.array.width, machine.array.height) / 2;
-  std::vector<ClockPath> paths{{"pixel", registered + pixel_path(machine, process)},
-                               {"trees", registered + node_gates(machine) * gate},
-                               {"wire", registered + half_side * static_cast<double>(process.wire_delay)}};
+  std::vector<ClockPath> paths{
+      {"pixel", registered + pixel_path(machine, process)},
+      {"trees", registered + tree_gates(machine) * gate + tree_wires(machine, half_side) * wire},
+      {"wire", registered + half_side * wire}};
   if (machines::has_global_or(machine)) {
     const std::uint64_t pixels = std::uint64_t{machine.array.width} * machine.array.height;
     const std::uint64_t lines = std::min(pixels, figure_of(machine, "global_or.fan_in").value_or(pixels));

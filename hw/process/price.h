@@ -26,7 +26,8 @@ struct ClockPath {
 /// - `pixel`: a bit of its memory is decoded and read, turned to the ALU's place, and goes through the carries of the
 ///   ALU's bits, two gates each.
 /// - `trees`: a full adder of a node, three gates, and two more for each further bit of a stream that the trees bring
-///   in a clock, through which its carry goes.
+///   in a clock, through which its carry goes; with registers behind every r-th level alone r full adders, and the
+///   wires between them, the first a quarter of a side long, each other half as long as the one before.
 /// - `wire`: the longest of a tree or of the broadcast, half a side of the array.
 /// - `global OR`: a gate of its lines, where the machine has one, made of gates of as many inputs as the process has.
 ///

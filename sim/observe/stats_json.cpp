@@ -46,7 +46,7 @@ Json machine_json(const Report& report) {
           {"ideal", machines::idealisations(machine)},
           {"memory_reads_per_clock", machine.memory_reads},
           {"alu_bits", machine.alu_bits},
-          {"evaluator_latency", machines::evaluator_latency(machine.array)},
+          {"evaluator_latency", machines::evaluator_latency(machine)},
           {"z_bits", compile.z_bits},
           {"fraction_bits", compile.fraction_bits},
           {"edge_on_fraction", compile.edge_on_fraction},

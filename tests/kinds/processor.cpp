@@ -22,9 +22,9 @@ class Meaning {
 
   void carry_out(const isa::Instruction& instruction) {
     sequencer_.begin(instruction);
-    std::deque<array::ArrayStep> on_their_way(trees_.levels());
+    std::deque<array::ArrayStep> on_their_way(trees_.latency());
     while (sequencer_.busy()) step(sequencer_.issue(), on_their_way);
-    for (unsigned i = 0; i < trees_.levels(); ++i) step({}, on_their_way);
+    for (unsigned i = 0; i < trees_.latency(); ++i) step({}, on_their_way);
   }
 
   [[nodiscard]] const array::PixelArray& pixels() const { return pixels_; }
@@ -32,10 +32,10 @@ class Meaning {
  private:
   void step(const array::BitStep& step, std::deque<array::ArrayStep>& on_their_way) {
     on_their_way.push_back(step.pixels);
-    if (trees_.levels() == 0) trees_.clock(step.root, leaves_);
+    if (trees_.latency() == 0) trees_.clock(step.root, leaves_);
     pixels_.step(on_their_way.front(), leaves_);
     on_their_way.pop_front();
-    if (trees_.levels() > 0) trees_.clock(step.root, leaves_);
+    if (trees_.latency() > 0) trees_.clock(step.root, leaves_);
   }
 
   array::Sequencer sequencer_{1, 1, 1};

@@ -28,6 +28,10 @@ foreach(row IN ITEMS
     "alu=32 trees=17 width=1 height=1 bits=8 link=64" "alu=7 trees=7 reads=2 width=21 height=40 bits=72 fan_in=8 clear=9 word=2 programs=40"
     "degree=1 alu=16 trees=16 buffers=2 shared=1 bits=80 width=30 height=5 pixels=3 link=32 latency=4"
     "stepped=1 alu=3 trees=3" "stepped=1 alu=32 trees=32 degree=1 width=130 height=1" "stepped=1 alu=8 trees=6 reads=2 width=5 height=70 bits=48 link=64"
-    "stepped=1 alu=4 trees=4 width=64 height=64 bits=72 programs=25" "stepped=1 alu=16 trees=11 width=1 height=37 link=32")
+    "stepped=1 alu=4 trees=4 width=64 height=64 bits=72 programs=25" "stepped=1 alu=16 trees=11 width=1 height=37 link=32"
+    "levels=2" "levels=3 degree=1 link=32 latency=9" "levels=16" "levels=2 width=1 height=37 link=32 fan_in=4" "levels=5 width=70 height=3 bits=64 alu=8 trees=5"
+    "levels=4 buffers=2 shared=1 bits=80 width=21 height=40 pixels=4 clear=72 link=32 fan_in=8 programs=40"
+    "stepped=1 levels=2" "stepped=1 levels=3 degree=1 width=130 height=5" "stepped=1 levels=7 width=37 height=1" "stepped=1 levels=2 alu=4 trees=3 width=21 height=40 bits=48 reads=2"
+    "stepped=1 levels=16 alu=32 trees=32 width=70 height=5 bits=33 link=64")
   csgsim_lockstep_row(lockstep_planes "planes ${row}" "${row}")
 endforeach()

@@ -39,6 +39,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"alu", &machine.alu_bits},
                                                     {"degree", &machine.evaluator_degree},
                                                     {"trees", &machine.evaluator_bits},
+                                                    {"levels", &machine.register_levels},
                                                     {"link", &machine.link.width},
                                                     {"word", &machine.link.word_clocks},
                                                     {"depth", &machine.link.fifo_depth},

@@ -64,7 +64,10 @@ foreach(row IN ITEMS
     "alu=16 trees=9 divider=2 processors=3 renderers=2 ring=32 channels=2 depth=20 or=1 or_fan_in=3 instructions=30"
     "alu=4 trees=3 divider=1 bits=200 depth=64 levels=2 group=2 list=1000 record=32 port=24 renderers=2 programs=10"
     "stepped=1 alu=6 trees=5 depth=64 renderers=2 buffers=2 port=24 move=2 programs=20"
-    "stepped=1 degree=1 alu=32 trees=32 width=5 height=3 picture_width=33 picture_height=11 depth=2 port=24")
+    "stepped=1 degree=1 alu=32 trees=32 width=5 height=3 picture_width=33 picture_height=11 depth=2 port=24"
+    "register_levels=2 depth=9 port=24" "register_levels=16 renderers=3 depth=64 port=24 or=1 or_fan_in=2 instructions=30"
+    "register_levels=3 alu=8 trees=5 divider=2 processors=3 renderers=2 ring=32 channels=2 depth=20"
+    "stepped=1 register_levels=2 depth=64 renderers=2 buffers=2 port=24 move=2 programs=20")
   csgsim_lockstep_row(lockstep_squares "squares ${row}" "${row}")
 endforeach()
 

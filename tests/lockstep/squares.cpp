@@ -56,6 +56,7 @@ Settings read_settings(int count, char** arguments) {
                                                     {"degree", &machine.evaluator_degree},
                                                     {"alu", &machine.alu_bits},
                                                     {"trees", &machine.evaluator_bits},
+                                                    {"register_levels", &machine.register_levels},
                                                     {"link_width", &machine.link.width},
                                                     {"word", &machine.link.word_clocks},
                                                     {"depth", &machine.link.fifo_depth},

@@ -57,8 +57,8 @@ std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::ve
   StreamBit leaves;
   std::vector<std::vector<std::uint64_t>> values;
   std::vector<RootBits> bits = stream(expressions);
-  bits.resize(bits.size() + evaluator.levels());
-  const unsigned registers = evaluator.levels();  // the last level's are the leaves
+  bits.resize(bits.size() + evaluator.latency());
+  const unsigned registers = evaluator.latency();  // the last level's are the leaves
   for (std::size_t clock = 0; clock < bits.size(); ++clock) {
     const bool reached = evaluator.clock(bits[clock], leaves);
     const std::size_t sent = clock + 1 - registers;  // what has passed `registers` registers after this clock
@@ -134,11 +134,11 @@ TEST_CASE("streams one bit wide follow each other at every clock") {
 }
 
 TEST_CASE("the trees have ceil(log2 W) + ceil(log2 H) levels") {
-  CHECK(LinearEvaluator({1, 1}).levels() == 0);
-  CHECK(LinearEvaluator({2, 1}).levels() == 1);
-  CHECK(LinearEvaluator({1, 3}).levels() == 2);
-  CHECK(LinearEvaluator({33, 7}).levels() == 9);
-  CHECK(LinearEvaluator({512, 512}).levels() == 18);
+  CHECK(LinearEvaluator({1, 1}).latency() == 0);
+  CHECK(LinearEvaluator({2, 1}).latency() == 1);
+  CHECK(LinearEvaluator({1, 3}).latency() == 2);
+  CHECK(LinearEvaluator({33, 7}).latency() == 9);
+  CHECK(LinearEvaluator({512, 512}).latency() == 18);
 }
 
 TEST_CASE("the first bit is not at the pixels at clock latency - 1, and is there at clock latency") {
@@ -146,7 +146,7 @@ TEST_CASE("the first bit is not at the pixels at clock latency - 1, and is there
   LinearEvaluator evaluator(shape);
   StreamBit leaves;
   const RootBits one{.token = {.bit = 0}, .c = true};
-  for (unsigned clock = 1; clock < evaluator.levels(); ++clock) {
+  for (unsigned clock = 1; clock < evaluator.latency(); ++clock) {
     CHECK_FALSE(evaluator.clock(clock == 1 ? one : RootBits{}, leaves));
     CHECK_FALSE(leaves.at({511, 511}));
   }

@@ -111,7 +111,7 @@ TEST_CASE("trees of degree 2 have at every level and clock what adder by adder c
       };
       for (unsigned k = 0; k <= whole.x_levels(); ++k) check(whole.x_level(k, place.x, root), way.x_level(k, root));
       for (unsigned k = 0; k <= whole.y_levels(); ++k) check(whole.y_level(k, place, root), way.y_level(k, root));
-      if (whole.clock(root, leaves) && whole.levels() > 0)
+      if (whole.clock(root, leaves) && whole.latency() > 0)
         RC_ASSERT(leaves.at(place) == whole.y_level(whole.y_levels(), place, {}).stream);
       way.clock(root);
     }

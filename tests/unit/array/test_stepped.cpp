@@ -25,16 +25,10 @@ using array::RootBits;
 
 constexpr std::uint16_t widest = isa::max_linear_width;
 
-/// What trees are built for.
-struct Form {
-  unsigned degree = 1;
-  unsigned bits = 1;
-};
-
 /// Streams of those widths, their bits at random, one after the other or with clocks between.
 class Streams {
  public:
-  Streams(const std::vector<std::uint16_t>& widths, Form form, std::uint64_t seed)
+  Streams(const std::vector<std::uint16_t>& widths, array::TreeForm form, std::uint64_t seed)
       : widths_(widths.begin(), widths.end()), form_(form), random_(seed) {}
 
   [[nodiscard]] bool over() const { return left_ == 0 && widths_.empty(); }
@@ -59,7 +53,7 @@ class Streams {
 
  private:
   std::deque<std::uint16_t> widths_;
-  Form form_;
+  array::TreeForm form_;
   std::mt19937_64 random_;
   unsigned left_ = 0;
   bool squares_ = false;
@@ -86,10 +80,10 @@ std::uint32_t leaves_at(const array::Words& planes, PlaneShape shape, Place plac
 }
 
 /// Whether both have the same until the last bit has reached the pixels. `pixels`: those that are built; none: all.
-bool agree(PlaneShape shape, Form form, const std::vector<Place>& pixels, const std::vector<Place>& probed,
+bool agree(PlaneShape shape, array::TreeForm form, const std::vector<Place>& pixels, const std::vector<Place>& probed,
            Streams streams) {
-  array::LinearEvaluator worked_out(shape);
-  array::SteppedEvaluator stepped(shape, form.degree, form.bits, pixels);
+  array::LinearEvaluator worked_out(shape, form.register_levels);
+  array::SteppedEvaluator stepped(shape, form, pixels);
   array::Words bits(stepped.leaf_words());
   array::StreamBit expected;
   const PlaneShape built = pixels.empty() ? shape : PlaneShape{static_cast<std::uint32_t>(pixels.size()), 1};
@@ -135,9 +129,10 @@ std::vector<std::uint16_t> any_widths(std::size_t count) {
   return widths;
 }
 
-/// As many bits in a clock as trees are built for, those of one bit as often as all others.
-Form any_form(unsigned degree) {
-  return {degree, *rc::gen::weightedOneOf<unsigned>({{1, rc::gen::just(1U)}, {3, rc::gen::inRange(2U, 33U)}})};
+/// Any number of bits in a clock and of levels between registers, often one.
+array::TreeForm any_form(unsigned degree) {
+  return {degree, *rc::gen::weightedOneOf<unsigned>({{1, rc::gen::just(1U)}, {3, rc::gen::inRange(2U, 33U)}}),
+          *rc::gen::weightedOneOf<unsigned>({{2, rc::gen::just(1U)}, {3, rc::gen::inRange(2U, 17U)}})};
 }
 
 PlaneShape any_shape() { return {*rc::gen::inRange(1U, 140U), *rc::gen::inRange(1U, 40U)}; }
@@ -149,7 +144,7 @@ TEST_CASE("stepped trees bring every pixel what is worked out, in the same clock
     CAPTURE(degree);
     CHECK(rc::check([degree] {
       const PlaneShape shape = any_shape();
-      const Form form = any_form(degree);
+      const array::TreeForm form = any_form(degree);
       RC_ASSERT(agree(shape, form, {}, any_places(shape, 3),
                       Streams(any_widths(3), form, *rc::gen::arbitrary<std::uint64_t>())));
     }));
@@ -162,7 +157,7 @@ TEST_CASE("stepped trees of some pixels bring these, side by side, what they bri
     CHECK(rc::check([degree] {
       const PlaneShape shape = any_shape();
       const std::vector<Place> pixels = any_places(shape, 70);
-      const Form form = any_form(degree);
+      const array::TreeForm form = any_form(degree);
       RC_ASSERT(agree(shape, form, pixels, {pixels.front(), pixels.back()},
                       Streams(any_widths(3), form, *rc::gen::arbitrary<std::uint64_t>())));
     }));
@@ -183,8 +178,11 @@ TEST_CASE(
       const Place last{shape.width - 1, shape.height - 1};
       for (unsigned bits = 1; bits <= 32; ++bits) {
         CAPTURE(bits);
-        const Form form{degree, bits};
-        CHECK(agree(shape, form, {}, {last}, Streams(every, form, bits)));
+        for (const unsigned register_levels : {1U, 2U, 5U}) {
+          CAPTURE(register_levels);
+          const array::TreeForm form{degree, bits, register_levels};
+          CHECK(agree(shape, form, {}, {last}, Streams(every, form, bits)));
+        }
       }
     }
   }
@@ -243,7 +241,7 @@ TEST_CASE("trees as deep as those of the largest arrays are stepped alike") {
       const PlaneShape shape{*rc::gen::inRange(1000U, isa::max_array_side + 1),
                              *rc::gen::inRange(1000U, isa::max_array_side + 1)};
       const std::vector<Place> pixels = any_places(shape, 2);
-      const Form form = any_form(degree);
+      const array::TreeForm form = any_form(degree);
       RC_ASSERT(agree(shape, form, pixels, pixels, Streams({widest}, form, *rc::gen::arbitrary<std::uint64_t>())));
     }));
   }

@@ -38,12 +38,37 @@ std::uint64_t linear_clocks(Opcode opcode, Field field, std::uint16_t width) {
 }  // namespace
 
 TEST_CASE("the evaluator's latency is a clock a level of both trees") {
-  CHECK(machines::evaluator_latency({512, 512, 72}) == 9 + 9);
-  CHECK(machines::evaluator_latency({1, 1, 72}) == 0);
-  CHECK(machines::evaluator_latency({2, 1, 72}) == 1);
-  CHECK(machines::evaluator_latency({3, 5, 72}) == 2 + 3);
-  CHECK(machines::evaluator_latency({128, 128, 208}) == 7 + 7);
-  CHECK(machines::evaluator_latency({513, 512, 72}) == 10 + 9);
+  const auto latency = [](std::uint32_t width, std::uint32_t height) {
+    machines::Machine one = machine(1);
+    one.array = {width, height, 72};
+    return machines::evaluator_latency(one);
+  };
+  CHECK(latency(512, 512) == 9 + 9);
+  CHECK(latency(1, 1) == 0);
+  CHECK(latency(2, 1) == 1);
+  CHECK(latency(3, 5) == 2 + 3);
+  CHECK(latency(128, 128) == 7 + 7);
+  CHECK(latency(513, 512) == 10 + 9);
+}
+
+TEST_CASE("with fewer registers a clock takes several levels, of one tree, and the last of them too few or not") {
+  const auto latency = [](std::uint32_t width, std::uint32_t height, std::uint32_t levels) {
+    machines::Machine one = machine(1);
+    one.array = {width, height, 72};
+    one.register_levels = levels;
+    return machines::evaluator_latency(one);
+  };
+  CHECK(latency(512, 512, 2) == 5 + 5);
+  CHECK(latency(512, 512, 3) == 3 + 3);
+  CHECK(latency(512, 512, 8) == 2 + 2);
+  CHECK(latency(512, 512, 9) == 1 + 1);
+  CHECK(latency(512, 512, 16) == 1 + 1);
+  CHECK(latency(1, 512, 4) == 3);
+  CHECK(latency(1, 1, 4) == 0);
+  machines::Machine deep = machine(1);
+  deep.register_levels = 4;
+  CHECK(machines::clocks({.opcode = Opcode::global_or}, deep) == 1 + 3 + 3);
+  CHECK(machines::clocks({.opcode = Opcode::edge_negative, .linear = {.a = 1, .width = 20}}, deep) == 20);
 }
 
 TEST_CASE("instructions on the enable register take one clock") {

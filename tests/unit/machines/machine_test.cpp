@@ -157,7 +157,7 @@ TEST_CASE("figures come in the order of the file, each with unit, provenance and
   CHECK(keys ==
         "array.width array.height array.memory_bits clock.frequency alu.bits memory.reads memory.writes "
         "global_or.present global_or.fan_in scan_out.pixels scan_out.port scan_out.buffers evaluator.level_latency "
-        "evaluator.degree evaluator.bits "
+        "evaluator.degree evaluator.bits evaluator.register_levels "
         "memory.clear_clocks link.width link.word_clocks "
         "link.fifo_depth link.latency host.processor host.count ");
   CHECK(machine.figures[3].value == "10000000");

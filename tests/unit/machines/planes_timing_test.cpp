@@ -194,7 +194,7 @@ TEST_CASE("at a pixel a question takes its first clock, another instruction all,
   machines::Timeline timeline;
   timeline.issued = {{{13, 22}, {0, 0}, {30, 38}, {40, 43}}};
   const std::vector<machines::ClockSpan> steps = machines::at_pixel(timeline, program, machine, 0, 0, 0);
-  const std::uint64_t latency = machines::evaluator_latency(machine.array);
+  const std::uint64_t latency = machines::evaluator_latency(machine);
   REQUIRE(steps.size() == 4);
   CHECK(steps[0].begin == 13 + latency);
   CHECK(steps[0].end == 14 + latency);

@@ -548,7 +548,7 @@ Work work_of(const isa::Program& program, const Machine& machine) {
               isa::wire_words(isa::SegmentEnd{}, machine.link.width);
       for (const Instruction& instruction : one.instructions) words += isa::wire_words(instruction, machine.link.width);
       work.renderers += std::max(machine.clear_clocks, 1U) + machines::clocks(one.instructions, machine) + 1 +
-                        machines::evaluator_latency(machine.array) + leaving + 2;
+                        machines::evaluator_latency(machine) + leaving + 2;
       if (figures.buffers == 2 && figures.move_bits > 0) work.renderers += words_in(colour_bits, figures.move_bits);
     }
     work.host += words * machine.link.word_clocks;

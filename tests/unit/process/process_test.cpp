@@ -145,6 +145,13 @@ TEST_CASE("the paths of a clock are as their gates add up by hand") {
   CHECK(path(small_machine(), one, "trees") == doctest::Approx(100 + 30));
   // Eight bits: the carry goes through seven more, two gates each.
   CHECK(path(small_machine("+alu.bits=8+evaluator.bits=8"), one, "trees") == doctest::Approx(100 + 10 * (3 + 7 * 2)));
+  // Two adders, and a wire half as long as the longest. Of the 63 nodes of a column those of levels 1, 3 and 5 have
+  // registers, 42: the others' third of two flip-flops of 16 transistors is left out of 434, so 1038 um2 a pixel.
+  CHECK(path(small_machine("+evaluator.register_levels=2"), one, "trees") ==
+        doctest::Approx(100 + 10 * 6 + 300 * 16 * std::sqrt(1038e-6)));
+  // All six levels: six adders, wires of a half, a quarter and so on; registers behind 32 nodes, 16 transistors less.
+  CHECK(path(small_machine("+evaluator.register_levels=16"), one, "trees") ==
+        doctest::Approx(100 + 10 * 18 + 300 * 31 * std::sqrt(1028e-6)));
   // 434 transistors of 2 um2 and 64 bits of three of 1 um2: 1060 um2 a pixel; half of 64 of them.
   CHECK(path(small_machine(), one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
   // 64 lines a gate: three levels of four.
@@ -205,6 +212,9 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   CHECK(part_of("+alu.bits=4+evaluator.bits=4", {1000, 0}, 1000 * wide(4, 9, 8, 1362)) == doctest::Approx(1));
   CHECK(part_of("+alu.bits=4+evaluator.bits=4+evaluator.degree=2", {1000, 0}, 1000 * wide(12, 20, 16, 1951)) ==
         doctest::Approx(1));
+  // With registers behind two thirds of the nodes.
+  const double fewer = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + (5 + 4.0 / 3) * 2 + 2 * 7 * std::sqrt(1038e-6));
+  CHECK(part_of("+evaluator.register_levels=2", {1000, 0}, 1000 * fewer) == doctest::Approx(1));
   const double gates = (4096 * 434 + 35'966 + 18'666) / 4.0;
   CHECK(part_of("", {1000, 2}, 1000 * clock + gates * 4e-12 * 2) == doctest::Approx(1));
   CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));
