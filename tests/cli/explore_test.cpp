@@ -186,6 +186,28 @@ TEST_CASE("machines whose pixels have no price have no area, and their fronts do
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "memory", "wrong"});
 }
 
+TEST_CASE("figures that do not fit the machine but each other are varied together, and what does not fit says so") {
+  const Folder folder;
+  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
+              " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e"))
+              .code == 0);
+  std::size_t refused = 0;
+  std::map<std::string, std::uint64_t> clocks;
+  for (const nlohmann::json& point : json(folder / "e/explore.json")["points"]) {
+    if (const std::string reason = point["reason"].is_null() ? "" : point["reason"].get<std::string>();
+        !reason.empty()) {
+      CHECK(reason.find("evaluator.bits is 4 and alu.bits 1") != std::string::npos);
+      ++refused;
+    } else {
+      clocks[point["machine"]] = point["clocks"];
+    }
+  }
+  CHECK(refused == 1);
+  REQUIRE(clocks.size() == 3);
+  CHECK(2 * clocks.at("pixel-planes-4+evaluator.bits=4+alu.bits=4") <
+        clocks.at("pixel-planes-4+evaluator.bits=1+alu.bits=4"));
+}
+
 TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to say instead") {
   const Folder folder;
   const std::string command = "explore " + model("sphere") + small + " -o " + (folder / "e");
@@ -193,6 +215,7 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
   misused(command + " --vary alu.bits", "say KEY=a,b,c");
   misused(command + " --vary alu.bit=1", "the nearest known is 'alu.bits'");
   misused(command + " --vary alu.bits=1,999", "--vary alu.bits");
+  misused(command + " --vary evaluator.bits=1,4", "the ALU takes what the trees bring");
   misused(command + " --vary strategy=auto", "strategy");
   misused(command + " --vary alu.bits=1,2 --set alu.bits=4", "is set besides");
   misused(command + " --vary alu.bits=1,2 --vary alu.bits=4", "said twice");

@@ -131,7 +131,8 @@ TEST_CASE("the instruction at the pixels is the one whose clocks they are, with 
 
 TEST_CASE("what the probed pixels do alone is what they do in the whole machine") {
   const std::string tree = " --probe tree.x:3 --probe tree.x:7 --probe tree.y:0 --probe tree.y:6";
-  for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=16+evaluator.bits=5"}) {
+  for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=16+evaluator.bits=5",
+                                    "pixel-planes-4+evaluator.register_levels=3"}) {
     CAPTURE(machine);
     const Case one{machine, "--size 70x40", {{35, 20}, {64, 3}}, ""};
     const Folder folder;
@@ -152,7 +153,8 @@ TEST_CASE("what the probed pixels do alone is what they do in the whole machine"
 
 TEST_CASE("the wave of stepped trees, which levels of trees ask for, is that of trees that are worked out") {
   const std::string tree = " --probe tree.x:0 --probe tree.x:4 --probe tree.x:6 --probe tree.y:2 --probe tree.y:5";
-  for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=4+evaluator.bits=4"}) {
+  for (const std::string machine : {"pixel-planes-4", "pixel-planes-4+alu.bits=4+evaluator.bits=4",
+                                    "pixel-planes-4+alu.bits=4+evaluator.bits=3+evaluator.register_levels=2"}) {
     CAPTURE(machine);
     const Case one{machine, "--size 37x21", {{35, 20}, {35, 3}}, ""};
     const Folder folder;
