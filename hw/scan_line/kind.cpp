@@ -36,7 +36,7 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
     own_figure<Figures, &Figures::network>(
         "evaluator.network", "", 0, 1, "chain: each cell adds for the next; trees: adders bring all cells their value",
         network_names),
-    own_figure<Figures, &Figures::tree_bits>("evaluator.tree_bits", "bits", 1, 64,
+    own_figure<Figures, &Figures::tree_bits>("evaluator.bits", "bits", 1, 64,
                                              "of trees: that they bring each cell in a clock, of a word at most"),
     shared::clear_clocks,
     shared::picture_width,

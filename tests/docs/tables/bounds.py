@@ -36,8 +36,8 @@ def scan_line(figures):
               ("`cells.alu_bits` 8", "cells.alu_bits=8"),
               ("`link.width`, `cells.shift_bits` ideal", "link.width=ideal", "cells.shift_bits=ideal"),
               ("`evaluator.network` trees", "evaluator.network=trees"),
-              ("trees, `evaluator.tree_bits` 8", "evaluator.network=trees", "evaluator.tree_bits=8"),
-              ("trees, `evaluator.tree_bits` 1", "evaluator.network=trees", "evaluator.tree_bits=1"),
+              ("trees, `evaluator.bits` 8", "evaluator.network=trees", "evaluator.bits=8"),
+              ("trees, `evaluator.bits` 1", "evaluator.network=trees", "evaluator.bits=1"),
               ("all that may be ideal", *(f"{key}=ideal" for key in (
                   "link.width", "cells.ports", "cells.alu_bits", "cells.shift_bits", "memory.clear_clocks", "link.fifo_depth", "link.latency", "host.bucket_clocks",
                   "host.active_clocks"))),
