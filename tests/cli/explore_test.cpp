@@ -193,7 +193,8 @@ TEST_CASE("figures that do not fit the machine but each other are varied togethe
               .code == 0);
   std::size_t refused = 0;
   std::map<std::string, std::uint64_t> clocks;
-  for (const nlohmann::json& point : json(folder / "e/explore.json")["points"]) {
+  const nlohmann::json points = json(folder / "e/explore.json")["points"];
+  for (const nlohmann::json& point : points) {
     if (const std::string reason = point["reason"].is_null() ? "" : point["reason"].get<std::string>();
         !reason.empty()) {
       CHECK(reason.find("evaluator.bits is 4 and alu.bits 1") != std::string::npos);
