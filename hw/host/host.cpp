@@ -81,8 +81,8 @@ machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program
 }
 
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips) {
-  return with_host(machine.kind->time(program, machine, skips), program, machine);
+                                 const machines::Told& told) {
+  return with_host(machine.kind->time(program, machine, told), program, machine);
 }
 
 }  // namespace csgsim::host

@@ -24,6 +24,6 @@ machines::FrameTiming with_host(machines::FrameTiming timing, const isa::Program
 
 /// As machines::time_frame, with the host.
 machines::FrameTiming time_frame(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips = {});
+                                 const machines::Told& told = {});
 
 }  // namespace csgsim::host

@@ -114,8 +114,8 @@ FrameTiming with_pace(FrameTiming timing) {
   return timing;
 }
 
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
-  return with_pace(machine.kind->time(program, machine, skips));
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& told) {
+  return with_pace(machine.kind->time(program, machine, told));
 }
 
 }  // namespace csgsim::machines

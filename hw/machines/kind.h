@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -31,7 +32,7 @@ class Kind {
  public:
   using Machine = machines::Machine;
   using Program = isa::Program;
-  using Skips = std::span<const Skip>;
+  using Told = machines::Told;
   using Timeline = machines::Timeline;
   using Spans = std::vector<ClockSpan>;
 
@@ -75,13 +76,23 @@ class Kind {
   /// been checked.
   virtual void check(const Program& /*program*/, const Machine& /*machine*/) const {}
 
-  /// Clocks that a pixel's processor, or a chain's entry, spends on an instruction.
+  /// Whether its clocks depend on which pixels are enabled (Told::met), which only a run tells.
+  [[nodiscard]] virtual bool asks_for_pixels(const Machine& /*machine*/) const { return false; }
+  /// Clocks that a pixel's processor, or a chain's entry, spends on an instruction, where it carries out all of it.
   [[nodiscard]] virtual std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const = 0;
+  /// On a segment's instruction of that number. `met`: of that segment; null where no run told, and all pixels are
+  /// taken for enabled.
+  [[nodiscard]] virtual PixelClocks clocks_at_pixels(const isa::Segment& segment, std::size_t index,
+                                                     const Machine& machine, const MetPixels* /*met*/) const {
+    const std::uint64_t pixels = std::uint64_t{segment.region.width} * segment.region.height;
+    const std::uint64_t all = clocks(segment.instructions[index], machine) * pixels;
+    return {all, all};
+  }
   /// Worked out from these, without stepping.
-  [[nodiscard]] virtual FrameTiming time(const Program& program, const Machine& machine, Skips skips) const = 0;
+  [[nodiscard]] virtual FrameTiming time(const Program& program, const Machine& machine, const Told& told) const = 0;
   /// When its instructions are carried out, from the same working-out; nothing from a kind that does not tell.
   [[nodiscard]] virtual std::optional<Timeline> timeline(const Program& /*program*/, const Machine& /*machine*/,
-                                                         Skips /*skips*/) const {
+                                                         const Told& /*told*/) const {
     return std::nullopt;
   }
   /// As machines::at_pixel, of a timeline that it told.

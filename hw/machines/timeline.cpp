@@ -10,8 +10,8 @@
 
 namespace csgsim::machines {
 
-Timeline timeline(const isa::Program& program, const Machine& machine, std::span<const Skip> skips) {
-  std::optional<Timeline> told = machine.kind->timeline(program, machine, skips);
+Timeline timeline(const isa::Program& program, const Machine& machine, const Told& told_by_run) {
+  std::optional<Timeline> told = machine.kind->timeline(program, machine, told_by_run);
   if (!told) {
     throw InputError(fmt::format(
         "machines of the kind {} do not tell when their instructions are carried out; take another --machine",

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "hw/isa/program.h"
@@ -29,10 +28,13 @@ struct Timeline {
 
   /// For each segment, the clocks in which memory and enable of its pixels become 0.
   std::vector<ClockSpan> cleared;
+
+  /// What it was worked out from, of a kind that asks for it.
+  std::vector<MetPixels> met{};
 };
 
-/// Worked out without stepping. `skips`: as for time_frame. Throws InputError for a kind that does not tell.
-Timeline timeline(const isa::Program& program, const Machine& machine, std::span<const Skip> skips = {});
+/// Worked out without stepping. `told`: as for time_frame. Throws InputError for a kind that does not tell.
+Timeline timeline(const isa::Program& program, const Machine& machine, const Told& told = {});
 
 /// For each instruction of a segment, the clocks in which pixel (x, y) of the picture, which lies in the segment's
 /// region, carries it out: what it changes of the pixel is changed from the span's `end` on. `timeline`: of that

@@ -1,21 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "hw/isa/program.h"
 #include "hw/machines/accounts.h"
 #include "hw/machines/machine.h"
+#include "hw/machines/told.h"
 
 namespace csgsim::machines {
-
-/// A skip_if_none that found no pixel enabled, so that the instructions it names were not carried out.
-struct Skip {
-  std::uint32_t segment = 0;
-  std::uint32_t index = 0;  ///< of the question within the segment
-
-  constexpr bool operator==(const Skip&) const = default;
-};
 
 /// The clocks of a frame and what they went into.
 struct FrameTiming {
@@ -39,7 +31,8 @@ constexpr std::uint64_t paced_clocks(std::uint64_t interval_clocks, std::uint64_
 /// begins the next.
 FrameTiming with_pace(FrameTiming timing);
 
-/// Of any kind, with_pace. `skips`: in program order, what the run skipped, which only the run tells.
-FrameTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Skip> skips = {});
+/// Of any kind, with_pace. `told`: of a run of the Program; without it no instruction is skipped, and of a kind that
+/// asks for pixels (Kind::asks_for_pixels) the clocks are a bound that no run exceeds.
+FrameTiming time_frame(const isa::Program& program, const Machine& machine, const Told& told = {});
 
 }  // namespace csgsim::machines

@@ -1,6 +1,7 @@
 #include "hw/multi_processor/clocks.h"
 
 #include <algorithm>
+#include <bit>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
@@ -120,23 +121,6 @@ std::uint64_t pass_clocks(const NodePixels& own, std::uint64_t at_each, const Fi
   return own.count() * (at_each + figures.loop.pixel) + own.rows * std::uint64_t{figures.loop.row};
 }
 
-std::uint64_t instruction_clocks(const isa::Instruction& instruction, const NodePixels& own, const Machine& machine) {
-  const Figures& figures = machines::own<Figures>(machine);
-  const std::uint64_t fetch = fetch_clocks(instruction, figures);
-  const std::uint64_t at_each = own.count() * pixel_clocks(instruction, machine);
-  const std::uint64_t pixel_loop = own.count() * figures.loop.pixel;
-  const std::uint64_t row_loop = own.rows * std::uint64_t{figures.loop.row};
-  switch (figures.order) {
-    case RenderingOrder::segment:
-      return fetch + sum_clocks(instruction, 2, figures) + own.rows * add_clocks(instruction, figures) + at_each +
-             pixel_loop + row_loop;
-    case RenderingOrder::scan_line:
-      return own.rows * (fetch + sum_clocks(instruction, 1, figures)) + at_each + pixel_loop;
-    case RenderingOrder::pixel: return own.count() * fetch + at_each;
-  }
-  return 0;
-}
-
 /// What goes round all instructions.
 std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
   switch (figures.order) {
@@ -147,18 +131,142 @@ std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
   return 0;
 }
 
+/// Clocks of an instruction at a pixel, by how much of it is carried out there.
+struct Prices {
+  std::uint64_t disabled = 0;  ///< where it has no effect, since E is 0
+  std::uint64_t unchosen = 0;  ///< where E is 1 and it keeps what is there
+  std::uint64_t whole = 0;
+
+  [[nodiscard]] std::uint64_t most() const { return std::max({disabled, unchosen, whole}); }
+};
+
+Prices prices_of(const isa::Instruction& instruction, const Figures& figures) {
+  const OperationClocks& operations = figures.operations;
+  const BranchFigures& branches = figures.branches;
+  const Work work = work_of(instruction, figures);
+  const isa::Linear& linear = instruction.linear;
+  const std::uint64_t look = std::uint64_t{operations.read} + operations.logic;
+  const std::uint64_t shift = linear.width > 0 ? shift_clocks(linear.width, linear.shift, figures) : 0;
+  const bool by_pixel = figures.order == RenderingOrder::pixel;
+  const std::uint64_t start = by_pixel ? sum_clocks(instruction, 0, figures) : 0;
+  const std::uint64_t go_on = by_pixel ? 0 : add_clocks(instruction, figures);
+  const std::uint64_t reads = work.reads * operations.read;
+  const std::uint64_t whole = look + start + reads + work.writes * operations.write +
+                              work.compares * operations.compare + work.combines * operations.logic +
+                              work.adds * operations.add + work.shifts + shift + go_on;
+  if (branches.over == Branches::none || isa::acts_on_disabled(instruction.opcode)) return {whole, whole, whole};
+  const std::uint64_t disabled = look + branches.taken + go_on;
+  const bool chooses = instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min;
+  if (!chooses) return {disabled, whole + branches.passed, whole + branches.passed};
+  const std::uint64_t wider = words_of(std::max<std::uint64_t>(linear.width, instruction.fields[0].width), figures);
+  return {disabled,
+          look + branches.passed + start + reads + wider * operations.compare + shift + branches.taken + go_on,
+          whole + 2 * std::uint64_t{branches.passed}};
+}
+
+/// What the instructions of a part take at a node's pixels, which are numbered row by row.
+class AtPixels {
+ public:
+  /// `nodes`: of which each has every so-many-th pixel.
+  AtPixels(const ListPart& part, const NodePixels& own, const Figures& figures, const isa::ArrayShape& nodes)
+      : part_(part), own_(own), figures_(figures), nodes_(nodes) {
+    if (part.met != nullptr && !part.instructions.empty()) row_ = row_mask(own.columns);
+  }
+
+  /// Of an instruction at those from `begin` to `end`.
+  [[nodiscard]] std::uint64_t clocks(std::size_t index, std::uint64_t begin, std::uint64_t end) const {
+    const Prices prices = prices_of(part_.instructions[index], figures_);
+    if (part_.met == nullptr) return (end - begin) * prices.most();
+    const Pixels pixels = pixels_of(index, begin, end);
+    return (end - begin - pixels.enabled) * prices.disabled + at_enabled(pixels, prices);
+  }
+
+  /// Of an instruction at all of them.
+  [[nodiscard]] machines::PixelClocks of_all(std::size_t index) const {
+    const std::uint64_t all = clocks(index, 0, own_.count());
+    if (part_.met == nullptr) return {all, all};
+    return {all, at_enabled(pixels_of(index, 0, own_.count()), prices_of(part_.instructions[index], figures_))};
+  }
+
+ private:
+  struct Pixels {
+    std::uint64_t enabled = 0;
+    std::uint64_t chosen = 0;
+  };
+
+  static std::uint64_t at_enabled(const Pixels& pixels, const Prices& prices) {
+    return (pixels.enabled - pixels.chosen) * prices.unchosen + pixels.chosen * prices.whole;
+  }
+
+  [[nodiscard]] Pixels pixels_of(std::size_t index, std::uint64_t begin, std::uint64_t end) const {
+    const machines::MetPixels::Planes planes = part_.met->instructions[part_.first + index];
+    const auto in = [&](std::uint32_t plane) { return count(plane, end) - count(plane, begin); };
+    const std::uint64_t enabled = in(planes.enabled);
+    return {enabled, planes.chosen == planes.enabled ? enabled : in(planes.chosen)};
+  }
+
+  /// Of a row of the plane, the bits of the node's first so many pixels.
+  [[nodiscard]] std::vector<std::uint64_t> row_mask(std::uint64_t columns) const {
+    std::vector<std::uint64_t> mask(part_.met->row_words);
+    for (std::uint64_t column = 0; column < columns; ++column) {
+      const std::uint64_t x = own_.first_x + column * nodes_.width;
+      mask[x / word_bits] |= std::uint64_t{1} << x % word_bits;
+    }
+    return mask;
+  }
+
+  /// Of the pixels before that one, those in the plane.
+  [[nodiscard]] std::uint64_t count(std::uint32_t plane, std::uint64_t end) const {
+    const std::vector<std::uint64_t>& words = part_.met->planes[plane];
+    if (words.empty() || end == 0) return 0;
+    std::uint64_t sum = 0;
+    const auto add_row = [&](std::uint64_t row, const std::vector<std::uint64_t>& mask) {
+      const std::uint64_t* const bits = &words[(own_.first_y + row * nodes_.height) * mask.size()];
+      for (std::size_t i = 0; i < mask.size(); ++i) sum += static_cast<std::uint64_t>(std::popcount(bits[i] & mask[i]));
+    };
+    const std::uint64_t whole_rows = end / own_.columns;
+    for (std::uint64_t row = 0; row < whole_rows; ++row) add_row(row, row_);
+    if (end % own_.columns > 0) add_row(whole_rows, row_mask(end % own_.columns));
+    return sum;
+  }
+
+  static constexpr std::uint64_t word_bits = 64;
+
+  const ListPart& part_;
+  const NodePixels& own_;
+  const Figures& figures_;
+  const isa::ArrayShape nodes_;
+  std::vector<std::uint64_t> row_;  ///< bits of the node's pixels in a row of a plane
+};
+
+/// Of an instruction at so many rows of pixels and pixels, at which it takes `at_pixels` in all.
+std::uint64_t instruction_clocks(const isa::Instruction& instruction, std::uint64_t rows, std::uint64_t pixels,
+                                 std::uint64_t at_pixels, const Figures& figures) {
+  const std::uint64_t fetch = fetch_clocks(instruction, figures);
+  const std::uint64_t pixel_loop = pixels * figures.loop.pixel;
+  switch (figures.order) {
+    case RenderingOrder::segment:
+      return fetch + sum_clocks(instruction, 2, figures) +
+             rows * (add_clocks(instruction, figures) + figures.loop.row) + at_pixels + pixel_loop;
+    case RenderingOrder::scan_line:
+      return rows * (fetch + sum_clocks(instruction, 1, figures)) + at_pixels + pixel_loop;
+    case RenderingOrder::pixel: return pixels * fetch + at_pixels;
+  }
+  return 0;
+}
+
 }  // namespace
 
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& machine) {
+  return prices_of(instruction, machines::own<Figures>(machine)).whole;
+}
+
+machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const Machine& machine,
+                                       const machines::MetPixels* met) {
   const Figures& figures = machines::own<Figures>(machine);
-  const OperationClocks& operations = figures.operations;
-  const Work work = work_of(instruction, figures);
-  const isa::Linear& linear = instruction.linear;
-  const std::uint64_t shifts = work.shifts + (linear.width > 0 ? shift_clocks(linear.width, linear.shift, figures) : 0);
-  const std::uint64_t sum =
-      figures.order == RenderingOrder::pixel ? sum_clocks(instruction, 0, figures) : add_clocks(instruction, figures);
-  return (1 + work.reads) * operations.read + work.writes * operations.write + work.compares * operations.compare +
-         (1 + work.combines) * operations.logic + work.adds * operations.add + shifts + sum;
+  const ListPart part{.instructions = std::span(segment.instructions).subspan(index, 1), .met = met, .first = index};
+  const NodePixels all{0, 0, segment.region.width, segment.region.height};
+  return AtPixels(part, all, figures, {1, 1, 0}).of_all(0);
 }
 
 std::uint64_t unpacking_clocks(std::span<const std::uint8_t> widths, const Figures& figures) {
@@ -189,7 +297,9 @@ std::uint64_t rendering_clocks(const ListPart& part, const NodePixels& own, isa:
     clocks += outer_clocks(own, figures);
     if (part.begins) clocks += clearing_clocks(own, machine);
   }
-  for (const isa::Instruction& instruction : part.instructions) clocks += instruction_clocks(instruction, own, machine);
+  const AtPixels at(part, own, figures, machine.array);
+  for (std::size_t i = 0; i < part.instructions.size(); ++i)
+    clocks += instruction_clocks(part.instructions[i], own.rows, own.count(), at.clocks(i, 0, own.count()), figures);
   if (!part.ends || colour.width == 0) return clocks;
   const bool is_background = part.begins && !has_instructions;
   const std::uint64_t words = words_of(colour.width, figures);
@@ -208,37 +318,40 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
                                                 std::uint32_t row, const Machine& machine) {
   const std::span<const isa::Instruction> list = part.instructions;
   const Figures& figures = machines::own<Figures>(machine);
-  const NodePixels rows_above{.columns = own.columns, .rows = row};
-  const NodePixels one_row{.columns = own.columns, .rows = 1};
-  const NodePixels one_pixel{.columns = 1, .rows = 1};
-  const auto all = [&](const NodePixels& pixels) {
-    std::uint64_t clocks = outer_clocks(pixels, figures);
-    for (const isa::Instruction& instruction : list) clocks += instruction_clocks(instruction, pixels, machine);
+  const AtPixels at(part, own, figures, machine.array);
+  const std::uint64_t row_begin = std::uint64_t{row} * own.columns;
+  const std::uint64_t here = row_begin + column;
+  const auto at_all = [&](std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
+    std::uint64_t clocks = 0;
+    for (std::size_t i = 0; i < list.size(); ++i)
+      clocks += instruction_clocks(list[i], rows, end - begin, at.clocks(i, begin, end), figures);
     return clocks;
   };
   std::uint64_t now = part.begins ? clearing_clocks(own, machine) : 0;
-  switch (figures.order) {
-    case RenderingOrder::segment: break;
-    case RenderingOrder::scan_line: now += all(rows_above); break;
-    case RenderingOrder::pixel: now += all(rows_above) + column * (all(one_pixel) - figures.loop.row); break;
+  if (figures.order != RenderingOrder::segment) {
+    now += outer_clocks({.columns = own.columns, .rows = row}, figures) + at_all(row, 0, row_begin);
+    if (figures.order == RenderingOrder::pixel)
+      now += column * std::uint64_t{figures.loop.pixel} + at_all(0, row_begin, here);
   }
   std::vector<machines::ClockSpan> spans;
-  for (const isa::Instruction& instruction : list) {
-    const std::uint64_t at_each = pixel_clocks(instruction, machine);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const isa::Instruction& instruction = list[i];
     std::uint64_t begin = now + fetch_clocks(instruction, figures);
+    const auto all = [&](std::uint64_t rows, std::uint64_t first, std::uint64_t end) {
+      return instruction_clocks(instruction, rows, end - first, at.clocks(i, first, end), figures);
+    };
     switch (figures.order) {
       case RenderingOrder::segment:
-        begin += sum_clocks(instruction, 2, figures) + row * (add_clocks(instruction, figures) + figures.loop.row) +
-                 (std::uint64_t{row} * own.columns + column) * (at_each + figures.loop.pixel);
-        now += instruction_clocks(instruction, own, machine);
+        begin = now + all(row, 0, here);
+        now += all(own.rows, 0, own.count());
         break;
       case RenderingOrder::scan_line:
-        begin += sum_clocks(instruction, 1, figures) + column * (at_each + figures.loop.pixel);
-        now += instruction_clocks(instruction, one_row, machine);
+        begin = now + all(1, row_begin, here);
+        now += all(1, row_begin, row_begin + own.columns);
         break;
-      case RenderingOrder::pixel: now += instruction_clocks(instruction, one_pixel, machine); break;
+      case RenderingOrder::pixel: now += all(0, here, here + 1); break;
     }
-    spans.push_back({begin, begin + at_each});
+    spans.push_back({begin, begin + at.clocks(i, here, here + 1)});
   }
   return spans;
 }
@@ -248,7 +361,7 @@ double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::
   const Figures& figures = machines::own<Figures>(machine);
   double clocks = 0;
   for (const isa::Instruction& instruction : list) {
-    clocks += static_cast<double>(pixel_clocks(instruction, machine) + fetch_clocks(instruction, figures) +
+    clocks += static_cast<double>(prices_of(instruction, figures).most() + fetch_clocks(instruction, figures) +
                                   sum_clocks(instruction, 2, figures) + figures.loop.pixel + figures.loop.row);
   }
   const std::uint64_t words = words_of(machine.array.memory_bits + 2ULL * isa::max_field_width, figures) + 4;

@@ -1,19 +1,25 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"
+#include "hw/machines/told.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/regions.h"
 
 /// Clocks of a node, worked out from the figures.
 namespace csgsim::multi_processor {
 
-/// Of an instruction at one pixel, without the loops around it and what begins a row.
+/// Of all of an instruction at one pixel, if no branch is taken, without the loops around it and what begins a row.
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::Machine& machine);
+
+/// Of an instruction of a subsegment at all its pixels, of all nodes together. `met`: as in ListPart.
+machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const machines::Machine& machine,
+                                       const machines::MetPixels* met);
 
 /// Of numbers of so many bits that follow each other from the beginning of a word on, to get each into words of its
 /// own.
@@ -24,6 +30,10 @@ struct ListPart {
   std::span<const isa::Instruction> instructions;
   bool begins = true;  ///< nothing of the list has been carried out before
   bool ends = true;    ///< nothing of it comes after
+  /// Which pixels of the subsegment a run of its whole list meets; null where no run told: then each instruction takes
+  /// as long at each pixel as it may.
+  const machines::MetPixels* met = nullptr;
+  std::size_t first = 0;  ///< instructions of the list that come before
 };
 
 /// Of that at so many of the node's pixels: where the list begins, memory is cleared; it is carried out; where it ends,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hw/base/quotient.h"
+#include "hw/machines/kind.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/systemc/clear_view.h"
 
@@ -83,6 +84,7 @@ MergedView view_of(const isa::Region& region, const isa::ArrayShape& nodes, std:
 Collector::Collector(sc_core::sc_module_name name, const machines::Machine& machine, const systemc::SegmentNames& names)
     : sc_core::sc_module(name),
       nodes_(machine.array),
+      branches_(machine.kind->asks_for_pixels(machine)),
       names_(names),
       told_(std::size_t{nodes_.width} * nodes_.height),
       ends_(told_.size()) {}
@@ -110,10 +112,14 @@ void Collector::tell(const isa::Region& region) {
   const std::uint32_t segment = names_.segment_of(region);
   for (std::uint32_t index = 0; index < steps_.size(); ++index) {
     systemc::Retired retired{.segment = segment, .index = index};
+    machines::PixelClocks at_pixels;
     for (const NodeState& state : steps_[index]) {
+      at_pixels.all += state.pixel_clocks;
+      at_pixels.enabled += state.enabled_clocks;
       retired.clocks = std::max(retired.clocks, state.clocks);
       retired.enabled_pixels += state.enabled_pixels;
     }
+    if (branches_) retired.at_pixels = at_pixels;
     retirement->after_instruction(retired, view_of(region, nodes_, steps_[index]));
   }
   if (steps_.empty()) return retirement->after_segment(segment, systemc::ClearView());

@@ -40,6 +40,7 @@ class Collector final : public sc_core::sc_module, public CollectorPort {
   void tell(const isa::Region& region);
 
   const isa::ArrayShape nodes_;
+  const bool branches_;
   const systemc::SegmentNames& names_;
   std::vector<std::vector<NodeState>> steps_;  ///< by instruction, by node
   std::vector<std::uint32_t> told_;            ///< instructions, by node

@@ -29,6 +29,22 @@ struct OperationClocks {
   constexpr bool operator==(const OperationClocks&) const = default;
 };
 
+/// What a node goes over at a pixel.
+enum class Branches : std::uint8_t {
+  none,    ///< nothing: an instruction costs the same at every pixel
+  pixels,  ///< what an instruction has no effect on: the rest of it where E is 0, the writing of what is not kept
+};
+
+inline constexpr auto branches_names = std::to_array<std::string_view>({"none", "pixels"});
+
+struct BranchFigures {
+  Branches over = Branches::none;
+  std::uint32_t taken = 0;   ///< clocks
+  std::uint32_t passed = 0;  ///< clocks of one that is not taken
+
+  constexpr bool operator==(const BranchFigures&) const = default;
+};
+
 /// Clocks of the loops around them.
 struct LoopClocks {
   std::uint32_t pixel = 0;        ///< a pass of the loop over the pixels of a row
@@ -86,6 +102,7 @@ struct Figures {
   std::uint32_t transform_clocks = 0;      ///< of the display processor, a plane of the model
   bool divides_ahead = false;              ///< the display processor divides the next segment while the nodes work
   RefreshFigures refresh{};
+  BranchFigures branches{};
   std::uint32_t barrier_clocks = 0;  ///< from the last node's arrival until all go on
 
   constexpr bool operator==(const Figures&) const = default;

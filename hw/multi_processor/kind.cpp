@@ -92,6 +92,10 @@ constexpr auto schema = std::to_array<FigureSchema>({
                            "to come to a number among bits, besides its shifts and mask; ideal: each has words of its "
                            "own as soon as it comes"),
                        unpacked),
+    own_figure<Figures, &Figures::branches, &BranchFigures::over>(
+        "node.branches", "", 0, 1, "over what an instruction has no effect on at a pixel", branches_names),
+    part_clocks<&Figures::branches, &BranchFigures::taken>("node.branch_clocks", "of a branch that is taken"),
+    part_clocks<&Figures::branches, &BranchFigures::passed>("node.no_branch_clocks", "of a branch that is not taken"),
     part_clocks<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
     part_clocks<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
     part_clocks<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",
@@ -128,8 +132,17 @@ void Kind::check(const isa::Program& program, const Machine& machine) const {
   check_fits(program, machine);
 }
 
+bool Kind::asks_for_pixels(const Machine& machine) const {
+  return figures_of(machine).branches.over == Branches::pixels;
+}
+
 std::uint64_t Kind::clocks(const isa::Instruction& instruction, const Machine& machine) const {
   return pixel_clocks(instruction, machine);
+}
+
+machines::PixelClocks Kind::clocks_at_pixels(const isa::Segment& segment, std::size_t index, const Machine& machine,
+                                             const machines::MetPixels* met) const {
+  return all_pixel_clocks(segment, index, machine, met);
 }
 
 machines::Resources Kind::resources(const Machine& machine, const isa::FrameHeader& header) const {

@@ -87,10 +87,10 @@ void ListRenderer::by_pixel() {
       for (std::size_t index = 0; index < list_.size(); ++index) {
         const isa::Linear& linear = list_[index].linear;
         fetch(list_[index]);
-        const std::uint64_t before = processor_.clocks();
+        const Begun begun = begin(index, pixel);
         const std::uint64_t sum = linear.width > 0 ? processor_.start(linear, x_of(column), y_of(row)) : 0;
         act(index, pixel, sum);
-        end(index, pixel, before);
+        end(index, pixel, begun);
       }
     });
     processor_.count_row();
@@ -100,27 +100,37 @@ void ListRenderer::by_pixel() {
 void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step) {
   const isa::Linear& linear = list_[index].linear;
   for_each_in_row(row, [&](std::size_t pixel, std::uint32_t /*column*/) {
-    const std::uint64_t before = processor_.clocks();
+    const Begun begun = begin(index, pixel);
     act(index, pixel, sum);
     if (linear.width > 0) processor_.add(linear, sum, step);
-    end(index, pixel, before);
+    end(index, pixel, begun);
   });
 }
 
 void ListRenderer::fetch(const isa::Instruction& instruction) { processor_.fetch(instruction); }
 
+/// At a pixel.
+ListRenderer::Begun ListRenderer::begin(std::size_t index, std::size_t pixel) {
+  const Begun begun{processor_.clocks(), processor_.whole_clocks(), memory_.enabled(pixel)};
+  steps_[index].enabled_pixels += begun.is_enabled ? 1U : 0U;
+  processor_.look(list_[index], memory_, pixel);
+  return begun;
+}
+
 void ListRenderer::act(std::size_t index, std::size_t pixel, std::uint64_t sum) {
   NodeState& step = steps_[index];
-  step.enabled_pixels += memory_.enabled(pixel) ? 1U : 0U;
   processor_.act(list_[index], memory_, pixel, sum);
   if (keeps_[index] != systemc::Keep::nothing) step.pixels.copy(pixel, memory_);
 }
 
-/// At a pixel, where it has begun in that clock.
-void ListRenderer::end(std::size_t index, std::size_t pixel, std::uint64_t begun) {
-  steps_[index].clocks = processor_.clocks() - begun;
+void ListRenderer::end(std::size_t index, std::size_t pixel, const Begun& begun) {
+  NodeState& step = steps_[index];
+  const std::uint64_t clocks = processor_.clocks() - begun.clocks;
+  step.clocks = processor_.whole_clocks() - begun.whole_clocks;
+  step.pixel_clocks += clocks;
+  if (begun.is_enabled) step.enabled_clocks += clocks;
   for (const Watched& one : watched_) {
-    if (one.pixel == pixel) one.moments->push_back({index, {begun, processor_.clocks()}, memory_.of(pixel)});
+    if (one.pixel == pixel) one.moments->push_back({index, {begun.clocks, processor_.clocks()}, memory_.of(pixel)});
   }
 }
 

@@ -54,6 +54,13 @@ class ListRenderer {
     std::vector<PixelMoment>* moments = nullptr;
   };
 
+  /// When an instruction begins at a pixel: clocks that have passed, and that would have without branches taken.
+  struct Begun {
+    std::uint64_t clocks = 0;
+    std::uint64_t whole_clocks = 0;
+    bool is_enabled = false;
+  };
+
   template <class Visit>
   void for_each_pixel(const Visit& visit);
   template <class Visit>
@@ -63,8 +70,9 @@ class ListRenderer {
   void by_scan_line();
   void by_pixel();
   void fetch(const isa::Instruction& instruction);
+  Begun begin(std::size_t index, std::size_t pixel);
   void act(std::size_t index, std::size_t pixel, std::uint64_t sum);
-  void end(std::size_t index, std::size_t pixel, std::uint64_t begun);
+  void end(std::size_t index, std::size_t pixel, const Begun& begun);
   void along_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
 
   [[nodiscard]] std::uint32_t x_of(std::uint32_t column) const { return own_.first_x + column * nodes_.width; }

@@ -1,6 +1,7 @@
 #include "hw/multi_processor/timing.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -29,9 +30,7 @@ struct Wanted {
   std::vector<BegunPart>* parts = nullptr;
 };
 
-ListPart part_of(const isa::Segment& segment, const Piece& piece) {
-  return {std::span(segment.instructions).subspan(piece.first, piece.count), piece.first == 0, piece.ends};
-}
+using Met = std::span<const machines::MetPixels>;
 
 /// Clocks of a rendering that begins with that clock of the frame, as a timeline has them: its clock 0 begins a clock
 /// after the frame, where edges of the clock would first be.
@@ -43,9 +42,10 @@ ClockSpan told(const ClockSpan& span, std::uint64_t begin, const Refresh& refres
 /// A frame, stage after stage.
 class FrameModel {
  public:
-  FrameModel(const isa::Program& program, const Machine& machine, const Wanted& wanted)
+  FrameModel(const isa::Program& program, const Machine& machine, Met met, const Wanted& wanted)
       : program_(program),
         machine_(machine),
+        met_(met),
         wanted_(wanted),
         figures_(machines::own<Figures>(machine)),
         sizes_(sizes_of(program.display_model)),
@@ -212,10 +212,13 @@ class FrameModel {
 
   std::uint64_t render(const ListPart& part, const isa::Region& region, std::uint64_t now) {
     std::uint64_t slowest = now;
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint64_t> known;  // by columns and rows
+    // By columns and rows; where nodes branch, by where they are too.
+    std::map<std::array<std::uint32_t, 4>, std::uint64_t> known;
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = own_pixels(region, i);
-      const auto [one, is_new] = known.try_emplace({own.columns, own.rows});
+      const bool is_alike = part.met == nullptr;
+      const auto [one, is_new] =
+          known.try_emplace({own.columns, own.rows, is_alike ? 0 : own.first_x, is_alike ? 0 : own.first_y});
       if (is_new) one->second = refresh_.end_of(now, rendering_clocks(part, own, colour_, machine_));
       counted_.nodes[i].add(NodeActivity::rendering, one->second - now);
       slowest = std::max(slowest, one->second);
@@ -224,9 +227,21 @@ class FrameModel {
     return slowest + barrier();
   }
 
+  [[nodiscard]] std::uint32_t number_of(const isa::Segment& segment) const {
+    return static_cast<std::uint32_t>(&segment - program_.segments.data());
+  }
+
+  [[nodiscard]] ListPart part_of(const isa::Segment& segment, const Piece& piece) const {
+    return {.instructions = std::span(segment.instructions).subspan(piece.first, piece.count),
+            .begins = piece.first == 0,
+            .ends = piece.ends,
+            .met = met_.empty() ? nullptr : &met_[number_of(segment)],
+            .first = piece.first};
+  }
+
   /// When the piece is rendered.
   void tell(const isa::Segment& segment, const Piece& piece, std::uint64_t begin, std::uint64_t end) {
-    const auto number = static_cast<std::uint32_t>(&segment - program_.segments.data());
+    const std::uint32_t number = number_of(segment);
     const ListPart part = part_of(segment, piece);
     if (wanted_.parts != nullptr && number == wanted_.segment) wanted_.parts->push_back({part, begin, end});
     if (wanted_.timeline == nullptr || piece.count == 0) return;
@@ -267,6 +282,7 @@ class FrameModel {
 
   const isa::Program& program_;
   const Machine& machine_;
+  const Met met_;
   const Wanted wanted_;
   const Figures& figures_;
   const ModelSizes sizes_;
@@ -295,29 +311,31 @@ bool comes_in_pieces(const isa::Program& program, const Machine& machine, std::u
 
 }  // namespace
 
-FrameClocks time_stages(const isa::Program& program, const Machine& machine) {
+FrameClocks time_stages(const isa::Program& program, const Machine& machine, Met met) {
   check_fits(program, machine);
-  return FrameModel(program, machine, {}).run();
+  return FrameModel(program, machine, met, {}).run();
 }
 
-std::vector<BegunPart> begun_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
+std::vector<BegunPart> begun_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment,
+                                   Met met) {
   std::vector<BegunPart> parts;
-  FrameModel(program, machine, {.segment = segment, .parts = &parts}).run();
+  FrameModel(program, machine, met, {.segment = segment, .parts = &parts}).run();
   return parts;
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 std::span<const machines::Skip> /*skips*/) const {
-  const FrameClocks timing = time_stages(program, machine);
+                                 const machines::Told& told) const {
+  const FrameClocks timing = time_stages(program, machine, told.met);
   return {.clocks = timing.clocks, .account = account(timing.account, machine.array)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 std::span<const machines::Skip> /*skips*/) const {
+                                                 const machines::Told& told) const {
   check_fits(program, machine);
-  machines::Timeline told = machines::blank_timeline(program);
-  FrameModel(program, machine, {.timeline = &told}).run();
-  return told;
+  machines::Timeline timeline = machines::blank_timeline(program);
+  timeline.met.assign(told.met.begin(), told.met.end());
+  FrameModel(program, machine, timeline.met, {.timeline = &timeline}).run();
+  return timeline;
 }
 
 std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeline, const isa::Program& program,
@@ -330,8 +348,10 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
   const Refresh refresh(isa::frame_header(program), machine);
   // Of one that comes as a whole, the timeline tells the first clock in which a node works on it.
-  std::vector<BegunPart> parts{{{.instructions = part.instructions}, timeline.cleared[segment].begin + 1, 0}};
-  if (comes_in_pieces(program, machine, segment)) parts = begun_parts(program, machine, segment);
+  const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
+  std::vector<BegunPart> parts{
+      {{.instructions = part.instructions, .met = met}, timeline.cleared[segment].begin + 1, 0}};
+  if (comes_in_pieces(program, machine, segment)) parts = begun_parts(program, machine, segment, timeline.met);
   std::vector<ClockSpan> all;
   for (const BegunPart& one : parts) {
     for (const ClockSpan& span : spans_at_pixel(one.part, own, column, row, machine))

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "hw/machines/told.h"
 #include "hw/multi_processor/account.h"
 #include "hw/multi_processor/clocks.h"
 
@@ -18,8 +20,10 @@ struct FrameClocks {
   FrameAccount account;
 };
 
-/// Worked out stage by stage (the modules count the same).
-FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine);
+/// Worked out stage by stage (the modules count the same). `met`: as machines::Told; without it, where nodes branch, a
+/// bound.
+FrameClocks time_stages(const isa::Program& program, const machines::Machine& machine,
+                        std::span<const machines::MetPixels> met = {});
 
 /// Part of a subsegment's list, and the clocks of the frame from when the nodes begin to render it until the slowest
 /// has.
@@ -29,8 +33,8 @@ struct BegunPart {
   std::uint64_t end = 0;
 };
 
-/// A subsegment's, in order.
-std::vector<BegunPart> begun_parts(const isa::Program& program, const machines::Machine& machine,
-                                   std::uint32_t segment);
+/// A subsegment's, in order. `met`: as time_stages, which has to live as long as they do.
+std::vector<BegunPart> begun_parts(const isa::Program& program, const machines::Machine& machine, std::uint32_t segment,
+                                   std::span<const machines::MetPixels> met = {});
 
 }  // namespace csgsim::multi_processor

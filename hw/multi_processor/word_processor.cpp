@@ -24,7 +24,7 @@ bool reads_first_bit(isa::Opcode opcode) {
 }  // namespace
 
 void WordProcessor::fetch(const isa::Instruction& instruction) {
-  clocks_ += loop_.instruction;
+  spend(loop_.instruction);
   read_words(isa::wire_bits(instruction));
   unpack(isa::WireFields(instruction).widths());
 }
@@ -46,7 +46,7 @@ void WordProcessor::shift_words(unsigned bits, unsigned places) {
 /// One that begins at that place of a word: what of it is in other words is brought beside it, and its last word is
 /// masked.
 void WordProcessor::unpack(unsigned bits, unsigned place) {
-  clocks_ += field_clocks_;
+  spend(field_clocks_);
   const std::uint64_t from = words(place + bits);
   for (std::uint64_t word = 0; place > 0 && word < words(bits); ++word) {
     shift_word(place);
@@ -58,7 +58,7 @@ void WordProcessor::unpack(unsigned bits, unsigned place) {
 }
 
 std::uint64_t WordProcessor::multiply(const isa::Linear& linear, std::int64_t coefficient, std::uint32_t factor) {
-  clocks_ += words(linear.width) * operations_.multiply;
+  spend(words(linear.width) * operations_.multiply);
   return static_cast<std::uint64_t>(coefficient) * factor;
 }
 
@@ -104,16 +104,34 @@ std::int64_t WordProcessor::value_of(std::uint64_t sum, const isa::Linear& linea
   return static_cast<std::int64_t>(sum << unused) >> unused >> linear.shift;
 }
 
+void WordProcessor::branch(bool is_taken) {
+  if (branches_.over == Branches::none) return;
+  whole_clocks_ += branches_.passed;
+  if (is_over_) return;
+  clocks_ += is_taken ? branches_.taken : branches_.passed;
+  is_over_ = is_taken;
+}
+
+void WordProcessor::look(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel) {
+  read_words(1);
+  combine_words(1);
+  if (!isa::acts_on_disabled(instruction.opcode)) branch(!memory.enabled(pixel));
+}
+
 void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
                         std::uint64_t sum) {
+  const isa::Linear& linear = instruction.linear;
+  carry_out(instruction, memory, pixel, linear.width > 0 ? value_of(sum, linear) : 0);
+  is_over_ = false;
+}
+
+void WordProcessor::carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel,
+                              std::int64_t f) {
   using isa::Opcode;
   const isa::Field first = instruction.fields[0];
   const isa::Field second = instruction.fields[1];
   const isa::Field third = instruction.fields[2];
   const isa::Linear& linear = instruction.linear;
-  const std::int64_t f = linear.width > 0 ? value_of(sum, linear) : 0;
-  read_words(1);
-  combine_words(1);
   const bool e = memory.enabled(pixel);
   const auto enable = [&](bool value) { write_enable(memory, pixel, value); };
   const auto take = [&](isa::Field field) { return read(memory, pixel, field); };
@@ -125,7 +143,11 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
     return number;
   };
   const auto number = [&](isa::Field field) { return static_cast<std::int64_t>(take(field)); };
-  const auto keep = [&](bool where) { write_linear(instruction, memory, pixel, f, where && e); };
+  const auto load = [&](bool where) { write_linear(instruction, memory, pixel, f, where && e); };
+  const auto keep = [&](bool where) {
+    branch(!where);
+    load(where);
+  };
 
   switch (instruction.opcode) {
     case Opcode::enable_all: return enable(true);
@@ -144,7 +166,7 @@ void WordProcessor::act(const isa::Instruction& instruction, PixelMemory& memory
     case Opcode::linear_le: return enable(f <= beside() && e);
     case Opcode::linear_lt: return enable(f < beside() && e);
     case Opcode::linear_eq: return enable(f == beside() && e);
-    case Opcode::load_linear: return keep(true);
+    case Opcode::load_linear: return load(true);
     case Opcode::keep_max: return keep(f > beside());
     case Opcode::keep_min: return keep(f < beside());
     case Opcode::set_constant: return put(instruction.constant);

@@ -11,19 +11,23 @@
 namespace csgsim::multi_processor {
 
 /// What a node does to one pixel after the other, a word of some bits at a time, and the clocks that it takes. A field,
-/// a sum, and an enable bit begin at a word of their own. It does the same at every pixel, enabled or not.
+/// a sum, and an enable bit begin at a word of their own. It does the same at every pixel, enabled or not, unless it
+/// branches over what has no effect there.
 class WordProcessor {
  public:
   explicit WordProcessor(const Figures& figures)
       : word_bits_(figures.word_bits),
         operations_(figures.operations),
         field_clocks_(figures.field_clocks),
+        branches_(figures.branches),
         loop_(figures.loop) {}
 
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
+  /// What it would have taken if no branch were taken.
+  [[nodiscard]] std::uint64_t whole_clocks() const { return whole_clocks_; }
 
-  void count_pixel() { clocks_ += loop_.pixel; }
-  void count_row() { clocks_ += loop_.row; }
+  void count_pixel() { spend(loop_.pixel); }
+  void count_row() { spend(loop_.row); }
 
   /// Takes an instruction from the list, as it came.
   void fetch(const isa::Instruction& instruction);
@@ -48,7 +52,10 @@ class WordProcessor {
   /// Goes on to the next pixel or row.
   void add(const isa::Linear& linear, std::uint64_t& sum, std::uint64_t step);
 
-  /// Carries out a valid instruction at a pixel whose sum is at hand. Every instruction begins by looking at E.
+  /// Every instruction begins by looking at E, and may have no more to do at the pixel.
+  void look(const isa::Instruction& instruction, const PixelMemory& memory, std::size_t pixel);
+
+  /// Carries out the rest of a valid instruction at a pixel that it has looked at, whose sum is at hand.
   void act(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::uint64_t sum);
 
   /// Makes the memory and the enable bit of a pixel 0.
@@ -63,13 +70,21 @@ class WordProcessor {
 
  private:
   [[nodiscard]] std::uint64_t words(unsigned bits) const { return quotient_up(bits, word_bits_); }
-  void read_words(unsigned bits) { clocks_ += words(bits) * operations_.read; }
-  void write_words(unsigned bits) { clocks_ += words(bits) * operations_.write; }
-  void add_words(unsigned bits) { clocks_ += words(bits) * operations_.add; }
-  void compare_words(unsigned bits) { clocks_ += words(bits) * operations_.compare; }
-  void combine_words(unsigned bits) { clocks_ += words(bits) * operations_.logic; }
+  /// Nothing of what a branch has gone over takes time.
+  void spend(std::uint64_t clocks) {
+    whole_clocks_ += clocks;
+    if (!is_over_) clocks_ += clocks;
+  }
+  /// Over the rest of the instruction.
+  void branch(bool is_taken);
 
-  void shift_word(unsigned places) { clocks_ += operations_.shift + std::uint64_t{operations_.shift_bit} * places; }
+  void read_words(unsigned bits) { spend(words(bits) * operations_.read); }
+  void write_words(unsigned bits) { spend(words(bits) * operations_.write); }
+  void add_words(unsigned bits) { spend(words(bits) * operations_.add); }
+  void compare_words(unsigned bits) { spend(words(bits) * operations_.compare); }
+  void combine_words(unsigned bits) { spend(words(bits) * operations_.logic); }
+
+  void shift_word(unsigned places) { spend(operations_.shift + std::uint64_t{operations_.shift_bit} * places); }
   void shift_words(unsigned bits, unsigned places);
   void unpack(unsigned bits, unsigned place);
 
@@ -79,14 +94,18 @@ class WordProcessor {
   void write(PixelMemory& memory, std::size_t pixel, isa::Field field, std::uint64_t value, bool where);
   std::int64_t value_of(std::uint64_t sum, const isa::Linear& linear);
   std::uint64_t root_of(std::uint64_t field, unsigned bits);
+  void carry_out(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::int64_t f);
   void write_linear(const isa::Instruction& instruction, PixelMemory& memory, std::size_t pixel, std::int64_t f,
                     bool where);
 
   std::uint32_t word_bits_;
   OperationClocks operations_;
   std::uint32_t field_clocks_;
+  BranchFigures branches_;
   LoopClocks loop_;
   std::uint64_t clocks_ = 0;
+  std::uint64_t whole_clocks_ = 0;
+  bool is_over_ = false;  ///< a branch is taken over the rest of the instruction at the pixel
 };
 
 }  // namespace csgsim::multi_processor

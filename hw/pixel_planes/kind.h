@@ -19,10 +19,10 @@ class Kind final : public machines::KindOf<Figures> {
   /// As bit_serial_clocks; a question waits for the levels of the global OR too.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
   /// From the clock in which the controller asks for the frame (the modules count the same).
-  machines::FrameTiming time(const Program& program, const Machine& machine, Skips skips) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
   /// When the controller has the steps of an instruction on its wires, or waits for an answer; and when the steps are
   /// at the pixels, at all of them at once.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, Skips skips) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

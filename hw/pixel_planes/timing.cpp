@@ -343,8 +343,8 @@ std::uint64_t Kind::clocks(const isa::Instruction& instruction, const machines::
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const machines::Machine& machine,
-                                 std::span<const machines::Skip> skips) const {
-  const std::vector<Task> tasks = tasks_of(program, machine, skips);
+                                 const machines::Told& told_by_run) const {
+  const std::vector<Task> tasks = tasks_of(program, machine, told_by_run.skips);
   const std::uint32_t colour_bits = program.colour.width;
   SequenceModel model(machine);
   model.draw(tasks, colour_bits);
@@ -354,8 +354,8 @@ machines::FrameTiming Kind::time(const isa::Program& program, const machines::Ma
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const machines::Machine& machine,
-                                                 std::span<const machines::Skip> skips) const {
-  const std::vector<Task> tasks = tasks_of(program, machine, skips);
+                                                 const machines::Told& told_by_run) const {
+  const std::vector<Task> tasks = tasks_of(program, machine, told_by_run.skips);
   std::vector<machines::ClockSpan> spans(tasks.size());
   FrameModel(machine, tasks, 0, nullptr, 0, &spans).time();
   machines::Timeline timeline;

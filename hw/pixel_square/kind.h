@@ -22,10 +22,10 @@ class Kind final : public machines::KindOf<Figures> {
   std::optional<Machine> subdivided(const Machine& machine, std::uint32_t levels, machines::Parts parts) const override;
   void check(const Program& program, const Machine& machine) const override;
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, Skips skips) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
   /// When the controller of the renderer that draws the square has an instruction's steps on its wires; they come to
   /// all of its pixels at once, through the levels of its trees.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, Skips skips) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

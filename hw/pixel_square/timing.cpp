@@ -167,15 +167,15 @@ SquareTiming time_squares(const isa::Program& program, const Machine& machine, s
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 std::span<const machines::Skip> skips) const {
-  const SquareTiming timing = time_squares(program, machine, skips);
+                                 const machines::Told& told_by_run) const {
+  const SquareTiming timing = time_squares(program, machine, told_by_run.skips);
   return {.clocks = timing.clocks, .account = account(timing.account)};
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 std::span<const machines::Skip> skips) const {
+                                                 const machines::Told& told_by_run) const {
   machines::Timeline told = machines::blank_timeline(program);
-  FrameModel(program, machine, skips, &told).run();
+  FrameModel(program, machine, told_by_run.skips, &told).run();
   return told;
 }
 

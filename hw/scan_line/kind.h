@@ -19,10 +19,10 @@ class Kind final : public machines::KindOf<Figures> {
   /// Those that an instruction's packet occupies a cell, and so the entry: in which its words come in, or in which the
   /// ports of the cell's memory read its fields and then, not before the last word is in, write the target.
   std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
-  machines::FrameTiming time(const Program& program, const Machine& machine, Skips skips) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
   /// When the beats of each packet are at the entry of a chain; the cell of a column works on a beat as many clocks
   /// later as there are cells before it.
-  std::optional<Timeline> timeline(const Program& program, const Machine& machine, Skips skips) const override;
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
   Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;

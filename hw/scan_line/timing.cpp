@@ -392,7 +392,7 @@ std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames,
 }
 
 machines::FrameTiming Kind::time(const isa::Program& program, const Machine& machine,
-                                 std::span<const machines::Skip> /*skips*/) const {
+                                 const machines::Told& /*told*/) const {
   const LineTiming timing = time_lines(program, machine);
   return {.clocks = timing.clocks,
           .shown_clocks = timing.clocks,
@@ -401,7 +401,7 @@ machines::FrameTiming Kind::time(const isa::Program& program, const Machine& mac
 }
 
 std::optional<machines::Timeline> Kind::timeline(const isa::Program& program, const Machine& machine,
-                                                 std::span<const machines::Skip> /*skips*/) const {
+                                                 const machines::Told& /*told*/) const {
   machines::Timeline told = machines::blank_timeline(program);
   time_lines(program, machine, &told);
   return told;

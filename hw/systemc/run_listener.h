@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "hw/isa/instruction.h"
+#include "hw/machines/told.h"
 
 /// What a machine in SystemC tells of a run while it goes by.
 namespace csgsim::systemc {
@@ -12,10 +14,11 @@ namespace csgsim::systemc {
 /// An instruction that the pixels of a segment have just carried out.
 struct Retired {
   std::uint32_t segment = 0;
-  std::uint32_t index = 0;           ///< within the segment
-  std::uint64_t clocks = 0;          ///< that it took of what hands out instructions
-  std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
-  std::uint64_t skipped = 0;         ///< instructions after it that are not carried out
+  std::uint32_t index = 0;                           ///< within the segment
+  std::uint64_t clocks = 0;                          ///< that it took of what hands out instructions
+  std::uint64_t enabled_pixels = 0;                  ///< pixels whose E was 1 when the instruction began
+  std::uint64_t skipped = 0;                         ///< instructions after it that are not carried out
+  std::optional<machines::PixelClocks> at_pixels{};  ///< where it does not take the same at each pixel
 };
 
 /// What of the pixels a view has to show.

@@ -30,7 +30,8 @@ void Relay::after_instruction(const systemc::Retired& retired, const systemc::Pi
                                .index = retired.index,
                                .instruction = program_.segments[retired.segment].instructions[retired.index],
                                .clocks = retired.clocks,
-                               .enabled_pixels = retired.enabled_pixels},
+                               .enabled_pixels = retired.enabled_pixels,
+                               .at_pixels = retired.at_pixels},
                               pixels);
 }
 

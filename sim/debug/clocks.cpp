@@ -5,7 +5,8 @@
 namespace csgsim::debug {
 
 const machines::Timeline& Clocks::timeline() {
-  if (!timeline_) timeline_ = machines::timeline(program_, machine_, functional::skips_of_run(program_, machine_));
+  if (!timeline_)
+    timeline_ = machines::timeline(program_, machine_, functional::record_of_run(program_, machine_).told());
   return *timeline_;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -39,6 +40,8 @@ struct Step {
   const isa::Instruction& instruction;
   std::uint64_t clocks = 0;
   std::uint64_t enabled_pixels = 0;  ///< pixels whose E was 1 when the instruction began
+  /// What it took at the pixels, of a kind that asks for them; elsewhere it takes `clocks` at each.
+  std::optional<machines::PixelClocks> at_pixels{};
 };
 
 /// Sees a run go by. Every function is called in program order, from one thread at a time, but for enabled_after.
@@ -72,13 +75,19 @@ struct RunResult {
   std::uint64_t overflows = 0;
   std::uint64_t skipped = 0;            ///< instructions that a skip_if_none left out
   std::vector<machines::Skip> skips{};  ///< which skip_if_none left them out, in program order
-  std::vector<bool> answers;            ///< of global_or, in order
+  /// Which pixels instructions met, one a segment, for a kind that asks; empty of the cycle level, whose clocks are
+  /// counted.
+  std::vector<machines::MetPixels> met{};
+  std::vector<bool> answers;  ///< of global_or, in order
   /// Colour of every pixel of the picture, in row order, as the machine's scan-out delivers it; empty where the engine
   /// simulates none.
   std::vector<std::uint32_t> scanned_out{};
   machines::Account account{};  ///< what the machine's kind tells of the frame
   Work work{};                  ///< what the functional engine did for it
 };
+
+/// What a run tells for working out clocks, as long as the result is there.
+inline machines::Told told_of(const RunResult& result) { return {result.skips, result.met}; }
 
 /// What a frame took, into what its run tells.
 inline void put(machines::FrameTiming timing, RunResult& result) {

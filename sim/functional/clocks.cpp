@@ -1,9 +1,11 @@
 #include "sim/functional/clocks.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/kind.h"
 #include "sim/engine/engine.h"
 
 namespace csgsim::functional {
@@ -15,13 +17,18 @@ bool may_skip(const isa::Program& program) {
   });
 }
 
-std::vector<machines::Skip> skips_of_run(const isa::Program& program, const machines::Machine& machine) {
-  if (!may_skip(program)) return {};
-  return engine::make_functional_engine(machine)->run(program, {}).skips;
+bool asks_for_run(const isa::Program& program, const machines::Machine& machine) {
+  return machine.kind->asks_for_pixels(machine) || may_skip(program);
+}
+
+machines::RunRecord record_of_run(const isa::Program& program, const machines::Machine& machine) {
+  if (!asks_for_run(program, machine)) return {};
+  engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
+  return {std::move(result.skips), std::move(result.met)};
 }
 
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine) {
-  if (!may_skip(program)) return machines::clocks(program, machine);
+  if (!asks_for_run(program, machine)) return machines::clocks(program, machine);
   return engine::make_functional_engine(machine)->run(program, {}).clocks;
 }
 

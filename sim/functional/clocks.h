@@ -12,10 +12,13 @@ namespace csgsim::functional {
 /// Whether any instruction may leave out others.
 bool may_skip(const isa::Program& program);
 
-/// What a run of the whole Program skips.
-std::vector<machines::Skip> skips_of_run(const isa::Program& program, const machines::Machine& machine);
+/// Whether only a run of the Program on the machine tells its clocks.
+bool asks_for_run(const isa::Program& program, const machines::Machine& machine);
 
-/// Clocks that the Program takes on the machine. Where instructions may be skipped, it is run to find them.
+/// What a run of the whole Program tells; it is run where that is asked for only.
+machines::RunRecord record_of_run(const isa::Program& program, const machines::Machine& machine);
+
+/// Clocks that the Program takes on the machine, for which it is run where only a run tells them.
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::functional

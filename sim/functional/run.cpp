@@ -6,6 +6,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/kind.h"
 #include "hw/machines/runs_on.h"
 
 namespace csgsim::functional {
@@ -18,7 +19,7 @@ using Observers = std::span<engine::Observer* const>;
 }  // namespace
 
 FunctionalRun::FunctionalRun(const isa::Program& program, const machines::Machine& machine, unsigned threads)
-    : program_(program), machine_(machine), numbers_(program), tiles_(program, threads) {
+    : program_(program), machine_(machine), numbers_(program), tiles_(program, threads), met_(program, machine) {
   machines::check_runs_on(program, machine_);
   if (!program.segments.empty()) tiles_.begin(program.segments.front().region);
 }
@@ -53,14 +54,18 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
 
 void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
   const Instructions left = instructions().subspan(place_.index);
+  if (met_.asks()) most = 1;
   const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(most, left.size())));
   const Stretch stretch(within, observers);
   const Instructions executed = stretch.instructions();
+  met_.before(place_, executed.front(), tiles_);
   const Tiles::Tally tally = tiles_.execute(stretch);
+  met_.after(place_, executed.front(), tiles_);
   overflows_ += tally.overflows;
   for (std::size_t i = 0; i < executed.size(); ++i) {
-    const engine::Step step{place_.segment, place_.index + static_cast<std::uint32_t>(i), executed[i],
-                            machines::clocks(executed[i], machine_), tally.enabled[i]};
+    const engine::Step step{place_.segment,   place_.index + static_cast<std::uint32_t>(i),
+                            executed[i],      machines::clocks(executed[i], machine_),
+                            tally.enabled[i], at_pixels()};
     if (step.instruction.opcode == isa::Opcode::global_or) answers_.push_back(step.enabled_pixels != 0);
     for (engine::Observer* const observer : observers)
       if (!stretch.is_looked_at(i) || !observer->reads_enable_alone(step.instruction))
@@ -81,6 +86,7 @@ engine::RunState FunctionalRun::save() const {
 }
 
 void FunctionalRun::restore(const engine::RunState& state) {
+  met_.jump();
   place_ = state.place;
   told_end_ = state.told_end;
   overflows_ = state.overflows;
@@ -94,6 +100,21 @@ void FunctionalRun::restore(const engine::RunState& state) {
     tiles_.execute(Stretch({squares, 1}, {}));
 }
 
+/// Of the instruction at hand.
+std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
+  if (!met_.asks()) return std::nullopt;
+  const isa::Segment& segment = program_.segments[place_.segment];
+  return machine_.kind->clocks_at_pixels(segment, place_.index, machine_, &met_.met(place_.segment));
+}
+
+/// A run that went on from elsewhere does not know what it has not seen.
+std::vector<machines::MetPixels> FunctionalRun::met_pixels() const {
+  if (const std::vector<machines::MetPixels>* const met = met_.met()) return *met;
+  FunctionalRun whole(program_, machine_, 1);
+  whole.advance(end, {});
+  return whole.met_pixels();
+}
+
 engine::RunResult FunctionalRun::result() const {
   engine::RunResult result;
   result.overflows = overflows_;
@@ -101,7 +122,8 @@ engine::RunResult FunctionalRun::result() const {
   result.skips = skips_;
   result.answers = answers_;
   result.work = tiles_.work();
-  put(host::time_frame(program_, machine_, skips_), result);
+  result.met = met_pixels();
+  put(host::time_frame(program_, machine_, engine::told_of(result)), result);
   return result;
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "hw/machines/machine.h"
+#include "sim/engine/met_recorder.h"
 #include "sim/engine/run.h"
 #include "sim/functional/tiles.h"
 
@@ -34,6 +37,8 @@ class FunctionalRun final : public engine::Run {
   /// Carries out instructions, `most` at most, until one after which an observer looks at the pixels.
   void execute_stretch(std::uint64_t most, std::span<engine::Observer* const> observers);
   void tell_end(std::span<engine::Observer* const> observers);
+  [[nodiscard]] std::optional<machines::PixelClocks> at_pixels() const;
+  [[nodiscard]] std::vector<machines::MetPixels> met_pixels() const;
 
   const isa::Program& program_;
   machines::Machine machine_;
@@ -45,6 +50,7 @@ class FunctionalRun final : public engine::Run {
   std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;
   std::vector<machines::Skip> skips_;
+  engine::MetRecorder met_;
 };
 
 }  // namespace csgsim::functional

@@ -103,13 +103,13 @@ std::string text_of(const Change& change, std::int64_t value) {
 
 /// The clocks from one frame to the next; nothing where the figure does not fit the machine's others.
 std::optional<std::uint64_t> interval_with(const Change& change, const isa::Program& program, machines::Machine machine,
-                                           std::span<const machines::Skip> skips) {
+                                           const machines::Told& told) {
   change.figure->store(machine, change.after);
   try {
     const machines::Size picture = machine.picture;
     machines::complete(machine);
     machines::set_picture_size(machine, picture);
-    return host::time_frame(program, machine, skips).interval_clocks;
+    return host::time_frame(program, machine, told).interval_clocks;
   } catch (const InputError&) {
     return std::nullopt;
   }
@@ -144,7 +144,7 @@ std::vector<Knob> figure_knobs(const isa::Program& program, const machines::Mach
   for (const FigureStep& row : figure_steps) {
     const std::optional<Change> change = change_of(machine, row);
     if (!change) continue;
-    const std::optional<std::uint64_t> after = interval_with(*change, program, machine, result.skips);
+    const std::optional<std::uint64_t> after = interval_with(*change, program, machine, engine::told_of(result));
     if (!after) continue;
     Knob knob{"", option_of(word, *change), result.interval_clocks, *after};
     knob.sentence = fmt::format("{} {} instead of {}: {}", change->figure->key, text_of(*change, change->after),

@@ -27,7 +27,9 @@ StatsObserver::StatsObserver(const isa::Program& program) : primitive_of_piece_(
 
 void StatsObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {
   const isa::Instruction& instruction = step.instruction;
-  const Cost cost{1, step.clocks, step.clocks * pixels_of_segment_[step.segment], step.clocks * step.enabled_pixels};
+  const machines::PixelClocks alike{step.clocks * pixels_of_segment_[step.segment], step.clocks * step.enabled_pixels};
+  const machines::PixelClocks at_pixels = step.at_pixels.value_or(alike);
+  const Cost cost{1, step.clocks, at_pixels.all, at_pixels.enabled};
   stats_.total += cost;
   stats_.by_opcode[static_cast<std::size_t>(instruction.opcode)] += cost;
   stats_.by_purpose[static_cast<std::size_t>(instruction.origin.purpose)] += cost;

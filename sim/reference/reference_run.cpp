@@ -6,6 +6,7 @@
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
+#include "hw/machines/kind.h"
 #include "hw/machines/runs_on.h"
 
 namespace csgsim::reference {
@@ -30,7 +31,7 @@ Bit bit_of(std::uint32_t x, std::uint32_t y, std::uint32_t width) {
 }  // namespace
 
 ReferenceRun::ReferenceRun(const isa::Program& program, const machines::Machine& machine)
-    : program_(program), machine_(machine), numbers_(program) {
+    : program_(program), machine_(machine), numbers_(program), met_(program, machine) {
   machines::check_runs_on(program, machine_);
   if (!program.segments.empty()) begin_segment(0);
 }
@@ -67,9 +68,15 @@ void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* con
 void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
   const isa::Instruction& instruction = program_.segments[place_.segment].instructions[place_.index];
   const std::uint64_t enabled = array_.enabled_pixels();
+  met_.before(place_, instruction, array_);
   array_.execute(instruction);
+  met_.after(place_, instruction, array_);
   if (instruction.opcode == isa::Opcode::global_or) so_far_.answers.push_back(enabled > 0);
-  const engine::Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
+  engine::Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
+  if (met_.asks()) {
+    step.at_pixels = machine_.kind->clocks_at_pixels(program_.segments[place_.segment], place_.index, machine_,
+                                                     &met_.met(place_.segment));
+  }
   for (engine::Observer* observer : observers) observer->after_instruction(step, array_);
   if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
     skips_.push_back({place_.segment, place_.index});
@@ -103,6 +110,7 @@ engine::RunState ReferenceRun::save() const {
 }
 
 void ReferenceRun::restore(const engine::RunState& state) {
+  met_.jump();
   if (program_.segments.empty()) return;
   begin_segment(state.place.segment);
   place_ = state.place;
@@ -130,11 +138,20 @@ void ReferenceRun::restore(const engine::RunState& state) {
   }
 }
 
+/// A run that went on from elsewhere does not know what it has not seen.
+std::vector<machines::MetPixels> ReferenceRun::met_pixels() const {
+  if (const std::vector<machines::MetPixels>* const met = met_.met()) return *met;
+  ReferenceRun whole(program_, machine_);
+  whole.advance(end, {});
+  return whole.met_pixels();
+}
+
 engine::RunResult ReferenceRun::result() const {
   engine::RunResult result = so_far_;
   result.overflows += array_.overflows();
   result.skips = skips_;
-  put(host::time_frame(program_, machine_, skips_), result);
+  result.met = met_pixels();
+  put(host::time_frame(program_, machine_, engine::told_of(result)), result);
   return result;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "hw/machines/machine.h"
+#include "sim/engine/met_recorder.h"
 #include "sim/engine/run.h"
 #include "sim/reference/reference_array.h"
 
@@ -33,6 +34,7 @@ class ReferenceRun final : public engine::Run {
   /// Goes to the segment's first instruction, with pixels that are all 0.
   void begin_segment(std::uint32_t segment);
   void execute(std::span<engine::Observer* const> observers);
+  [[nodiscard]] std::vector<machines::MetPixels> met_pixels() const;
 
   const isa::Program& program_;
   machines::Machine machine_;
@@ -42,6 +44,7 @@ class ReferenceRun final : public engine::Run {
   ReferenceArray array_{isa::Region{}, 0};
   engine::RunResult so_far_;
   std::vector<machines::Skip> skips_;
+  engine::MetRecorder met_;
 };
 
 }  // namespace csgsim::reference

@@ -55,7 +55,7 @@ constexpr auto tried_settings = std::to_array<TriedSetting>({
 });
 
 std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::may_skip(program)) return host::time_frame(program, machine).interval_clocks;
+  if (!functional::asks_for_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
   return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
 }
 
@@ -94,7 +94,10 @@ std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const Model
 std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
                                     const engine::RunResult& result) {
   if (!advice.is_asked || result.interval_clocks == 0) return {};
-  std::vector<observe::Knob> knobs = observe::figure_knobs(program, machine, result, advice.machine);
+  engine::RunResult told = result;
+  // The cycle level counts, and does not tell what clocks are worked out from.
+  if (told.met.empty()) told.met = functional::record_of_run(program, machine).met;
+  std::vector<observe::Knob> knobs = observe::figure_knobs(program, machine, told, advice.machine);
   if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
   return observe::that_help(std::move(knobs));
 }

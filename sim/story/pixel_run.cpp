@@ -158,9 +158,9 @@ isa::Field named_around(const isa::Program& program, isa::Field field) {
   return smallest;
 }
 
-std::vector<machines::Skip> skips_of(const isa::Program& program, const machines::Machine& machine) {
+machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine) {
   machines::check_runs_on(program, machine);
-  return functional::skips_of_run(program, machine);
+  return functional::record_of_run(program, machine);
 }
 
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,

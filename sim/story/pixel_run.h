@@ -51,9 +51,9 @@ struct PixelRun {
 PixelRun run_pixel(const isa::Program& program, std::span<const machines::Skip> skips, std::uint32_t x,
                    std::uint32_t y);
 
-/// What the Program skips when all its pixels are drawn (at the functional level). Throws InputError if the machine
+/// What a run of all pixels tells of the Program's clocks (at the functional level). Throws InputError if the machine
 /// cannot run it.
-std::vector<machines::Skip> skips_of(const isa::Program& program, const machines::Machine& machine);
+machines::RunRecord record_of(const isa::Program& program, const machines::Machine& machine);
 
 /// The smallest field with a name that holds this one, of several the first; the field itself if there is none. Of a
 /// depth, whose bits are scratch for effects in between, a part is none.

@@ -37,11 +37,11 @@ Teller::Teller(const isa::Program& program, const machines::Machine& machine)
     : program_(program),
       machine_(machine),
       first_numbers_(isa::first_numbers(program)),
-      skips_(skips_of(program, machine)),
-      timeline_(machine.kind->timeline(program, machine, skips_)) {}
+      record_(record_of(program, machine)),
+      timeline_(machine.kind->timeline(program, machine, record_.told())) {}
 
 Story Teller::story_of(std::uint32_t x, std::uint32_t y) const {
-  const PixelRun run = run_pixel(program_, skips_, x, y);
+  const PixelRun run = run_pixel(program_, record_.skips, x, y);
   Story story;
   story.x = x;
   story.y = y;

@@ -144,7 +144,7 @@ inline bool is_seen_through(const Story& story) { return story.depth != story.op
 /// Tells the stories of a Program's pixels. The Program has to outlive it.
 class Teller {
  public:
-  /// Runs the Program once, at the functional level, if instructions may be skipped. Throws InputError if the machine
+  /// Runs the Program once, at the functional level, if only a run tells its clocks. Throws InputError if the machine
   /// cannot run it.
   Teller(const isa::Program& program, const machines::Machine& machine);
 
@@ -155,7 +155,7 @@ class Teller {
   const isa::Program& program_;
   machines::Machine machine_;
   std::vector<std::uint64_t> first_numbers_;
-  std::vector<machines::Skip> skips_;
+  machines::RunRecord record_;
   std::optional<machines::Timeline> timeline_;  ///< none of a kind of machine that does not tell
 };
 

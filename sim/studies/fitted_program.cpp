@@ -9,7 +9,7 @@
 #include "hw/base/hash.h"
 #include "hw/host/host.h"
 #include "hw/isa/operands.h"
-#include "sim/engine/engine.h"
+#include "hw/machines/kind.h"
 #include "sim/functional/clocks.h"
 #include "sim/observe/stats_json.h"
 
@@ -62,9 +62,10 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
   return {std::move(*program), std::move(machine)};
 }
 
-RunTimer::Run& RunTimer::run_of(const isa::Program& program) {
+RunTimer::Run& RunTimer::run_of(const isa::Program& program, const machines::Machine& machine) {
   std::vector<std::uint64_t> key;
-  key.reserve(program.segments.size());
+  key.reserve(program.segments.size() + 1);
+  key.push_back(machine.kind->asks_for_pixels(machine) ? 1 : 0);
   for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
   const std::lock_guard guard(lock_);
   std::unique_ptr<Run>& run = runs_[std::move(key)];
@@ -73,14 +74,14 @@ RunTimer::Run& RunTimer::run_of(const isa::Program& program) {
 }
 
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
-  return host::time_frame(program, machine, skips(program, machine));
+  return host::time_frame(program, machine, told(program, machine));
 }
 
-std::span<const machines::Skip> RunTimer::skips(const isa::Program& program, const machines::Machine& machine) {
-  if (!functional::may_skip(program)) return {};
-  Run& run = run_of(program);
-  std::call_once(run.once, [&] { run.skips = engine::make_functional_engine(machine)->run(program, {}).skips; });
-  return run.skips;
+machines::Told RunTimer::told(const isa::Program& program, const machines::Machine& machine) {
+  if (!functional::asks_for_run(program, machine)) return {};
+  Run& run = run_of(program, machine);
+  std::call_once(run.once, [&] { run.record = functional::record_of_run(program, machine); });
+  return run.record.told();
 }
 
 }  // namespace csgsim::studies

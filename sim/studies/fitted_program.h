@@ -4,7 +4,6 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <span>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -35,22 +34,23 @@ struct MemoryGuess {
 Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, const view::View& view,
                        machines::Machine machine, const emit::Options& options, const MemoryGuess& guess);
 
-/// Tells what runs take. What of a Program is skipped depends on its instructions alone, not on the machine's clocks:
-/// Programs with the same instructions are run once, on whatever machines. Several threads may ask at the same time.
+/// Tells what runs take. What of a Program is skipped, and which pixels its instructions meet, depends on these alone,
+/// not on the machine's clocks: Programs with the same instructions are run once, on whatever machines that ask for the
+/// same. Several threads may ask at the same time.
 class RunTimer {
  public:
   /// As a run of the Program on the machine tells it.
   machines::FrameTiming time(const isa::Program& program, const machines::Machine& machine);
 
-  /// What that run skips; it is there as long as the timer.
-  std::span<const machines::Skip> skips(const isa::Program& program, const machines::Machine& machine);
+  /// What that run tells; it is there as long as the timer.
+  machines::Told told(const isa::Program& program, const machines::Machine& machine);
 
  private:
   struct Run {
     std::once_flag once;
-    std::vector<machines::Skip> skips;
+    machines::RunRecord record;
   };
-  Run& run_of(const isa::Program& program);
+  Run& run_of(const isa::Program& program, const machines::Machine& machine);
 
   std::mutex lock_;
   std::map<std::vector<std::uint64_t>, std::unique_ptr<Run>> runs_;  ///< by hashes of the segments

@@ -36,7 +36,7 @@ Foreknowledge foresee(const isa::Program& program, const machines::Machine& mach
   Watcher watcher(program, known);
   engine::Observer* const watchers[] = {&watcher};
   known.result = engine::make_functional_engine(machine)->run(program, watchers);
-  known.timeline = machines::timeline(program, machine, known.result.skips);
+  known.timeline = machines::timeline(program, machine, engine::told_of(known.result));
   return known;
 }
 

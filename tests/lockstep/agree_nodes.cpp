@@ -19,11 +19,12 @@ namespace {
 /// The nodes tell of a subsegment when all are through with the last part of its list. When they are at which pixel
 /// before, tests/unit/multi_processor/list_renderer_test.cpp looks at.
 void check_subsegments(const isa::Program& program, const machines::Machine& machine, const TimedMachine& hardware) {
-  const machines::Timeline timeline = machines::timeline(program, machine);
+  const engine::RunResult run = engine::make_reference_engine(machine)->run(program, {});
+  const machines::Timeline timeline = machines::timeline(program, machine, engine::told_of(run));
   std::map<std::uint32_t, std::uint64_t> ends;
   for (const TimedMachine::Told& told : hardware.told()) {
     if (!ends.contains(told.segment))
-      ends[told.segment] = multi_processor::begun_parts(program, machine, told.segment).back().end;
+      ends[told.segment] = multi_processor::begun_parts(program, machine, told.segment, run.met).back().end;
     const machines::ClockSpan& all = timeline.issued[told.segment][told.index];
     const std::uint64_t begun = timeline.cleared[told.segment].begin;
     const std::uint64_t clock = told.edge - 1;

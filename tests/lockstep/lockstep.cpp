@@ -26,6 +26,7 @@ struct Told {
   std::uint32_t index = 0;
   std::uint64_t clocks = 0;
   std::uint64_t enabled_pixels = 0;
+  std::optional<machines::PixelClocks> at_pixels;
 };
 
 /// Keeps what is told of a run, but for states.
@@ -33,7 +34,7 @@ class Recorder final : public engine::Observer {
  public:
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
-    boundaries.push_back({step.segment, step.index, step.clocks, step.enabled_pixels});
+    boundaries.push_back({step.segment, step.index, step.clocks, step.enabled_pixels, step.at_pixels});
   }
   void after_segment(std::uint32_t segment, const engine::PixelState& /*state*/) override {
     segments.push_back(segment);
@@ -85,14 +86,16 @@ std::vector<machines::Skip> skips_of(const Recorder& run, const isa::Program& pr
   return skips;
 }
 
+/// `met`: as the judge saw it.
 void check_clocks(const engine::RunResult& result, const Recorder& run, const isa::Program& program,
-                  const machines::Machine& machine, std::string_view level) {
+                  const machines::Machine& machine, std::span<const machines::MetPixels> met, std::string_view level) {
   for (const Told& boundary : run.boundaries) {
     const isa::Instruction& instruction = program.segments[boundary.segment].instructions[boundary.index];
     require(boundary.clocks == machines::clocks(instruction, machine),
             fmt::format("{} engine: {} clocks for {}", level, boundary.clocks, isa::name_of(instruction.opcode)));
   }
-  const machines::FrameTiming expected = machines::time_frame(program, machine, skips_of(run, program));
+  const std::vector<machines::Skip> skips = skips_of(run, program);
+  const machines::FrameTiming expected = machines::time_frame(program, machine, {skips, met});
   require(result.clocks == expected.clocks,
           fmt::format("{} engine: {} clocks in all, not {}", level, result.clocks, expected.clocks));
   require(result.latency_clocks == expected.latency_clocks,
@@ -128,8 +131,10 @@ Results check_lockstep(engine::Engine& judge, engine::Engine& engine, const isa:
   require(expected_result.overflows == actual_result.overflows,
           fmt::format("{} overflows, not {}", actual_result.overflows, expected_result.overflows));
   require(expected_result.answers == actual_result.answers, "the answers differ");
-  check_clocks(expected_result, expected, program, machine, judge.level());
-  check_clocks(actual_result, actual, program, machine, engine.level());
+  for (std::size_t i = 0; i < actual.boundaries.size(); ++i)
+    require(expected.boundaries[i].at_pixels == actual.boundaries[i].at_pixels, "the clocks at pixels differ");
+  check_clocks(expected_result, expected, program, machine, expected_result.met, judge.level());
+  check_clocks(actual_result, actual, program, machine, expected_result.met, engine.level());
   return {std::move(expected_result), std::move(actual_result)};
 }
 

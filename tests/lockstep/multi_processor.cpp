@@ -54,6 +54,8 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.operations = {choice.between(0, 20), choice.between(0, 20), choice.between(0, 20), choice.between(0, 20),
                         choice.between(0, 20), choice.between(0, 90), choice.between(0, 9),  choice.between(0, 3)};
   figures.field_clocks = seed % 4 == 0 ? multi_processor::unpacked : choice.between(0, 30);
+  figures.branches = {static_cast<multi_processor::Branches>(choice.between(0, 1)), choice.between(0, 20),
+                      choice.between(0, 20)};
   figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
   figures.node_tests = {choice.between(0, 50), choice.between(0, 500), choice.between(0, 90), choice.between(0, 70),
                         choice.between(0, 300)};

@@ -80,8 +80,8 @@ EngineState::EngineState(const isa::Program& program, const machines::Machine& m
   const std::uint32_t segment = segment_of(program, x, y);
   Watcher watcher(program.shape.memory_bits, segment, x, y);
   engine::Observer* const watchers[] = {&watcher};
-  engine::make_reference_engine(machine)->run(program, watchers);
-  const machines::Timeline timeline = machines::timeline(program, machine, watcher.skips);
+  const engine::RunResult run = engine::make_reference_engine(machine)->run(program, watchers);
+  const machines::Timeline timeline = machines::timeline(program, machine, {watcher.skips, run.met});
   const auto spans = machines::at_pixel(timeline, program, machine, segment, x, y);
   std::uint64_t number = 0;
   for (std::uint32_t s = 0; s < segment; ++s) number += program.segments[s].instructions.size();

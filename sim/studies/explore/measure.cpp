@@ -65,7 +65,7 @@ void price(const process::Process& process, const Fitted& fitted, RunTimer& time
   const machines::Machine& machine = fitted.machine;
   const machines::Resources resources = resources_of(fitted);
   const std::uint64_t pixel_clocks =
-      process::pixel_clocks(fitted.program, machine, timer.skips(fitted.program, machine));
+      process::pixel_clocks(fitted.program, machine, timer.told(fitted.program, machine).skips);
   row.machine_mm2 = process::machine_mm2(machine, resources, process);
   row.frame_joules = process::frame_joules(machine, resources, {pixel_clocks, 1 / row.frames_per_second}, process);
 }

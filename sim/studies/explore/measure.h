@@ -103,7 +103,7 @@ struct ExploreRow {
 };
 
 /// Measures designs, on several threads at the same time. What is the same for many of them is worked out once: the
-/// exact picture of a model, how far that of a machine is from it, what a Program skips.
+/// exact picture of a model, how far that of a machine is from it, what a run of a Program tells.
 class ExploreMeter {
  public:
   /// Where the point does not say how many memory bits its machine has, it is given just as many as its Program takes;

@@ -6,6 +6,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
+#include "sim/functional/clocks.h"
 
 namespace csgsim::studies {
 
@@ -46,12 +47,14 @@ struct PixelClocks {
   double all = 0;
 };
 
-PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& machine) {
+PixelClocks pixel_clocks(const isa::Program& program, const machines::Machine& machine, const machines::Told& told) {
   PixelClocks sums;
-  for (const isa::Segment& segment : program.segments) {
-    const double pixels = static_cast<double>(segment.region.width) * segment.region.height;
-    for (const isa::Instruction& instruction : segment.instructions) {
-      const double clocks = pixels * static_cast<double>(machines::clocks(instruction, machine));
+  for (std::size_t s = 0; s < program.segments.size(); ++s) {
+    const isa::Segment& segment = program.segments[s];
+    for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
+      const isa::Instruction& instruction = segment.instructions[i];
+      const auto clocks = static_cast<double>(
+          machine.kind->clocks_at_pixels(segment, i, machine, told.met.empty() ? nullptr : &told.met[s]).all);
       sums.all += clocks;
       switch (instruction.origin.purpose) {
         case isa::Purpose::render: sums.render += clocks; break;
@@ -105,7 +108,8 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   const machines::Machine cut = cut_into(machines::Parts::subsegments);
   const isa::Program in_segments = compiled(subdivided, whole);
   const isa::Program in_subsegments = compiled(subdivided, cut);
-  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut);
+  const machines::RunRecord record = functional::record_of_run(in_subsegments, cut);
+  const machines::FrameTiming timing = machines::time_frame(in_subsegments, cut, record.told());
   SubdivideRow row;
   row.segments = tally(in_segments, whole);
   row.subsegments = tally(in_subsegments, cut);
@@ -116,7 +120,7 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   }
   row.segments.instruction_clocks.reset();
   row.subsegments.instruction_clocks.reset();
-  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut), cut);
+  row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut, record.told()), cut);
   row.stages.halfspaces_touching = 0;
   for (const isa::Segment& segment : in_segments.segments) *row.stages.halfspaces_touching += segment.facts.halfspaces;
   return row;

@@ -13,6 +13,7 @@
 #include "hw/machines/kind.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/checkpoint/file.h"
+#include "tests/lockstep/divided_program.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random_program.h"
 
@@ -172,6 +173,15 @@ TEST_CASE("so does one of a machine that draws the picture in parts, at their be
     machine.array.memory_bits = 40;
     CHECK(survives_interruptions(machine, test::arbitrary_program_in_parts(machine, 8)));
   }
+}
+
+TEST_CASE("so does one of a machine whose clocks depend on the picture") {
+  machines::Machine machine =
+      kinds::load("multi-processor+subdivision.levels=1+nodes.columns=2+nodes.rows=2+node.branch_clocks=500");
+  machines::set_picture_size(machine, {20, 9});
+  machine.array.memory_bits = 200;
+  REQUIRE(machine.kind->asks_for_pixels(machine));
+  CHECK(survives_interruptions(machine, rc::gen::exec([&] { return test::any_divided_program(machine); })));
 }
 
 TEST_CASE("so does one of a Program that blends what is see-through, with the panes that were taken down") {

@@ -10,6 +10,7 @@
 #include "hw/isa/operands.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/kind.h"
+#include "sim/engine/met_recorder.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/random_program.h"
 
@@ -31,6 +32,7 @@ machines::Machine any_machine() {
   figures.word_bits = 1 + below(64);
   figures.operations = {below(20), below(20), below(20), below(20), below(20), below(90), below(9), below(3)};
   figures.field_clocks = below(2) == 0 ? multi_processor::unpacked : below(30);
+  figures.branches = {static_cast<multi_processor::Branches>(below(2)), below(20), below(20)};
   figures.loop = {below(20), below(40), below(60)};
   return machine;
 }
@@ -65,11 +67,11 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
 /// What each pixel was told to go through, against the states that were kept and the clocks worked out.
 void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>& moments,
                    const std::vector<multi_processor::NodeState>& steps, const std::vector<isa::Instruction>& list,
-                   const NodePixels& own, const machines::Machine& machine) {
+                   const NodePixels& own, const machines::MetPixels* met, const machines::Machine& machine) {
   for (std::uint32_t pixel = 0; pixel < moments.size(); ++pixel) {
     RC_ASSERT(moments[pixel].size() == list.size());
-    const auto spans =
-        multi_processor::spans_at_pixel({.instructions = list}, own, pixel % own.columns, pixel / own.columns, machine);
+    const auto spans = multi_processor::spans_at_pixel({.instructions = list, .met = met}, own, pixel % own.columns,
+                                                       pixel / own.columns, machine);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const multi_processor::PixelMoment& moment = moments[pixel][i];
       RC_ASSERT(moment.index == i);
@@ -79,6 +81,21 @@ void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>&
       RC_ASSERT(moment.after.read(0, first) == steps[i].pixels.read(pixel, first));
     }
   }
+}
+
+/// Which pixels the list meets, as the reference has it; nothing for nodes that do not branch.
+std::vector<machines::MetPixels> met_by(const std::vector<isa::Instruction>& list, const isa::Region& region,
+                                        const machines::Machine& machine) {
+  isa::Program program;
+  program.segments.push_back({region, list});
+  engine::MetRecorder recorder(program, machine);
+  reference::ReferenceArray reference(region, machine.array.memory_bits);
+  for (std::uint32_t i = 0; i < list.size(); ++i) {
+    recorder.before({0, i}, list[i], reference);
+    reference.execute(list[i]);
+    recorder.after({0, i}, list[i], reference);
+  }
+  return *recorder.met();
 }
 
 }  // namespace
@@ -91,6 +108,8 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     if (list.empty()) return;
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const isa::Field colour{0, static_cast<std::uint16_t>(1 + below(8))};
+    const std::vector<machines::MetPixels> all_met = met_by(list, region, machine);
+    const machines::MetPixels* const met = all_met.empty() ? nullptr : all_met.data();
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
       const NodePixels own =
           multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
@@ -98,7 +117,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
       std::vector<std::vector<multi_processor::PixelMoment>> moments(own.count());
       for (std::size_t pixel = 0; pixel < own.count(); ++pixel) renderer.watch(pixel, moments[pixel]);
       renderer.render();
-      check_moments(moments, renderer.steps(), list, own, machine);
+      check_moments(moments, renderer.steps(), list, own, met, machine);
       reference::ReferenceArray reference(region, machine.array.memory_bits);
       for (std::size_t i = 0; i < list.size(); ++i) {
         reference.execute(list[i]);
@@ -106,7 +125,12 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
         if (own.count() > 0) RC_ASSERT(renderer.steps()[i].clocks == multi_processor::pixel_clocks(list[i], machine));
       }
       RC_ASSERT(renderer.store_colours(colour).size() == own.count());
-      RC_ASSERT(renderer.clocks() == multi_processor::rendering_clocks({.instructions = list}, own, colour, machine));
+      const auto clocks = [&](const machines::MetPixels* pixels) {
+        return multi_processor::rendering_clocks({.instructions = list, .met = pixels}, own, colour, machine);
+      };
+      RC_ASSERT(renderer.clocks() == clocks(met));
+      RC_ASSERT(renderer.clocks() <= clocks(nullptr));
+      RC_ASSERT(static_cast<double>(clocks(nullptr)) <= multi_processor::most_rendering_clocks(list, region, machine));
     }
   }));
 }
@@ -211,4 +235,44 @@ TEST_CASE("a node gets the numbers of an instruction out of its bits: a hand cal
   const std::uint64_t b = 2 * shift(8) + (shift(8) + 11);       // 56, of 20
   const std::uint64_t c = 2 * shift(12) + (shift(4) + 11);      // 76, of 20
   CHECK(clocks() - before == 8 * (73 + 11) + number + width + sum_width + sum_shift + a + b + c);
+}
+
+TEST_CASE("a node branches over what has no effect at a pixel: hand calculations") {
+  using isa::Opcode;
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  machine.array = {1, 1, 16};
+  auto& figures = machines::own<Figures>(machine);
+  figures.word_bits = 16;
+  figures.operations = {.read = 2, .write = 3, .add = 5, .compare = 7, .logic = 11, .multiply = 0};
+  figures.branches = {.over = multi_processor::Branches::pixels, .taken = 100, .passed = 1000};
+  // Four pixels, of which those with x > 0 are enabled, then F = 5 - 2x is held against 2, and kept at x = 1 alone.
+  const isa::Region region{0, 0, 4, 1};
+  const isa::Instruction all{.opcode = Opcode::enable_all};
+  const isa::Instruction edge{.opcode = Opcode::edge_not_negative, .linear = {1, 0, -1, 20}};
+  const isa::Instruction set{.opcode = Opcode::set_constant, .fields = {isa::Field{0, 4}}, .constant = 2};
+  const isa::Instruction keep{.opcode = Opcode::keep_max, .fields = {isa::Field{0, 4}}, .linear = {-2, 0, 5, 20}};
+  const std::uint64_t look = 2 + 11;
+  const auto clocks = [&](std::vector<isa::Instruction> before, const isa::Instruction& last) {
+    before.push_back(last);
+    const std::vector<machines::MetPixels> met = met_by(before, region, machine);
+    const isa::Segment segment{region, before};
+    return multi_processor::all_pixel_clocks(segment, before.size() - 1, machine, met.data());
+  };
+  // What brings pixels back is done at each.
+  CHECK(clocks({}, all) == machines::PixelClocks{4 * (look + 3), 0});
+  CHECK(clocks({all}, edge) ==
+        machines::PixelClocks{4 * (look + 1000 + 7 + 3 + 2 * 5), 4 * (look + 1000 + 7 + 3 + 10)});
+  CHECK(clocks({all, edge}, set) == machines::PixelClocks{(look + 100) + 3 * (look + 1000 + 3), 3 * (look + 1000 + 3)});
+  const std::uint64_t unchosen = look + 1000 + 2 + 2 * 7 + 100 + 2 * 5;
+  const std::uint64_t chosen = look + 1000 + 2 + 2 * 7 + 1000 + 3 + 2 * 7 + 3 + 2 * 5;
+  CHECK(clocks({all, edge, set}, keep) ==
+        machines::PixelClocks{(look + 100 + 2 * 5) + 2 * unchosen + chosen, 2 * unchosen + chosen});
+  CHECK(multi_processor::pixel_clocks(keep, machine) == chosen);
+  // Where F is begun anew at each pixel, it is not at those that are not enabled.
+  figures.order = multi_processor::RenderingOrder::pixel;
+  figures.operations.multiply = 13;
+  const std::uint64_t begin = 2 * (2 * 13 + 2 * 5);
+  CHECK(clocks({all, edge, set}, keep).all == (look + 100) + 2 * (unchosen + begin - 10) + (chosen + begin - 10));
+  figures.branches.over = multi_processor::Branches::none;
+  CHECK(clocks({all, edge, set}, keep).all == 4 * (chosen - 2000 + begin - 10));
 }

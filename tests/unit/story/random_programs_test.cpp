@@ -80,7 +80,7 @@ TEST_CASE("a pixel by itself is at every instruction of random Programs what it 
     PixelObserver observer(program, x, y);
     const std::array<engine::Observer*, 1> observers{&observer};
     engine::make_reference_engine(machine)->run(program, observers);
-    const story::PixelRun run = story::run_pixel(program, story::skips_of(program, machine), x, y);
+    const story::PixelRun run = story::run_pixel(program, story::record_of(program, machine).skips, x, y);
     RC_ASSERT(run.steps.size() == observer.left.size());
     for (std::size_t i = 0; i < run.steps.size(); ++i) {
       RC_ASSERT(run.steps[i].segment == observer.left[i].segment);

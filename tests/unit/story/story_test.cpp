@@ -319,8 +319,8 @@ TEST_CASE("clocks are those in which the pixel carries the instructions out, one
   const Told told = tell(blind_hole + near_box, 3, 2);
   const story::Story story = told.story();
   const isa::Program& program = told.compiled.program;
-  const auto skips = story::skips_of(program, told.machine);
-  const machines::Timeline timeline = machines::timeline(program, told.machine, skips);
+  const machines::RunRecord record = story::record_of(program, told.machine);
+  const machines::Timeline timeline = machines::timeline(program, told.machine, record.told());
   const auto clocks = machines::at_pixel(timeline, program, told.machine, 0, 3, 2);
   std::uint64_t last = 0;
   for (const story::Event& event : story.events) {
@@ -344,7 +344,7 @@ TEST_CASE("one pixel by itself has the memory, enable and picture that the whole
   const isa::Program& program = compiled.program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const observe::Frame frame = testing::draw(program);
-  const auto skips = story::skips_of(program, machine);
+  const std::vector<machines::Skip> skips = story::record_of(program, machine).skips;
   for (std::uint32_t y = 0; y < 6; ++y) {
     for (std::uint32_t x = 0; x < 8; ++x) {
       const story::PixelRun run = story::run_pixel(program, skips, x, y);

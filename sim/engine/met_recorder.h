@@ -1,0 +1,115 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hw/base/quotient.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program.h"
+#include "hw/machines/kind.h"
+#include "hw/machines/told.h"
+#include "sim/engine/engine.h"
+#include "sim/engine/numbers.h"
+
+namespace csgsim::engine {
+
+/// Writes down which pixels the instructions of a run meet, where the machine's kind asks for that. It is told of every
+/// instruction right before and right after it.
+class MetRecorder {
+ public:
+  MetRecorder(const isa::Program& program, const machines::Machine& machine)
+      : asks_(machine.kind->asks_for_pixels(machine)) {
+    if (asks_) met_.resize(program.segments.size());
+  }
+
+  [[nodiscard]] bool asks() const { return asks_; }
+  /// One a segment; null where it has not been told of all instructions that came before.
+  [[nodiscard]] const std::vector<machines::MetPixels>* met() const { return is_whole_ ? &met_ : nullptr; }
+  /// Of a segment; instructions that it has not been told of are said to meet no pixel.
+  [[nodiscard]] const machines::MetPixels& met(std::uint32_t segment) const { return met_[segment]; }
+  /// The run goes on from elsewhere.
+  void jump() {
+    is_whole_ = !asks_;
+    is_at_hand_ = false;
+  }
+
+  void before(Place place, const isa::Instruction& instruction, const PixelState& state) {
+    if (!asks_) return;
+    if (place.index == 0 || !is_at_hand_) begin(place, state);
+    if (chooses(instruction)) read(instruction.fields[0], state, before_);
+  }
+
+  void after(Place place, const isa::Instruction& instruction, const PixelState& state) {
+    if (!asks_) return;
+    machines::MetPixels& met = met_[place.segment];
+    met.instructions.push_back({plane_, plane_});
+    if (isa::info(instruction.opcode).enable_effect == isa::EnableEffect::keeps) return;
+    after_.resize(enabled_.size());
+    state.read_enable(after_);
+    if (chooses(instruction)) met.instructions.back().chosen = chosen(met, instruction.fields[0], state);
+    if (after_ == enabled_) return;
+    std::swap(enabled_, after_);
+    plane_ = plane_of(met, enabled_);
+  }
+
+ private:
+  static constexpr std::uint32_t word_bits = 64;
+
+  static bool chooses(const isa::Instruction& instruction) {
+    return instruction.opcode == isa::Opcode::keep_max || instruction.opcode == isa::Opcode::keep_min;
+  }
+
+  static void read(isa::Field field, const PixelState& state, std::vector<std::uint32_t>& values) {
+    const isa::Region region = state.region();
+    values.resize(std::size_t{region.width} * region.height);
+    state.read_field(field, values);
+  }
+
+  static std::uint32_t plane_of(machines::MetPixels& met, const std::vector<std::uint64_t>& words) {
+    if (std::all_of(words.begin(), words.end(), [](std::uint64_t word) { return word == 0; })) return 0;
+    met.planes.push_back(words);
+    return static_cast<std::uint32_t>(met.planes.size() - 1);
+  }
+
+  void begin(Place place, const PixelState& state) {
+    const isa::Region region = state.region();
+    machines::MetPixels& met = met_[place.segment];
+    met = {};
+    met.row_words = quotient_up(region.width, word_bits);
+    met.instructions.resize(place.index);
+    enabled_.resize(met.row_words * region.height);
+    state.read_enable(enabled_);
+    plane_ = plane_of(met, enabled_);
+    is_at_hand_ = true;
+  }
+
+  /// What is kept is another number than was there, or does not fit, which disables the pixel.
+  std::uint32_t chosen(machines::MetPixels& met, isa::Field field, const PixelState& state) {
+    read(field, state, values_);
+    const isa::Region region = state.region();
+    std::vector<std::uint64_t> words(enabled_.size());
+    for (std::uint32_t y = 0; y < region.height; ++y) {
+      for (std::uint32_t x = 0; x < region.width; ++x) {
+        const std::size_t pixel = std::size_t{y} * region.width + x;
+        words[y * met.row_words + x / word_bits] |= std::uint64_t{values_[pixel] != before_[pixel]} << x % word_bits;
+      }
+    }
+    for (std::size_t i = 0; i < words.size(); ++i) words[i] |= enabled_[i] & ~after_[i];
+    return words == enabled_ ? plane_ : plane_of(met, words);
+  }
+
+  bool asks_;
+  bool is_whole_ = true;
+  bool is_at_hand_ = false;  ///< it knows which pixels are enabled
+  std::vector<machines::MetPixels> met_;
+  std::vector<std::uint64_t> enabled_;  ///< pixels, as the instruction finds them
+  std::vector<std::uint64_t> after_;    ///< and leaves them
+  std::uint32_t plane_ = 0;             ///< of `enabled_`
+  std::vector<std::uint32_t> before_;   ///< of a target
+  std::vector<std::uint32_t> values_;
+};
+
+}  // namespace csgsim::engine
