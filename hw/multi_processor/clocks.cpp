@@ -116,6 +116,31 @@ std::uint64_t fetch_clocks(const isa::Instruction& instruction, const Figures& f
          unpacking_clocks(isa::WireFields(instruction).widths(), figures);
 }
 
+/// Words of the numbers beside the opcode, if each begins at a word.
+std::uint64_t operand_words(const isa::Instruction& instruction, const Figures& figures) {
+  const isa::WireFields fields(instruction);
+  std::uint64_t words = 0;
+  for (std::size_t i = 1; i < fields.widths().size(); ++i) words += words_of(fields.widths()[i], figures);
+  return words;
+}
+
+/// To come to an instruction of the list.
+std::uint64_t reach_clocks(const isa::Instruction& instruction, const Figures& figures) {
+  if (figures.chain.program == NodeProgram::interpreted) return fetch_clocks(instruction, figures);
+  return figures.chain.call + operand_words(instruction, figures) * figures.operations.read;
+}
+
+/// To make a list a native program.
+std::uint64_t chain_clocks(std::span<const isa::Instruction> list, const Figures& figures) {
+  if (figures.chain.program == NodeProgram::interpreted) return 0;
+  std::uint64_t clocks = 0;
+  for (const isa::Instruction& instruction : list) {
+    clocks += fetch_clocks(instruction, figures) + figures.chain.link +
+              operand_words(instruction, figures) * figures.operations.write;
+  }
+  return clocks;
+}
+
 /// Loops over the pixels around something that is done at each.
 std::uint64_t pass_clocks(const NodePixels& own, std::uint64_t at_each, const Figures& figures) {
   return own.count() * (at_each + figures.loop.pixel) + own.rows * std::uint64_t{figures.loop.row};
@@ -242,15 +267,15 @@ class AtPixels {
 /// Of an instruction at so many rows of pixels and pixels, at which it takes `at_pixels` in all.
 std::uint64_t instruction_clocks(const isa::Instruction& instruction, std::uint64_t rows, std::uint64_t pixels,
                                  std::uint64_t at_pixels, const Figures& figures) {
-  const std::uint64_t fetch = fetch_clocks(instruction, figures);
+  const std::uint64_t reach = reach_clocks(instruction, figures);
   const std::uint64_t pixel_loop = pixels * figures.loop.pixel;
   switch (figures.order) {
     case RenderingOrder::segment:
-      return fetch + sum_clocks(instruction, 2, figures) +
+      return reach + sum_clocks(instruction, 2, figures) +
              rows * (add_clocks(instruction, figures) + figures.loop.row) + at_pixels + pixel_loop;
     case RenderingOrder::scan_line:
-      return rows * (fetch + sum_clocks(instruction, 1, figures)) + at_pixels + pixel_loop;
-    case RenderingOrder::pixel: return pixels * fetch + at_pixels;
+      return rows * (reach + sum_clocks(instruction, 1, figures)) + at_pixels + pixel_loop;
+    case RenderingOrder::pixel: return pixels * reach + at_pixels;
   }
   return 0;
 }
@@ -296,6 +321,7 @@ std::uint64_t rendering_clocks(const ListPart& part, const NodePixels& own, isa:
   if (has_instructions) {
     clocks += outer_clocks(own, figures);
     if (part.begins) clocks += clearing_clocks(own, machine);
+    clocks += chain_clocks(part.instructions, figures);
   }
   const AtPixels at(part, own, figures, machine.array);
   for (std::size_t i = 0; i < part.instructions.size(); ++i)
@@ -327,7 +353,7 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
       clocks += instruction_clocks(list[i], rows, end - begin, at.clocks(i, begin, end), figures);
     return clocks;
   };
-  std::uint64_t now = part.begins ? clearing_clocks(own, machine) : 0;
+  std::uint64_t now = (part.begins ? clearing_clocks(own, machine) : 0) + chain_clocks(list, figures);
   if (figures.order != RenderingOrder::segment) {
     now += outer_clocks({.columns = own.columns, .rows = row}, figures) + at_all(row, 0, row_begin);
     if (figures.order == RenderingOrder::pixel)
@@ -336,7 +362,7 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
   std::vector<machines::ClockSpan> spans;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const isa::Instruction& instruction = list[i];
-    std::uint64_t begin = now + fetch_clocks(instruction, figures);
+    std::uint64_t begin = now + reach_clocks(instruction, figures);
     const auto all = [&](std::uint64_t rows, std::uint64_t first, std::uint64_t end) {
       return instruction_clocks(instruction, rows, end - first, at.clocks(i, first, end), figures);
     };
@@ -361,9 +387,10 @@ double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::
   const Figures& figures = machines::own<Figures>(machine);
   double clocks = 0;
   for (const isa::Instruction& instruction : list) {
-    clocks += static_cast<double>(prices_of(instruction, figures).most() + fetch_clocks(instruction, figures) +
+    clocks += static_cast<double>(prices_of(instruction, figures).most() + reach_clocks(instruction, figures) +
                                   sum_clocks(instruction, 2, figures) + figures.loop.pixel + figures.loop.row);
   }
+  clocks += static_cast<double>(chain_clocks(list, figures));
   const std::uint64_t words = words_of(machine.array.memory_bits + 2ULL * isa::max_field_width, figures) + 4;
   clocks += static_cast<double>(words * (std::uint64_t{figures.operations.read} + figures.operations.write) +
                                 3 * (std::uint64_t{figures.loop.pixel} + figures.loop.row));

@@ -45,6 +45,23 @@ struct BranchFigures {
   constexpr bool operator==(const BranchFigures&) const = default;
 };
 
+/// How a node carries out a list.
+enum class NodeProgram : std::uint8_t {
+  interpreted,  ///< an instruction is decoded whenever it comes to it
+  native,       ///< the list is made into a chain of calls once, which is gone through
+};
+
+inline constexpr auto node_program_names = std::to_array<std::string_view>({"interpreted", "native"});
+
+/// Clocks of a native program, besides the numbers that it writes and reads.
+struct ChainFigures {
+  NodeProgram program = NodeProgram::interpreted;
+  std::uint32_t link = 0;  ///< to put a call into the chain
+  std::uint32_t call = 0;  ///< and to return from it
+
+  constexpr bool operator==(const ChainFigures&) const = default;
+};
+
 /// Clocks of the loops around them.
 struct LoopClocks {
   std::uint32_t pixel = 0;        ///< a pass of the loop over the pixels of a row
@@ -103,6 +120,7 @@ struct Figures {
   bool divides_ahead = false;              ///< the display processor divides the next segment while the nodes work
   RefreshFigures refresh{};
   BranchFigures branches{};
+  ChainFigures chain{};
   std::uint32_t barrier_clocks = 0;  ///< from the last node's arrival until all go on
 
   constexpr bool operator==(const Figures&) const = default;

@@ -96,6 +96,12 @@ constexpr auto schema = std::to_array<FigureSchema>({
         "node.branches", "", 0, 1, "over what an instruction has no effect on at a pixel", branches_names),
     part_clocks<&Figures::branches, &BranchFigures::taken>("node.branch_clocks", "of a branch that is taken"),
     part_clocks<&Figures::branches, &BranchFigures::passed>("node.no_branch_clocks", "of a branch that is not taken"),
+    own_figure<Figures, &Figures::chain, &ChainFigures::program>(
+        "node.program", "", 0, 1, "by which a node carries out a list", node_program_names),
+    part_clocks<&Figures::chain, &ChainFigures::link>(
+        "node.chain_clocks", "to put an instruction of a native program into its chain, besides its numbers"),
+    part_clocks<&Figures::chain, &ChainFigures::call>("node.call_clocks",
+                                                      "to call an instruction of a native program, and to return"),
     part_clocks<&Figures::loop, &LoopClocks::pixel>("node.pixel_loop_clocks", "of the loop over the pixels of a row"),
     part_clocks<&Figures::loop, &LoopClocks::row>("node.row_loop_clocks", "of the loop over rows"),
     part_clocks<&Figures::loop, &LoopClocks::instruction>("node.instruction_loop_clocks",

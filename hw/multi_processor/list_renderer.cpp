@@ -5,6 +5,7 @@ namespace csgsim::multi_processor {
 ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
                            std::span<const systemc::Keep> keeps, const NodePixels& own, const PixelMemory& before)
     : order_(figures.order),
+      program_(figures.chain.program),
       nodes_(nodes),
       list_(list),
       keeps_(keeps),
@@ -37,6 +38,9 @@ void ListRenderer::for_each_pixel(const Visit& visit) {
 void ListRenderer::render() {
   if (own_.count() == 0 || list_.empty()) return;  // nor is the list looked at
   if (begins_) for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
+  if (program_ == NodeProgram::native) {
+    for (const isa::Instruction& instruction : list_) processor_.link(instruction);
+  }
   switch (order_) {
     case RenderingOrder::segment: return by_segment();
     case RenderingOrder::scan_line: return by_scan_line();
@@ -107,7 +111,10 @@ void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t
   });
 }
 
-void ListRenderer::fetch(const isa::Instruction& instruction) { processor_.fetch(instruction); }
+void ListRenderer::fetch(const isa::Instruction& instruction) {
+  if (program_ == NodeProgram::native) return processor_.call(instruction);
+  processor_.fetch(instruction);
+}
 
 /// At a pixel.
 ListRenderer::Begun ListRenderer::begin(std::size_t index, std::size_t pixel) {

@@ -36,7 +36,7 @@ class ListRenderer {
   /// renderer.
   void watch(std::size_t pixel, std::vector<PixelMoment>& moments) { watched_.push_back({pixel, &moments}); }
 
-  /// Carries out the list; before its first instruction memory is cleared.
+  /// Carries out the list; before its first instruction memory is cleared, and a native program made.
   void render();
 
   /// Copies the colours of the pixels, in row order, into the image memory.
@@ -79,6 +79,7 @@ class ListRenderer {
   [[nodiscard]] std::uint32_t y_of(std::uint32_t row) const { return own_.first_y + row * nodes_.height; }
 
   const RenderingOrder order_;
+  const NodeProgram program_;
   const isa::ArrayShape nodes_;
   std::span<const isa::Instruction> list_;
   std::span<const systemc::Keep> keeps_;

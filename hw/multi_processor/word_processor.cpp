@@ -29,6 +29,18 @@ void WordProcessor::fetch(const isa::Instruction& instruction) {
   unpack(isa::WireFields(instruction).widths());
 }
 
+/// What is beside the number of the instruction has words of its own there.
+void WordProcessor::link(const isa::Instruction& instruction) {
+  fetch(instruction);
+  spend(chain_.link);
+  for (const unsigned width : isa::WireFields(instruction).widths().subspan(1)) write_words(width);
+}
+
+void WordProcessor::call(const isa::Instruction& instruction) {
+  spend(chain_.call);
+  for (const unsigned width : isa::WireFields(instruction).widths().subspan(1)) read_words(width);
+}
+
 /// Whole words are found elsewhere in memory; each of the others takes what comes in from the next.
 void WordProcessor::shift_words(unsigned bits, unsigned places) {
   const unsigned rest = places % word_bits_;

@@ -20,6 +20,7 @@ class WordProcessor {
         operations_(figures.operations),
         field_clocks_(figures.field_clocks),
         branches_(figures.branches),
+        chain_(figures.chain),
         loop_(figures.loop) {}
 
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
@@ -31,6 +32,10 @@ class WordProcessor {
 
   /// Takes an instruction from the list, as it came.
   void fetch(const isa::Instruction& instruction);
+
+  /// Makes an instruction of the list a call in the chain of a native program; and calls it there.
+  void link(const isa::Instruction& instruction);
+  void call(const isa::Instruction& instruction);
 
   /// Gets numbers of so many bits, which follow each other from the beginning of a word on, into words of their own.
   template <class Width>
@@ -102,6 +107,7 @@ class WordProcessor {
   OperationClocks operations_;
   std::uint32_t field_clocks_;
   BranchFigures branches_;
+  ChainFigures chain_;
   LoopClocks loop_;
   std::uint64_t clocks_ = 0;
   std::uint64_t whole_clocks_ = 0;

@@ -56,6 +56,8 @@ machines::Machine random_machine(std::uint32_t seed) {
   figures.field_clocks = seed % 4 == 0 ? multi_processor::unpacked : choice.between(0, 30);
   figures.branches = {static_cast<multi_processor::Branches>(choice.between(0, 1)), choice.between(0, 20),
                       choice.between(0, 20)};
+  figures.chain = {static_cast<multi_processor::NodeProgram>(choice.between(0, 1)), choice.between(0, 60),
+                   choice.between(1, 40)};
   figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
   figures.node_tests = {choice.between(0, 50), choice.between(0, 500), choice.between(0, 90), choice.between(0, 70),
                         choice.between(0, 300)};

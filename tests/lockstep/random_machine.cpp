@@ -45,6 +45,7 @@ const std::map<std::string_view, Ends> nearer{
     {"node.memory_words", {200, std::int64_t{1} << 31}},
     {"node.word_bits", {8, 64}},
     {"node.instruction_loop_clocks", {1, most_clocks}},  // without a clock it has no place in a timeline
+    {"node.call_clocks", {1, most_clocks}},              // nor then
 };
 
 Ends ends_of(const machines::FigureSchema& figure) {

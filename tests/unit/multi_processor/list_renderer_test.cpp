@@ -33,6 +33,7 @@ machines::Machine any_machine() {
   figures.operations = {below(20), below(20), below(20), below(20), below(20), below(90), below(9), below(3)};
   figures.field_clocks = below(2) == 0 ? multi_processor::unpacked : below(30);
   figures.branches = {static_cast<multi_processor::Branches>(below(2)), below(20), below(20)};
+  figures.chain = {static_cast<multi_processor::NodeProgram>(below(2)), below(60), below(40)};
   figures.loop = {below(20), below(40), below(60)};
   return machine;
 }
@@ -275,4 +276,31 @@ TEST_CASE("a node branches over what has no effect at a pixel: hand calculations
   CHECK(clocks({all, edge, set}, keep).all == (look + 100) + 2 * (unchosen + begin - 10) + (chosen + begin - 10));
   figures.branches.over = multi_processor::Branches::none;
   CHECK(clocks({all, edge, set}, keep).all == 4 * (chosen - 2000 + begin - 10));
+}
+
+TEST_CASE("a native node decodes a list once, and then calls its instructions: hand calculations") {
+  machines::Machine machine = machines::blank(multi_processor::kind);
+  auto& figures = machines::own<Figures>(machine);
+  figures.word_bits = 16;
+  figures.operations = {.read = 2, .write = 3, .add = 0, .compare = 0, .logic = 0, .multiply = 0};
+  figures.loop = {.pixel = 0, .row = 0, .instruction = 100};
+  figures.chain = {.program = multi_processor::NodeProgram::interpreted, .link = 1000, .call = 10'000};
+  // 6 + 12 + 6 + 6 + 6 + 60 bits are 6 words; in words of their own its numbers are 4 and three of two words.
+  const std::vector<isa::Instruction> list{
+      {.opcode = isa::Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}}};
+  const auto clocks = [&](multi_processor::RenderingOrder order) {
+    const auto of = [&](multi_processor::NodeProgram program) {
+      figures.order = order;
+      figures.chain.program = program;
+      return multi_processor::rendering_clocks({.instructions = list}, {0, 0, 3, 5}, {0, 8}, machine);
+    };
+    const std::uint64_t interpreted = of(multi_processor::NodeProgram::interpreted);
+    return static_cast<std::int64_t>(of(multi_processor::NodeProgram::native) - interpreted);
+  };
+  const std::int64_t fetch = 100 + 6 * 2;
+  const std::int64_t chain = fetch + 1000 + 10 * 3;
+  const std::int64_t call = 10'000 + 10 * 2;
+  CHECK(clocks(multi_processor::RenderingOrder::segment) == chain + call - fetch);
+  CHECK(clocks(multi_processor::RenderingOrder::scan_line) == chain + 5 * (call - fetch));
+  CHECK(clocks(multi_processor::RenderingOrder::pixel) == chain + 15 * (call - fetch));
 }
