@@ -92,8 +92,7 @@ void Rendering::write_replacement(Writer& out, const Facet& facet, bool equals_t
   out.plain(Opcode::enable_load, model_.fields.mask);
   // Beyond the end of the depth range there is no surface.
   if (!complemented_ && facet.high > model_.farthest()) {
-    const std::int64_t end = (model_.farthest() + 1) << model_.fraction_bits;
-    out.line(Opcode::edge_negative, {true, facet.plane.a, facet.plane.b, facet.plane.c - end}, pixels);
+    out.line(Opcode::edge_negative, beyond_range(model_, facet.plane), pixels);
     out.plain(Opcode::enable_store, model_.fields.mask);
   } else if (complemented_ && facet.low < 0) {
     out.line(Opcode::edge_not_negative, facet.plane, pixels);

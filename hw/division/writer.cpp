@@ -1,7 +1,6 @@
 #include "hw/division/writer.h"
 
 #include <algorithm>
-#include <bit>
 
 #include "hw/base/error.h"
 #include "hw/division/widths.h"
@@ -11,13 +10,6 @@ namespace csgsim::division {
 namespace {
 
 using isa::Opcode;
-
-/// Low zero bits that A and B share. Without them, and as many of C, rounded down, no floor and no sign of the sum
-/// changes.
-unsigned shared_zeros(const Plane& plane) {
-  return static_cast<unsigned>(
-      std::countr_zero(static_cast<std::uint64_t>(plane.a) | static_cast<std::uint64_t>(plane.b)));
-}
 
 /// Bits that the plane's values over the pixels take; the extremes are at corners.
 unsigned width_over(const Plane& plane, const Rectangle& pixels) {
@@ -49,27 +41,21 @@ void Writer::write(const isa::Instruction& instruction) {
   }
 }
 
-void Writer::linear(Opcode opcode, isa::Field field, Plane plane, unsigned dropped, unsigned shift,
-                    const Rectangle& pixels) {
-  plane = {plane.is_edge, plane.a >> dropped, plane.b >> dropped, plane.c >> dropped};
-  unsigned width = width_over(plane, pixels);
+void Writer::linear(Opcode opcode, isa::Field field, const Expression& expression, const Rectangle& pixels) {
+  unsigned width = width_over(expression.plane, pixels);
   // F has a bit more than the field that it meets, for its sign.
-  if (field.width > 0) width = std::max(width, shift + field.width + 1U);
+  if (field.width > 0) width = std::max(width, expression.shift + field.width + 1U);
   if (width > isa::max_linear_width)
     throw InputError("the display model: a plane takes more bits than a linear expression has");
-  const std::int64_t corner = plane.c + plane.a * square_.x + plane.b * square_.y;
-  const isa::Linear expression{plane.a, plane.b, corner, static_cast<std::uint16_t>(width),
-                               static_cast<std::uint16_t>(shift)};
-  write({opcode, {field, {}, {}}, expression, 0, origin});
+  write({opcode, {field, {}, {}}, linear_of(expression, square_, width), 0, origin});
 }
 
 void Writer::depth(Opcode opcode, isa::Field field, const Plane& plane, const Rectangle& pixels) {
-  const unsigned dropped = std::min(shared_zeros(plane), header_.fraction_bits);
-  linear(opcode, field, plane, dropped, header_.fraction_bits - dropped, pixels);
+  linear(opcode, field, depth_expression(header_, plane), pixels);
 }
 
 void Writer::line(Opcode opcode, const Plane& line, const Rectangle& pixels) {
-  linear(opcode, {}, line, std::min(shared_zeros(line), isa::max_linear_width), 0, pixels);
+  linear(opcode, {}, line_expression(line), pixels);
 }
 
 void Writer::clip(const Rectangle& inner, const Rectangle& outer) {

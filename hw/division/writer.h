@@ -5,6 +5,7 @@
 
 #include "hw/division/corners.h"
 #include "hw/division/display_model.h"
+#include "hw/division/expression.h"
 #include "hw/isa/instruction.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
@@ -39,8 +40,7 @@ class Writer {
   [[nodiscard]] std::vector<isa::Instruction> take() { return std::move(written_); }
 
  private:
-  void linear(isa::Opcode opcode, isa::Field field, Plane plane, unsigned dropped, unsigned shift,
-              const Rectangle& pixels);
+  void linear(isa::Opcode opcode, isa::Field field, const Expression& expression, const Rectangle& pixels);
 
   void write(const isa::Instruction& instruction);
 

@@ -27,8 +27,8 @@ std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine
 /// Clocks that they spend on these, if none is skipped.
 std::uint64_t clocks(std::span<const isa::Instruction> instructions, const Machine& machine);
 
-/// Clocks of a whole run in which no instruction is skipped, latency included. What a run really takes, only the run
-/// tells (engine::RunResult).
+/// Clocks of a whole run in which no instruction is skipped, latency included; of a kind that asks for pixels
+/// (Kind::asks_for_pixels) a bound. What a run really takes, only the run tells (engine::RunResult).
 std::uint64_t clocks(const isa::Program& program, const Machine& machine);
 
 }  // namespace csgsim::machines

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <bit>
+#include <variant>
+#include <vector>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/opcodes.h"
@@ -111,9 +113,31 @@ std::uint64_t add_clocks(const isa::Instruction& instruction, const Figures& fig
   return words_of(instruction.linear.width, figures) * figures.operations.add;
 }
 
-std::uint64_t fetch_clocks(const isa::Instruction& instruction, const Figures& figures) {
-  return figures.loop.instruction + words_of(isa::wire_bits(instruction), figures) * figures.operations.read +
-         unpacking_clocks(isa::WireFields(instruction).widths(), figures);
+/// Of an instruction in a list of that form: the five numbers of its expression, which are its last, have a bit before
+/// them; or there are a number and a width in their place.
+std::vector<std::uint8_t> written_numbers(const isa::Instruction& instruction, const ListForm& form) {
+  const isa::WireFields fields(instruction);
+  std::vector<std::uint8_t> numbers(fields.widths().begin(), fields.widths().end());
+  if (!form.has_numbers || instruction.linear.width == 0) return numbers;
+  const auto expression = numbers.end() - 5;
+  if (!is_named(instruction, form)) {
+    numbers.insert(expression, 1);
+    return numbers;
+  }
+  numbers.erase(expression, numbers.end());
+  for (const unsigned width : {1U, form.number_bits, number_width_bits})
+    numbers.push_back(static_cast<std::uint8_t>(width));
+  return numbers;
+}
+
+/// The expression of a half-space whose number came is worked out.
+std::uint64_t fetch_clocks(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
+  const std::uint64_t read = figures.loop.instruction +
+                             words_of(written_bits(instruction, form), figures) * figures.operations.read +
+                             unpacking_clocks(written_numbers(instruction, form), figures);
+  if (!is_named(instruction, form)) return read;
+  return read + words_of(form.record_bits, figures) * figures.operations.read +
+         unpacking_clocks(form.record_numbers, figures) + figures.node_tests.instruction;
 }
 
 /// Words of the numbers beside the opcode, if each begins at a word.
@@ -125,17 +149,17 @@ std::uint64_t operand_words(const isa::Instruction& instruction, const Figures& 
 }
 
 /// To come to an instruction of the list.
-std::uint64_t reach_clocks(const isa::Instruction& instruction, const Figures& figures) {
-  if (figures.chain.program == NodeProgram::interpreted) return fetch_clocks(instruction, figures);
+std::uint64_t reach_clocks(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {
+  if (figures.chain.program == NodeProgram::interpreted) return fetch_clocks(instruction, form, figures);
   return figures.chain.call + operand_words(instruction, figures) * figures.operations.read;
 }
 
 /// To make a list a native program.
-std::uint64_t chain_clocks(std::span<const isa::Instruction> list, const Figures& figures) {
+std::uint64_t chain_clocks(std::span<const isa::Instruction> list, const ListForm& form, const Figures& figures) {
   if (figures.chain.program == NodeProgram::interpreted) return 0;
   std::uint64_t clocks = 0;
   for (const isa::Instruction& instruction : list) {
-    clocks += fetch_clocks(instruction, figures) + figures.chain.link +
+    clocks += fetch_clocks(instruction, form, figures) + figures.chain.link +
               operand_words(instruction, figures) * figures.operations.write;
   }
   return clocks;
@@ -265,9 +289,9 @@ class AtPixels {
 };
 
 /// Of an instruction at so many rows of pixels and pixels, at which it takes `at_pixels` in all.
-std::uint64_t instruction_clocks(const isa::Instruction& instruction, std::uint64_t rows, std::uint64_t pixels,
-                                 std::uint64_t at_pixels, const Figures& figures) {
-  const std::uint64_t reach = reach_clocks(instruction, figures);
+std::uint64_t instruction_clocks(const isa::Instruction& instruction, const ListForm& form, std::uint64_t rows,
+                                 std::uint64_t pixels, std::uint64_t at_pixels, const Figures& figures) {
+  const std::uint64_t reach = reach_clocks(instruction, form, figures);
   const std::uint64_t pixel_loop = pixels * figures.loop.pixel;
   switch (figures.order) {
     case RenderingOrder::segment:
@@ -281,6 +305,16 @@ std::uint64_t instruction_clocks(const isa::Instruction& instruction, std::uint6
 }
 
 }  // namespace
+
+std::uint64_t written_bits(const isa::Command& command, const ListForm& form) {
+  const auto* const instruction = std::get_if<isa::Instruction>(&command);
+  const std::uint64_t bits = isa::wire_bits(command);
+  if (instruction == nullptr || !form.has_numbers || instruction->linear.width == 0) return bits;
+  if (!is_named(*instruction, form)) return bits + 1;
+  const std::uint64_t expression =
+      isa::wire_linear_width_bits + isa::wire_shift_bits + 3 * std::uint64_t{instruction->linear.width};
+  return bits - expression + 1 + form.number_bits + number_width_bits;
+}
 
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& machine) {
   return prices_of(instruction, machines::own<Figures>(machine)).whole;
@@ -321,11 +355,12 @@ std::uint64_t rendering_clocks(const ListPart& part, const NodePixels& own, isa:
   if (has_instructions) {
     clocks += outer_clocks(own, figures);
     if (part.begins) clocks += clearing_clocks(own, machine);
-    clocks += chain_clocks(part.instructions, figures);
+    clocks += chain_clocks(part.instructions, part.form, figures);
   }
   const AtPixels at(part, own, figures, machine.array);
   for (std::size_t i = 0; i < part.instructions.size(); ++i)
-    clocks += instruction_clocks(part.instructions[i], own.rows, own.count(), at.clocks(i, 0, own.count()), figures);
+    clocks += instruction_clocks(part.instructions[i], part.form, own.rows, own.count(), at.clocks(i, 0, own.count()),
+                                 figures);
   if (!part.ends || colour.width == 0) return clocks;
   const bool is_background = part.begins && !has_instructions;
   const std::uint64_t words = words_of(colour.width, figures);
@@ -350,10 +385,10 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
   const auto at_all = [&](std::uint64_t rows, std::uint64_t begin, std::uint64_t end) {
     std::uint64_t clocks = 0;
     for (std::size_t i = 0; i < list.size(); ++i)
-      clocks += instruction_clocks(list[i], rows, end - begin, at.clocks(i, begin, end), figures);
+      clocks += instruction_clocks(list[i], part.form, rows, end - begin, at.clocks(i, begin, end), figures);
     return clocks;
   };
-  std::uint64_t now = (part.begins ? clearing_clocks(own, machine) : 0) + chain_clocks(list, figures);
+  std::uint64_t now = (part.begins ? clearing_clocks(own, machine) : 0) + chain_clocks(list, part.form, figures);
   if (figures.order != RenderingOrder::segment) {
     now += outer_clocks({.columns = own.columns, .rows = row}, figures) + at_all(row, 0, row_begin);
     if (figures.order == RenderingOrder::pixel)
@@ -362,9 +397,9 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
   std::vector<machines::ClockSpan> spans;
   for (std::size_t i = 0; i < list.size(); ++i) {
     const isa::Instruction& instruction = list[i];
-    std::uint64_t begin = now + reach_clocks(instruction, figures);
+    std::uint64_t begin = now + reach_clocks(instruction, part.form, figures);
     const auto all = [&](std::uint64_t rows, std::uint64_t first, std::uint64_t end) {
-      return instruction_clocks(instruction, rows, end - first, at.clocks(i, first, end), figures);
+      return instruction_clocks(instruction, part.form, rows, end - first, at.clocks(i, first, end), figures);
     };
     switch (figures.order) {
       case RenderingOrder::segment:
@@ -382,15 +417,15 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
   return spans;
 }
 
-double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region,
+double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
                              const Machine& machine) {
   const Figures& figures = machines::own<Figures>(machine);
   double clocks = 0;
   for (const isa::Instruction& instruction : list) {
-    clocks += static_cast<double>(prices_of(instruction, figures).most() + reach_clocks(instruction, figures) +
+    clocks += static_cast<double>(prices_of(instruction, figures).most() + reach_clocks(instruction, form, figures) +
                                   sum_clocks(instruction, 2, figures) + figures.loop.pixel + figures.loop.row);
   }
-  clocks += static_cast<double>(chain_clocks(list, figures));
+  clocks += static_cast<double>(chain_clocks(list, form, figures));
   const std::uint64_t words = words_of(machine.array.memory_bits + 2ULL * isa::max_field_width, figures) + 4;
   clocks += static_cast<double>(words * (std::uint64_t{figures.operations.read} + figures.operations.write) +
                                 3 * (std::uint64_t{figures.loop.pixel} + figures.loop.row));

@@ -9,6 +9,7 @@
 #include "hw/machines/timeline.h"
 #include "hw/machines/told.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/list_form.h"
 #include "hw/multi_processor/regions.h"
 
 /// Clocks of a node, worked out from the figures.
@@ -20,6 +21,9 @@ std::uint64_t pixel_clocks(const isa::Instruction& instruction, const machines::
 /// Of an instruction of a subsegment at all its pixels, of all nodes together. `met`: as in ListPart.
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const machines::Machine& machine,
                                        const machines::MetPixels* met);
+
+/// Bits of a command of a list.
+std::uint64_t written_bits(const isa::Command& command, const ListForm& form);
 
 /// Of numbers of so many bits that follow each other from the beginning of a word on, to get each into words of its
 /// own.
@@ -34,6 +38,7 @@ struct ListPart {
   /// as long at each pixel as it may.
   const machines::MetPixels* met = nullptr;
   std::size_t first = 0;  ///< instructions of the list that come before
+  ListForm form{};
 };
 
 /// Of that at so many of the node's pixels: where the list begins, memory is cleared; it is carried out; where it ends,
@@ -51,7 +56,7 @@ std::vector<machines::ClockSpan> spans_at_pixel(const ListPart& part, const Node
 std::uint64_t clearing_clocks(const NodePixels& own, const machines::Machine& machine);
 
 /// No node takes more for a list at all pixels of a region; may be rounded.
-double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region,
+double most_rendering_clocks(std::span<const isa::Instruction> list, const isa::Region& region, const ListForm& form,
                              const machines::Machine& machine);
 
 }  // namespace csgsim::multi_processor

@@ -62,6 +62,14 @@ struct ChainFigures {
   constexpr bool operator==(const ChainFigures&) const = default;
 };
 
+/// What the nodes tell each other of a list.
+enum class ListKind : std::uint8_t {
+  instructions,  ///< as a link carries them
+  numbers,       ///< of half-spaces, which every node has
+};
+
+inline constexpr auto list_kind_names = std::to_array<std::string_view>({"instructions", "numbers"});
+
 /// Clocks of the loops around them.
 struct LoopClocks {
   std::uint32_t pixel = 0;        ///< a pass of the loop over the pixels of a row
@@ -121,6 +129,8 @@ struct Figures {
   RefreshFigures refresh{};
   BranchFigures branches{};
   ChainFigures chain{};
+  ListKind lists = ListKind::instructions;
+  std::uint32_t number_clocks = 0;   ///< of a node, to put the number of a half-space into a list
   std::uint32_t barrier_clocks = 0;  ///< from the last node's arrival until all go on
 
   constexpr bool operator==(const Figures&) const = default;

@@ -61,6 +61,8 @@ constexpr auto schema = std::to_array<FigureSchema>({
         "display.cell_clocks", "to hold a half-space of a side against the leaders of a cell"),
     own_figure<Figures, &Figures::divides_ahead>("display.divides_ahead", "segments", 0, 1,
                                                  "that are divided while the nodes work on the one before"),
+    own_figure<Figures, &Figures::lists>("lists.kind", "", 0, 1, "what nodes tell each other of lists",
+                                         list_kind_names),
     shared::link_width,
     shared::link_word_clocks,
     shared::link_latency,
@@ -115,6 +117,8 @@ constexpr auto schema = std::to_array<FigureSchema>({
     part_clocks<&Figures::node_tests, &TestClocks::tree_node>("node.tree_clocks", "to look at a node of the tree"),
     part_clocks<&Figures::node_tests, &TestClocks::instruction>("node.list_clocks",
                                                                 "to put an instruction into the list"),
+    own_figure<Figures, &Figures::number_clocks>("node.number_clocks", "clocks", 0, most_clocks,
+                                                 "to put an instruction of a half-space's number into the list"),
     shared::host_processor,
     shared::host_count,
 });

@@ -3,11 +3,13 @@
 namespace csgsim::multi_processor {
 
 ListRenderer::ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
-                           std::span<const systemc::Keep> keeps, const NodePixels& own, const PixelMemory& before)
+                           const ListForm& form, std::span<const systemc::Keep> keeps, const NodePixels& own,
+                           const PixelMemory& before)
     : order_(figures.order),
       program_(figures.chain.program),
       nodes_(nodes),
       list_(list),
+      form_(form),
       keeps_(keeps),
       own_(own),
       begins_(before.pixels() == 0),
@@ -39,7 +41,7 @@ void ListRenderer::render() {
   if (own_.count() == 0 || list_.empty()) return;  // nor is the list looked at
   if (begins_) for_each_pixel([&](std::size_t /*pixel*/) { processor_.clear(nodes_.memory_bits); });
   if (program_ == NodeProgram::native) {
-    for (const isa::Instruction& instruction : list_) processor_.link(instruction);
+    for (const isa::Instruction& instruction : list_) processor_.link(instruction, form_);
   }
   switch (order_) {
     case RenderingOrder::segment: return by_segment();
@@ -113,7 +115,7 @@ void ListRenderer::along_row(std::size_t index, std::uint32_t row, std::uint64_t
 
 void ListRenderer::fetch(const isa::Instruction& instruction) {
   if (program_ == NodeProgram::native) return processor_.call(instruction);
-  processor_.fetch(instruction);
+  processor_.fetch(instruction, form_);
 }
 
 /// At a pixel.

@@ -30,7 +30,8 @@ class ListRenderer {
   /// `keeps`: what is to be kept after each instruction. All has to live as long as the renderer. `before`: what the
   /// instructions of the list that came before have left of the pixels; empty if none did.
   ListRenderer(const Figures& figures, const isa::ArrayShape& nodes, std::span<const isa::Instruction> list,
-               std::span<const systemc::Keep> keeps, const NodePixels& own, const PixelMemory& before);
+               const ListForm& form, std::span<const systemc::Keep> keeps, const NodePixels& own,
+               const PixelMemory& before);
 
   /// Has what becomes of one of the pixels, counted row by row, told to `moments`, which has to live as long as the
   /// renderer.
@@ -82,6 +83,7 @@ class ListRenderer {
   const NodeProgram program_;
   const isa::ArrayShape nodes_;
   std::span<const isa::Instruction> list_;
+  const ListForm form_;
   std::span<const systemc::Keep> keeps_;
   const NodePixels own_;
   const bool begins_;

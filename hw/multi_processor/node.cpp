@@ -1,6 +1,8 @@
 #include "hw/multi_processor/node.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -21,6 +23,7 @@ Node::Node(sc_core::sc_module_name name, const machines::Machine& machine, std::
       bus_word_clocks_(machine.link.word_clocks),
       bus_latency_(machine.link.latency),
       decoder_(machine.link.width),
+      entries_(machine.link.width),
       records_(machine.link.width, figures_.word_bits),
       own_(figures_),
       screen_(figures_.refresh, machine.clock_hz) {
@@ -68,6 +71,7 @@ void Node::take_from_display(const BusRequest& sent) {
   if (!command) return;
   if (const auto* start = std::get_if<isa::SegmentStart>(&*command)) return begin_segment(start->region);
   receiving_ = false;
+  form_ = form_of_lists();
   stays_.change(NodeActivity::waiting, time_.now());
   segment_received_.notify(sc_core::SC_ZERO_TIME);
 }
@@ -82,7 +86,7 @@ void Node::take_from_node(const BusRequest& sent) {
   if (sent.kind == WordKind::request) return;
   if (!shares_) begin_sharing(time_.now() - bus_word_clocks_ - bus_latency_);
   if (sent.kind == WordKind::command) {
-    if (const std::optional<isa::Command> command = decoder_.take(sent.word)) take_of_list(*command);
+    if (const auto command = entries_.take(sent.word, form_, records_.model())) take_of_list(*command);
   }
   if (!sent.last) return;
   paused_ = sent.kind == WordKind::pause || is_far_;
@@ -101,7 +105,7 @@ void Node::begin_sharing(std::uint64_t clock) {
 /// A message has commands of one list.
 void Node::take_of_list(const isa::Command& command) {
   if (const auto* start = std::get_if<isa::SegmentStart>(&command))
-    open_ = {.region = start->region, .first = 0, .instructions = {}, .ends = false};
+    open_ = {.region = start->region, .first = 0, .instructions = {}, .ends = false, .form = form_};
   if (lists_.empty() || lists_.back().ends) lists_.push_back(open_);
   List& list = lists_.back();
   if (const auto* instruction = std::get_if<isa::Instruction>(&command)) list.instructions.push_back(*instruction);
@@ -110,7 +114,7 @@ void Node::take_of_list(const isa::Command& command) {
     ++lists_received_;
   }
   open_.first = list.first + list.instructions.size();
-  list_words_ += quotient_up(isa::wire_bits(command), figures_.word_bits);
+  list_words_ += quotient_up(entry_bits(command, form_), std::uint64_t{figures_.word_bits});
   if (bus.read().master == master_of(number_)) own_.send();
   tell_room();
 }
@@ -119,6 +123,19 @@ void Node::take_of_list(const isa::Command& command) {
 void Node::tell_room() {
   const std::uint32_t most = quotient_up(std::uint32_t{isa::LinkWord::most_bits}, figures_.word_bits);
   room->pull(number_, !sends_ && room_for_lists() - own_.words() - list_words_ < most);
+}
+
+/// Half-spaces are numbered as they have come.
+ListForm Node::form_of_lists() const {
+  if (figures_.lists == ListKind::instructions || !is_active_ || is_far_) return {};
+  const std::size_t planes = records_.model().planes.size();
+  const auto bits = static_cast<unsigned>(std::bit_width(planes > 0 ? planes - 1 : 0));
+  ListForm form{
+      .has_numbers = true, .number_bits = std::max(bits, 1U), .record_bits = records_.format().halfspace_record()};
+  const std::array<unsigned, 5> numbers = records_.format().halfspace_numbers();
+  std::transform(numbers.begin(), numbers.end(), form.record_numbers.begin(),
+                 [](unsigned width) { return static_cast<std::uint8_t>(width); });
+  return form;
 }
 
 std::uint64_t Node::room_for_lists() const { return figures_.memory_words - records_.memory_words(); }
@@ -194,7 +211,7 @@ void Node::wait_for_others() {
 void Node::prune() {
   own_.clear();
   if (number_ < parts_.size() && !is_far_) {
-    own_.begin(parts_[number_], records_, parts_.size() == 1 ? room_for_lists() : room_for_lists() / 2);
+    own_.begin(parts_[number_], records_, form_, parts_.size() == 1 ? room_for_lists() : room_for_lists() / 2);
     tests_ += own_.counts();
     spend(NodeActivity::pruning, own_.make());
   }
@@ -241,8 +258,7 @@ void Node::send_list() {
 }
 
 void Node::send(const isa::Command& command, bool last) {
-  std::vector<isa::LinkWord> words;
-  isa::encode(command, bus_width_, [&](const isa::LinkWord& word) { words.push_back(word); });
+  const std::vector<isa::LinkWord> words = entry_words(command, form_, records_.model(), parts_[number_], bus_width_);
   for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::command, words[i], last && i + 1 == words.size());
 }
 
@@ -276,7 +292,7 @@ void Node::render(const List& list) {
     keeps.push_back(collector->keeps_after(list.region, static_cast<std::uint32_t>(list.first + i)));
   }
   const PixelMemory before = std::exchange(kept_, {}).pixels;
-  ListRenderer renderer(figures_, nodes_, list.instructions, keeps, own, before);
+  ListRenderer renderer(figures_, nodes_, list.instructions, list.form, keeps, own, before);
   renderer.render();
   std::vector<std::uint32_t> colours;
   if (list.ends) colours = renderer.store_colours(records_.model().fields.colour);

@@ -14,6 +14,7 @@
 #include "hw/multi_processor/bus_word.h"
 #include "hw/multi_processor/collector.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/list_wire.h"
 #include "hw/multi_processor/own_list.h"
 #include "hw/multi_processor/pixel_memory.h"
 #include "hw/multi_processor/records.h"
@@ -30,6 +31,7 @@ struct List {
   std::size_t first = 0;  ///< instructions of the subsegment that came before
   std::vector<isa::Instruction> instructions;
   bool ends = false;  ///< nothing comes after
+  ListForm form;
 
   [[nodiscard]] bool begins() const { return first == 0; }
 };
@@ -121,6 +123,7 @@ class Node final : public sc_core::sc_module {
   void begin_sharing(std::uint64_t clock);
   void tell_room();
   [[nodiscard]] std::uint64_t room_for_lists() const;
+  [[nodiscard]] ListForm form_of_lists() const;
 
   void store(const isa::Region& region, const NodePixels& own, const std::vector<std::uint32_t>& colours);
   [[nodiscard]] NodePixels own_pixels(const isa::Region& region) const;
@@ -137,6 +140,8 @@ class Node final : public sc_core::sc_module {
   std::vector<std::uint32_t> image_;  ///< colours of its pixels of the picture
 
   isa::WireDecoder decoder_;
+  ListReader entries_;
+  ListForm form_;  ///< of the segment's lists
   RecordReader records_;
   bool receiving_ = false;  ///< from the display processor
   isa::Region segment_;     ///< the last that has come

@@ -4,6 +4,7 @@
 
 #include "hw/base/quotient.h"
 #include "hw/division/divide.h"
+#include "hw/multi_processor/list_wire.h"
 #include "hw/multi_processor/test_clocks.h"
 
 namespace csgsim::multi_processor {
@@ -13,11 +14,15 @@ namespace {
 /// Divides from the records in the node's memory, and tells in which clock each instruction is begun.
 class TimedDatapath final : public division::Datapath {
  public:
-  TimedDatapath(const division::DisplayModel& model, const TestClocks& each)
-      : Datapath(model), model_(model), each_(each) {}
+  TimedDatapath(const division::DisplayModel& model, const TestClocks& each, const ListForm& form,
+                std::uint32_t number_clocks)
+      : Datapath(model), model_(model), each_(each), form_(form), number_clocks_(number_clocks) {}
 
   [[nodiscard]] std::uint64_t now() const { return now_; }
   [[nodiscard]] const std::vector<std::uint64_t>& begun() const { return begun_; }
+  [[nodiscard]] std::uint64_t clocks_to_put(const isa::Instruction& instruction) const {
+    return is_named(instruction, form_) ? number_clocks_ : each_.instruction;
+  }
 
  private:
   division::PrimitiveHead read_primitive(std::uint32_t primitive) override { return model_.primitives[primitive]; }
@@ -30,34 +35,38 @@ class TimedDatapath final : public division::Datapath {
   void on_corner_test(bool /*is_last*/) override { now_ += each_.halfspace; }
   void on_cell(std::uint64_t halfspaces) override { now_ += halfspaces * each_.cell; }
   void on_node() override { now_ += each_.tree_node; }
-  void on_instruction(const isa::Instruction& /*instruction*/) override {
+  void on_instruction(const isa::Instruction& instruction) override {
     begun_.push_back(now_);
-    now_ += each_.instruction;
+    now_ += clocks_to_put(instruction);
   }
 
   const division::DisplayModel& model_;
   const TestClocks each_;
+  const ListForm form_;
+  const std::uint32_t number_clocks_;
   std::uint64_t now_ = 0;
   std::vector<std::uint64_t> begun_;
 };
 
 }  // namespace
 
-void OwnList::begin(const isa::Region& part, const RecordReader& records, std::uint64_t room) {
+void OwnList::begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room) {
   begin(room);
-  TimedDatapath path(records.model(), with_unpacking(records.format(), figures_));
+  form_ = form;
+  TimedDatapath path(records.model(), with_unpacking(records.format(), figures_), form, figures_.number_clocks);
   const division::Divided divided = division::Divider(records.model()).divide(part, records.left(), path);
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});
   for (std::size_t i = 0; i < divided.instructions.size(); ++i) {
     const std::uint64_t begun = path.begun()[i];
-    commands_.push_back({divided.instructions[i], begun, begun + figures_.node_tests.instruction});
+    commands_.push_back({divided.instructions[i], begun, begun + path.clocks_to_put(divided.instructions[i])});
   }
   commands_.push_back({isa::SegmentEnd{}, path.now(), path.now()});
 }
 
 void OwnList::begin(std::uint64_t room) {
   clear();
+  form_ = {};
   room_ = room;
 }
 
@@ -89,7 +98,7 @@ std::uint64_t OwnList::make() {
 void OwnList::send() { words_ -= words_of(commands_[sent_++].command); }
 
 std::uint64_t OwnList::words_of(const isa::Command& command) const {
-  return quotient_up(isa::wire_bits(command), figures_.word_bits);
+  return quotient_up(entry_bits(command, form_), figures_.word_bits);
 }
 
 }  // namespace csgsim::multi_processor

@@ -7,6 +7,7 @@
 #include "hw/division/counts.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/list_form.h"
 #include "hw/multi_processor/records.h"
 
 namespace csgsim::multi_processor {
@@ -18,7 +19,7 @@ class OwnList {
   explicit OwnList(const Figures& figures) : figures_(figures) {}
 
   /// Of a subsegment of the segment whose records have come, in so many words at a time. Nothing is made yet.
-  void begin(const isa::Region& part, const RecordReader& records, std::uint64_t room);
+  void begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room);
   /// Without a subsegment.
   void clear();
 
@@ -52,6 +53,7 @@ class OwnList {
   [[nodiscard]] std::uint64_t words_of(const isa::Command& command) const;
 
   const Figures figures_;
+  ListForm form_;
   std::uint64_t room_ = 0;
   std::vector<Timed> commands_;
   division::Counts counts_;

@@ -80,8 +80,8 @@ class PixelStory {
     moments_.clear();
     const std::vector<systemc::Keep> keeps(now.list->instructions.size(), systemc::Keep::nothing);
     before_ = now.before->pixels() == 0 ? PixelMemory() : now.before->of(place_);
-    ListRenderer renderer(machines::own<Figures>(machine_), machine_.array, now.list->instructions, keeps, own_,
-                          *now.before);
+    ListRenderer renderer(machines::own<Figures>(machine_), machine_.array, now.list->instructions, now.list->form,
+                          keeps, own_, *now.before);
     renderer.watch(place_, moments_);
     renderer.render();
     return true;

@@ -86,6 +86,7 @@ class FrameModel {
     ++counted_.segment_count;
     divide(division);
     is_far_ = division.active && list_room(parts, sizes_, machine_).is_far;
+    form_ = list_form(parts, is_far_, sizes_, machine_);
     broadcast_segment(division);
     std::uint64_t now = display_free_;
     if (division.active) {
@@ -236,7 +237,8 @@ class FrameModel {
             .begins = piece.first == 0,
             .ends = piece.ends,
             .met = met_.empty() ? nullptr : &met_[number_of(segment)],
-            .first = piece.first};
+            .first = piece.first,
+            .form = form_};
   }
 
   /// When the piece is rendered.
@@ -290,6 +292,7 @@ class FrameModel {
   isa::Field colour_;
   const Refresh refresh_;
   FrameAccount counted_;
+  ListForm form_;
   bool is_far_ = false;             ///< half-spaces of the segment at hand stay with the display processor
   std::uint64_t display_free_ = 0;  ///< when the display processor has sent what it has divided
   std::uint64_t nodes_free_ = 0;    ///< when they have rendered the segment
@@ -347,11 +350,14 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
   const Refresh refresh(isa::frame_header(program), machine);
-  // Of one that comes as a whole, the timeline tells the first clock in which a node works on it.
+  // Of one that comes as a whole, the timeline tells the first clock in which a node works on it; how numbers of
+  // half-spaces are written, only the segment's other lists tell.
   const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
   std::vector<BegunPart> parts{
       {{.instructions = part.instructions, .met = met}, timeline.cleared[segment].begin + 1, 0}};
-  if (comes_in_pieces(program, machine, segment)) parts = begun_parts(program, machine, segment, timeline.met);
+  const bool has_numbers = machines::own<Figures>(machine).lists == ListKind::numbers;
+  if (has_numbers || comes_in_pieces(program, machine, segment))
+    parts = begun_parts(program, machine, segment, timeline.met);
   std::vector<ClockSpan> all;
   for (const BegunPart& one : parts) {
     for (const ClockSpan& span : spans_at_pixel(one.part, own, column, row, machine))

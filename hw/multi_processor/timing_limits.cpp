@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hw/base/error.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
@@ -54,7 +56,7 @@ double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Mach
   return 2 * (first + plane * static_cast<double>(counts.group_halfspaces)) +
          read * static_cast<double>(own.halfspaces) + clocks(own.boxes, each.primitive) +
          clocks(own.halfspaces, each.halfspace) + clocks(own.cells, each.cell) + clocks(own.nodes, each.tree_node) +
-         clocks(part.instructions.size(), each.instruction);
+         clocks(part.instructions.size(), std::max(each.instruction, figures.number_clocks));
 }
 
 /// In words of a bit: of which no width of the bus takes more.
@@ -73,13 +75,15 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
                   static_cast<double>(sizes.planes) * figures.transform_clocks +
                   static_cast<double>(frame_words(sizes, machine.link.width)) * machine.link.word_clocks;
   for (const isa::Segment& part : program.segments) {
-    const double words = static_cast<double>(list_words(part, machine.link.width)) + 100 + data_words(part, sizes);
+    // An instruction may have a bit more than on a link.
+    const double words = static_cast<double>(list_words(part, machine.link.width) + part.instructions.size()) + 100 +
+                         data_words(part, sizes);
     clocks += test_clocks(part, sizes, machine) + words * machine.link.word_clocks + 2.0 * machine.link.latency +
               3.0 * figures.barrier_clocks;
     // A message for each command at most, and a word more.
     const double messages = static_cast<double>(part.instructions.size()) + 3;
     clocks += 2.0 * messages * (machine.link.latency + machine.link.word_clocks + figures.barrier_clocks);
-    clocks += most_rendering_clocks(part.instructions, part.region, machine);
+    clocks += most_rendering_clocks(part.instructions, part.region, longest_form(sizes, machine), machine);
   }
   // The screen may leave a node one clock of so many.
   const Refresh refresh(isa::frame_header(program), machine);

@@ -9,6 +9,7 @@
 #include "hw/base/quotient.h"
 #include "hw/isa/link_word.h"
 #include "hw/isa/wire.h"
+#include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
 
 namespace csgsim::multi_processor {
@@ -31,10 +32,11 @@ std::uint64_t most_command_words(const Machine& machine) {
 }
 
 /// The commands of a list: its start, the instructions, its end.
-std::uint64_t command_words(const isa::Segment& part, std::size_t command, std::uint32_t word_bits) {
+std::uint64_t command_words(const isa::Segment& part, std::size_t command, const ListForm& form,
+                            std::uint32_t word_bits) {
   if (command == 0) return quotient_up(isa::wire_bits(isa::SegmentStart{}), word_bits);
   if (command <= part.instructions.size())
-    return quotient_up(isa::wire_bits(part.instructions[command - 1]), word_bits);
+    return quotient_up(written_bits(part.instructions[command - 1], form), std::uint64_t{word_bits});
   return quotient_up(isa::wire_bits(isa::SegmentEnd{}), word_bits);
 }
 
@@ -49,27 +51,30 @@ std::uint64_t test_clocks(const isa::DivisionStep& step, const TestClocks& each)
 class Maker {
  public:
   /// `read`: clocks to read a half-space over the bus; 0 where they are in the node's memory.
-  Maker(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const TestClocks& each,
-        std::uint32_t word_bits)
-      : part_(part), room_(room), read_(read), each_(each), word_bits_(word_bits) {}
+  Maker(const isa::Segment& part, std::uint64_t room, std::uint64_t read, const ListForm& form, const TestClocks& each,
+        const Figures& figures)
+      : part_(part), room_(room), read_(read), form_(form), each_(each), figures_(figures) {}
 
   std::vector<Made> make() {
-    const std::uint64_t each = each_.instruction;
     put(0);
     for (const isa::DivisionStep& step : part_.division.steps) {
       now_.clocks += test_clocks(step, each_) + step.halfspaces * read_;
       if (read_ > 0) now_.reads += step.halfspaces;
-      for (std::uint64_t i = 0; i < step.instructions && next_ <= part_.instructions.size(); ++i) put(each);
+      for (std::uint64_t i = 0; i < step.instructions && next_ <= part_.instructions.size(); ++i) put_instruction();
     }
-    while (next_ <= part_.instructions.size()) put(each);
+    while (next_ <= part_.instructions.size()) put_instruction();
     put(0);
     all_.push_back(now_);
     return all_;
   }
 
  private:
+  void put_instruction() {
+    put(is_named(part_.instructions[next_ - 1], form_) ? figures_.number_clocks : each_.instruction);
+  }
+
   void put(std::uint64_t clocks) {
-    const std::uint64_t words = command_words(part_, next_++, word_bits_);
+    const std::uint64_t words = command_words(part_, next_++, form_, figures_.word_bits);
     if (now_.words + words > room_) all_.push_back(std::exchange(now_, {}));
     ++now_.commands;
     now_.words += words;
@@ -79,8 +84,9 @@ class Maker {
   const isa::Segment& part_;
   const std::uint64_t room_;
   const std::uint64_t read_;
+  const ListForm form_;
   const TestClocks each_;
-  const std::uint32_t word_bits_;
+  const Figures& figures_;
   std::size_t next_ = 0;
   Made now_;
   std::vector<Made> all_;
@@ -89,8 +95,10 @@ class Maker {
 /// Lists travel, node after node.
 class Traffic {
  public:
-  Traffic(Subsegments parts, const ListRoom& room, std::uint64_t read, const TestClocks& each, const Machine& machine)
+  Traffic(Subsegments parts, const ListRoom& room, std::uint64_t read, const ListForm& form, const TestClocks& each,
+          const Machine& machine)
       : parts_(parts),
+        form_(form),
         room_(room.words),
         is_far_(room.is_far),
         is_alone_(machine.array.width * machine.array.height == 1),
@@ -99,7 +107,7 @@ class Traffic {
         bus_bits_(machine.link.width) {
     const std::uint64_t own_room = parts.size() == 1 || is_far_ ? room_ : room_ / 2;
     for (const isa::Segment& part : parts)
-      made_.push_back(Maker(part, own_room, is_far_ ? read : 0, each, node_bits_).make());
+      made_.push_back(Maker(part, own_room, is_far_ ? read : 0, form, each, machines::own<Figures>(machine)).make());
   }
 
   Passes run() {
@@ -147,8 +155,8 @@ class Traffic {
   void send(std::size_t command) {
     const isa::Segment& part = parts_[now_.node];
     if (!now_.piece) now_.piece = Piece{.subsegment = now_.node, .first = command == 0 ? 0 : command - 1};
-    now_.words += command_words(part, command, bus_bits_);
-    received_ += command_words(part, command, node_bits_);
+    now_.words += command_words(part, command, form_, bus_bits_);
+    received_ += command_words(part, command, form_, node_bits_);
     if (command > 0 && command <= part.instructions.size()) ++now_.piece->count;
     if (command + 1 == commands_of(part)) now_.piece->ends = true;
   }
@@ -167,6 +175,7 @@ class Traffic {
   }
 
   const Subsegments parts_;
+  const ListForm form_;
   const std::uint64_t room_;
   const bool is_far_;
   const bool is_alone_;
@@ -199,6 +208,24 @@ ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const Machine& ma
       parts.front().region.x, parts.front().region.y, records + least, machine.name, figures.memory_words));
 }
 
+ListForm list_form(Subsegments parts, bool is_far, const ModelSizes& sizes, const Machine& machine) {
+  if (is_far) return {};
+  ListForm form = longest_form(sizes, machine);
+  const std::uint64_t halfspaces = division_of(parts).halfspaces;
+  form.number_bits = 1;
+  while (halfspaces > 0 && (halfspaces - 1) >> form.number_bits > 0) ++form.number_bits;
+  return form;
+}
+
+ListForm longest_form(const ModelSizes& sizes, const Machine& machine) {
+  const auto bits = [](std::uint32_t width) { return static_cast<std::uint8_t>(width); };
+  if (machines::own<Figures>(machine).lists == ListKind::instructions) return {};
+  return {.has_numbers = true,
+          .number_bits = 64,
+          .record_bits = static_cast<unsigned>(halfspace_bits(sizes)),
+          .record_numbers = {1, 1, bits(sizes.slope), bits(sizes.slope), bits(sizes.constant)}};
+}
+
 ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
   const machines::Link& bus = machine.link;
   ReadClocks read{.request_words = quotient_up(request_bits(sizes), bus.width),
@@ -210,7 +237,9 @@ ReadClocks read_clocks(const ModelSizes& sizes, const Machine& machine) {
 
 Passes passes_of(Subsegments parts, const ModelSizes& sizes, const Machine& machine) {
   const TestClocks each = node_test_clocks(sizes, machines::own<Figures>(machine));
-  return Traffic(parts, list_room(parts, sizes, machine), read_clocks(sizes, machine).clocks(), each, machine).run();
+  const ListRoom room = list_room(parts, sizes, machine);
+  const ListForm form = list_form(parts, room.is_far, sizes, machine);
+  return Traffic(parts, room, read_clocks(sizes, machine).clocks(), form, each, machine).run();
 }
 
 }  // namespace csgsim::multi_processor

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "hw/multi_processor/list_form.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
 
@@ -44,6 +45,12 @@ struct ListRoom {
 
 /// Throws InputError where that is too little for any list.
 ListRoom list_room(Subsegments parts, const ModelSizes& sizes, const machines::Machine& machine);
+
+/// Of the lists of a segment whose half-spaces stay, or do not stay, with the display processor.
+ListForm list_form(Subsegments parts, bool is_far, const ModelSizes& sizes, const machines::Machine& machine);
+
+/// The form, of any segment, in which lists take longest.
+ListForm longest_form(const ModelSizes& sizes, const machines::Machine& machine);
 
 /// Of a half-space that stays with the display processor: words and clocks of the bus for the request and for the
 /// answer.

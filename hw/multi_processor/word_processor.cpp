@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
+#include "hw/multi_processor/list_wire.h"
 
 namespace csgsim::multi_processor {
 
@@ -23,15 +25,20 @@ bool reads_first_bit(isa::Opcode opcode) {
 
 }  // namespace
 
-void WordProcessor::fetch(const isa::Instruction& instruction) {
+void WordProcessor::fetch(const isa::Instruction& instruction, const ListForm& form) {
   spend(loop_.instruction);
-  read_words(isa::wire_bits(instruction));
-  unpack(isa::WireFields(instruction).widths());
+  read_words(static_cast<unsigned>(entry_bits(instruction, form)));
+  const std::vector<unsigned> numbers = entry_numbers(instruction, form);
+  unpack(std::span(numbers));
+  if (!is_named(instruction, form)) return;
+  read_words(form.record_bits);
+  unpack(std::span(form.record_numbers));
+  spend(list_clocks_);
 }
 
 /// What is beside the number of the instruction has words of its own there.
-void WordProcessor::link(const isa::Instruction& instruction) {
-  fetch(instruction);
+void WordProcessor::link(const isa::Instruction& instruction, const ListForm& form) {
+  fetch(instruction, form);
   spend(chain_.link);
   for (const unsigned width : isa::WireFields(instruction).widths().subspan(1)) write_words(width);
 }

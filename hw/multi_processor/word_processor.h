@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "hw/base/quotient.h"
 #include "hw/isa/instruction.h"
 #include "hw/multi_processor/figures.h"
+#include "hw/multi_processor/list_form.h"
 #include "hw/multi_processor/pixel_memory.h"
 
 namespace csgsim::multi_processor {
@@ -21,6 +23,7 @@ class WordProcessor {
         field_clocks_(figures.field_clocks),
         branches_(figures.branches),
         chain_(figures.chain),
+        list_clocks_(figures.node_tests.instruction),
         loop_(figures.loop) {}
 
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
@@ -30,16 +33,16 @@ class WordProcessor {
   void count_pixel() { spend(loop_.pixel); }
   void count_row() { spend(loop_.row); }
 
-  /// Takes an instruction from the list, as it came.
-  void fetch(const isa::Instruction& instruction);
+  /// Takes an instruction from the list, as it came; where a half-space's number came, it works out the expression.
+  void fetch(const isa::Instruction& instruction, const ListForm& form);
 
   /// Makes an instruction of the list a call in the chain of a native program; and calls it there.
-  void link(const isa::Instruction& instruction);
+  void link(const isa::Instruction& instruction, const ListForm& form);
   void call(const isa::Instruction& instruction);
 
   /// Gets numbers of so many bits, which follow each other from the beginning of a word on, into words of their own.
-  template <class Width>
-  void unpack(std::span<const Width> widths) {
+  template <class Width, std::size_t count>
+  void unpack(std::span<Width, count> widths) {
     if (field_clocks_ == unpacked) return;
     unsigned place = 0;
     for (const unsigned width : widths) {
@@ -108,6 +111,7 @@ class WordProcessor {
   std::uint32_t field_clocks_;
   BranchFigures branches_;
   ChainFigures chain_;
+  std::uint32_t list_clocks_;
   LoopClocks loop_;
   std::uint64_t clocks_ = 0;
   std::uint64_t whole_clocks_ = 0;

@@ -13,7 +13,7 @@ namespace csgsim::observe {
 struct Cost {
   std::uint64_t instructions = 0;
   std::uint64_t clocks = 0;
-  std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors
+  std::uint64_t pixel_operations = 0;  ///< bit steps times pixel processors; or what these take, where that differs
   std::uint64_t enabled = 0;           ///< of these, at pixels whose E was 1 when the instruction began
 
   Cost& operator+=(const Cost& other);

@@ -66,9 +66,10 @@ TEST_CASE("every machine draws the same picture at both levels, and counts the c
         std::string("multi-processor"),
         machine_file(folder, "multi-processor",
                      {"nodes.columns 3", "nodes.rows 2", "rendering.order \"pixel\"", "display.divides_ahead 1",
-                      "link.width 9", "node.word_bits 13"}),
+                      "link.width 9", "node.word_bits 13", "node.program \"native\""}),
         machine_file(folder, "multi-processor",
-                     {"node.memory_words 1500", "display.memory_words 12000", "refresh.bits 64"})}) {
+                     {"node.memory_words 1500", "display.memory_words 12000", "refresh.bits 64",
+                      "node.branches \"none\"", "lists.kind \"instructions\""})}) {
     CAPTURE(machine);
     const Drawn worked_out = draw(folder, "--machine " + machine);
     const Drawn counted = draw(folder, "--machine " + machine + " --level cycle");
@@ -92,7 +93,7 @@ TEST_CASE("parts whose lists do not fit the nodes of a multi-processor are drawn
       return content(folder / "p.ppm");
     };
     const std::string whole = drawn("pixel-planes-4");
-    CHECK(drawn("multi-processor") == whole);
+    CHECK(drawn("multi-processor+lists.kind=instructions") == whole);
     const nlohmann::json account = json(folder / "s.json")["account"];
     CHECK(account["list_passes"] > account["active_segments"]);
   }

@@ -58,6 +58,8 @@ machines::Machine random_machine(std::uint32_t seed) {
                       choice.between(0, 20)};
   figures.chain = {static_cast<multi_processor::NodeProgram>(choice.between(0, 1)), choice.between(0, 60),
                    choice.between(1, 40)};
+  figures.lists = static_cast<multi_processor::ListKind>(choice.between(0, 1));
+  figures.number_clocks = choice.between(0, 100);
   figures.loop = {choice.between(0, 20), choice.between(0, 40), choice.between(0, 60)};
   figures.node_tests = {choice.between(0, 50), choice.between(0, 500), choice.between(0, 90), choice.between(0, 70),
                         choice.between(0, 300)};

@@ -15,3 +15,19 @@ def stages(figures):
     rows += [(name, *(f"{100 * each.account[key]:.1f} %" for each in stats))
              for name, key in (("nodes at work, mean", "node_utilisation"), ("busiest node", "busiest_node_utilisation"))]
     return ruled(("", *THESIS_MODELS), rows)
+
+
+# What is other than in the machine's file.
+PROGRAMS = (("", "as it is"), ("+node.branches=none", "without branches"), ("+lists.kind=instructions", "whole instructions in lists"),
+            ("+lists.kind=instructions+node.branches=none", "neither"), ("+node.program=native", "a native program"),
+            ("+rendering.order=scan-line", "scan-line order"), ("+rendering.order=scan-line+node.program=native", "and a native program"),
+            ("+rendering.order=pixel", "pixel order"), ("+rendering.order=pixel+node.program=native", "and a native program"))
+
+
+def programs(figures):
+    rows = []
+    for change, name in PROGRAMS:
+        stats = [figures.render(model, f"--machine multi-processor{change}") for model in THESIS_MODELS]
+        option = f" (`{change[1:].replace('+', '`, `')}`)" if change else ""
+        rows.append((name + option, *(f"{each.clocks:,}" for each in stats), *(f"{each.account.rendering_clocks:,}" for each in stats)))
+    return ruled(("", *THESIS_MODELS, *(f"rendering, {model}" for model in THESIS_MODELS)), rows)

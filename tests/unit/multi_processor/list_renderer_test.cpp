@@ -114,7 +114,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
     for (std::uint32_t node = 0; node < machine.array.width * machine.array.height; ++node) {
       const NodePixels own =
           multi_processor::pixels_of(region, machine.array, node / machine.array.width, node % machine.array.width);
-      multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own, {});
+      multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, {}, keeps, own, {});
       std::vector<std::vector<multi_processor::PixelMoment>> moments(own.count());
       for (std::size_t pixel = 0; pixel < own.count(); ++pixel) renderer.watch(pixel, moments[pixel]);
       renderer.render();
@@ -131,7 +131,8 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
       };
       RC_ASSERT(renderer.clocks() == clocks(met));
       RC_ASSERT(renderer.clocks() <= clocks(nullptr));
-      RC_ASSERT(static_cast<double>(clocks(nullptr)) <= multi_processor::most_rendering_clocks(list, region, machine));
+      RC_ASSERT(static_cast<double>(clocks(nullptr)) <=
+                multi_processor::most_rendering_clocks(list, region, {}, machine));
     }
   }));
 }
@@ -157,7 +158,7 @@ TEST_CASE("nodes add with carries, and cut sums into stripes, as the reference d
         {.opcode = Opcode::add, .fields = {isa::Field{0, 7}, isa::Field{10, 3}}}};
     const std::vector<systemc::Keep> keeps(list.size(), systemc::Keep::all);
     const NodePixels own = multi_processor::pixels_of(region, machine.array, 0, 0);
-    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, keeps, own, {});
+    multi_processor::ListRenderer renderer(machines::own<Figures>(machine), machine.array, list, {}, keeps, own, {});
     renderer.render();
     reference::ReferenceArray reference(region, machine.array.memory_bits);
     for (std::size_t i = 0; i < list.size(); ++i) {

@@ -5,18 +5,24 @@
 
 #include <algorithm>
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/quotient.h"
 #include "hw/division/divide.h"
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
+#include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
+#include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
+#include "hw/multi_processor/list_wire.h"
 #include "hw/multi_processor/regions.h"
 #include "hw/multi_processor/timing_model.h"
 #include "hw/multi_processor/timing_parts.h"
+#include "hw/multi_processor/timing_passes.h"
 #include "tests/lockstep/divided_program.h"
 #include "tests/unit/division/hand_models.h"
 
@@ -124,6 +130,60 @@ TEST_CASE("what a node divides from the bus is the host's list of its subsegment
       for (const isa::Segment& part : parts) check_list(divided_by_node(reader, part.region), part);
     }
   }));
+}
+
+TEST_CASE("a list, with numbers of half-spaces or without, comes as the instructions sent, in the bits worked out") {
+  CHECK(rc::check([] {
+    Display display(any_machine());
+    machines::own<multi_processor::Figures>(display.machine).lists =
+        *rc::gen::element(multi_processor::ListKind::instructions, multi_processor::ListKind::numbers);
+    const std::uint32_t width = display.machine.link.width;
+    const multi_processor::ModelSizes sizes = multi_processor::sizes_of(display.program.display_model);
+    RecordReader reader(width, 16);
+    reader.begin_frame();
+    take_all(reader, display.frame());
+    multi_processor::ListReader list(width);
+    for (const multi_processor::Subsegments parts : by_segment(display.program, display.machine)) {
+      reader.begin_segment();
+      take_all(reader, display.segment(display.whole_of(parts)));
+      const multi_processor::ListForm form = multi_processor::list_form(parts, false, sizes, display.machine);
+      for (const isa::Segment& part : parts) {
+        std::vector<isa::Command> sent{isa::SegmentStart{part.region}};
+        sent.insert(sent.end(), part.instructions.begin(), part.instructions.end());
+        sent.emplace_back(isa::SegmentEnd{});
+        for (const isa::Command& command : sent) {
+          const Words words = multi_processor::entry_words(command, form, reader.model(), part.region, width);
+          RC_ASSERT(words.size() == quotient_up(multi_processor::written_bits(command, form), std::uint64_t{width}));
+          std::optional<isa::Command> come;
+          for (const isa::LinkWord& word : words) {
+            RC_ASSERT_FALSE(come.has_value());
+            come = list.take(word, form, reader.model());
+          }
+          RC_ASSERT(come.has_value());
+          const auto* const instruction = std::get_if<isa::Instruction>(&command);
+          if (instruction != nullptr) RC_ASSERT(std::get<isa::Instruction>(*come) == isa::as_received(*instruction));
+          if (instruction == nullptr) RC_ASSERT(*come == command);
+        }
+      }
+    }
+  }));
+}
+
+TEST_CASE("the number of a half-space takes the place of an expression: a hand calculation") {
+  const multi_processor::ListForm form{
+      .has_numbers = true, .number_bits = 9, .record_bits = 80, .record_numbers = {1, 1, 20, 20, 30}};
+  const isa::Instruction keep{
+      .opcode = isa::Opcode::keep_max, .fields = {isa::Field{0, 20}}, .linear = {3, -2, 70, 33, 12}};
+  const isa::Instruction clip{.opcode = isa::Opcode::edge_not_negative, .linear = {0, -1, 5, 9, 0}};
+  const isa::Instruction within{
+      .opcode = isa::Opcode::linear_lt, .fields = {isa::Field{0, 20}}, .linear = {0, 0, 0, 33, 12}};
+  CHECK(multi_processor::written_bits(keep, form) == 6 + 18 + 1 + 9 + 6);
+  CHECK(multi_processor::written_bits(clip, form) == 6 + 1 + 12 + 3 * 9);
+  CHECK(multi_processor::written_bits(within, form) == 6 + 18 + 1 + 12 + 3 * 33);
+  CHECK(multi_processor::written_bits(isa::Instruction{}, form) == 6);
+  CHECK(multi_processor::written_bits(keep, {}) == 6 + 18 + 12 + 3 * 33);
+  for (const isa::Instruction& one : {keep, clip, within, isa::Instruction{}})
+    CHECK(multi_processor::entry_bits(one, form) == multi_processor::written_bits(one, form));
 }
 
 TEST_CASE("records take the words that are worked out for them, on the bus and in memory") {

@@ -207,6 +207,43 @@ TEST_CASE("a node unpacks what it looks at as it divides: a hand calculation") {
         before.nodes[0].of(NodeActivity::pruning) + box + 3 * halfspace + 2 * node);
 }
 
+TEST_CASE("the node with the pixels that take most is waited for: a hand calculation") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const FrameAccount before = account_of(program, machine);
+  figures(machine).branches = {.over = multi_processor::Branches::pixels, .taken = 101, .passed = 103};
+  // Each node has a pixel of the first subsegment. E is 1 at that of the second when F is loaded.
+  std::vector<machines::MetPixels> met(program.segments.size());
+  met[0] = {.row_words = 1, .planes = {{}, {0b10, 0}}, .instructions = {{0, 0}, {1, 1}}};
+  const FrameAccount account = multi_processor::time_stages(program, machine, met).account;
+  CHECK(account.stages.rendering == before.stages.rendering + 103);
+  const std::uint64_t shift = 2 * (67 + 4 * 71) + (67 + 12 * 71 + 11);
+  const std::uint64_t over = shift + 3 + 2 * 7 + 3;  // the shift, the fields written, whether F fits
+  const auto rendering = [&](std::size_t node) { return account.nodes[node].of(NodeActivity::rendering); };
+  CHECK(rendering(1) == before.nodes[1].of(NodeActivity::rendering) + 103);
+  for (const std::size_t node : {0U, 2U, 3U})
+    CHECK(rendering(node) == before.nodes[node].of(NodeActivity::rendering) - over + 101);
+  // Nobody knows: then each pixel may take as long as any.
+  CHECK(account_of(program, machine).stages.rendering == account.stages.rendering);
+}
+
+TEST_CASE("where numbers of half-spaces travel each node works out their expressions: a hand calculation") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const FrameAccount before = account_of(program, machine);
+  figures(machine).lists = multi_processor::ListKind::numbers;
+  figures(machine).number_clocks = 1000;
+  const FrameAccount account = account_of(program, machine);
+  // Of 3 half-spaces; 6 + 18 + 1 + 2 + 6 bits are two words of 32 and three of 16, not three and six.
+  CHECK(account.shared_words == before.shared_words - 1);
+  CHECK(account.stages.second_pruning == before.stages.second_pruning + 1000 - 59);
+  // A record of 12 bits is a word.
+  CHECK(account.stages.rendering == before.stages.rendering - 3 * 2 + 2 + 59);
+  figures(machine).chain = {.program = multi_processor::NodeProgram::native, .link = 100, .call = 10};
+  // Of enable_all nothing is written; of the other 12 + 6 bits of its field, and 12 + 60 of the expression.
+  CHECK(account_of(program, machine).stages.rendering == account.stages.rendering + 2 * 100 + 10 * 3 + 2 * 10 + 10 * 2);
+}
+
 TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor shared, only set to the background") {
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
