@@ -65,7 +65,7 @@ struct LevelProbe {
 
 /// The Linear Expression Evaluator (thesis 7.2.1): an X tree over the columns, whose leaves A*x + C each enter a Y tree
 /// over the rows. Bit j of A*x + B*y + C reaches the pixels latency() clocks after bit j of A, B and C entered, for
-/// instructions of any width, back to back. In a clock k bits enter, 1 to 32; those of a stream's last clock may be
+/// instructions of any width, back to back. In a clock w bits enter, 1 to 32; those of a stream's last clock may be
 /// fewer.
 ///
 /// A tree of n levels multiplies by the leaf's coordinate, one serial adder with carry and one delay a level. A node of

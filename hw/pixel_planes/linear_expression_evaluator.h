@@ -11,7 +11,7 @@
 
 namespace csgsim::pixel_planes {
 
-/// The two multiplier trees (thesis fig. 7.1): coefficient bits in at the roots, a bit of F out at every pixel. What
+/// The two multiplier trees (thesis fig. 7.1): coefficient bits in at the roots, bits of F out at every pixel. What
 /// comes out is worked out of the coefficients, or of the bits in stepped trees' adders: at the same clocks.
 class LinearExpressionEvaluator final : public sc_core::sc_module {
  public:

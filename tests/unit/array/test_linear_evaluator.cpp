@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -13,6 +14,7 @@ using csgsim::array::low_bits;
 using csgsim::array::PlaneShape;
 using csgsim::array::RootBits;
 using csgsim::array::StreamBit;
+using csgsim::array::TreeForm;
 
 struct Expression {
   std::int64_t a = 0;
@@ -25,18 +27,22 @@ struct Expression {
   unsigned idle_after = 0;  ///< clocks
 };
 
-/// The root bits of each clock.
-std::vector<RootBits> stream(const std::vector<Expression>& expressions) {
+/// The root bits of each clock, so many at most.
+std::vector<RootBits> stream(const std::vector<Expression>& expressions, unsigned width) {
   std::vector<RootBits> bits;
   for (const Expression& e : expressions) {
-    for (unsigned j = 0; j < e.width; ++j) {
-      bits.push_back({.token = {.bit = static_cast<std::int16_t>(j)},
-                      .a = ((e.a >> j) & 1) != 0,
-                      .b = ((e.b >> j) & 1) != 0,
-                      .c = ((e.c >> j) & 1) != 0,
-                      .xx = ((e.xx >> j) & 1) != 0,
-                      .xy = ((e.xy >> j) & 1) != 0,
-                      .yy = ((e.yy >> j) & 1) != 0});
+    for (unsigned j = 0; j < e.width; j += width) {
+      const unsigned count = std::min(width, e.width - j);
+      const auto of = [&](std::int64_t coefficient) {
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(coefficient) >> j & low_bits(count));
+      };
+      bits.push_back({.token = {.bit = static_cast<std::int16_t>(j), .bits = static_cast<std::uint16_t>(count)},
+                      .a = of(e.a),
+                      .b = of(e.b),
+                      .c = of(e.c),
+                      .xx = of(e.xx),
+                      .xy = of(e.xy),
+                      .yy = of(e.yy)});
     }
     bits.resize(bits.size() + e.idle_after);
   }
@@ -52,11 +58,12 @@ std::uint64_t value(const Expression& e, std::uint32_t x, std::uint32_t y) {
 }
 
 /// Streams the expressions and collects what arrives at every pixel: one value an expression, in pixel order.
-std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::vector<Expression>& expressions) {
-  LinearEvaluator evaluator(shape);
+std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::vector<Expression>& expressions,
+                                                 TreeForm form) {
+  LinearEvaluator evaluator(shape, form.register_levels);
   StreamBit leaves;
   std::vector<std::vector<std::uint64_t>> values;
-  std::vector<RootBits> bits = stream(expressions);
+  std::vector<RootBits> bits = stream(expressions, form.bits);
   bits.resize(bits.size() + evaluator.latency());
   const unsigned registers = evaluator.latency();  // the last level's are the leaves
   for (std::size_t clock = 0; clock < bits.size(); ++clock) {
@@ -72,16 +79,16 @@ std::vector<std::vector<std::uint64_t>> evaluate(PlaneShape shape, const std::ve
     if (root.token.bit == 0) values.emplace_back(std::size_t{shape.width} * shape.height);
     for (std::uint32_t y = 0; y < shape.height; ++y) {
       for (std::uint32_t x = 0; x < shape.width; ++x) {
-        const std::uint64_t bit = leaves.at({x, y}) ? 1 : 0;
-        values.back()[std::size_t{y} * shape.width + x] |= bit << root.token.bit;
+        const std::uint64_t bits_here = leaves.at({x, y});
+        values.back()[std::size_t{y} * shape.width + x] |= bits_here << root.token.bit;
       }
     }
   }
   return values;
 }
 
-void check_against_integers(PlaneShape shape, const std::vector<Expression>& expressions) {
-  const auto values = evaluate(shape, expressions);
+void check_against_integers(PlaneShape shape, const std::vector<Expression>& expressions, TreeForm form = {}) {
+  const auto values = evaluate(shape, expressions, form);
   RC_ASSERT(values.size() == expressions.size());
   for (std::size_t i = 0; i < expressions.size(); ++i) {
     for (std::uint32_t y = 0; y < shape.height; ++y) {
@@ -124,6 +131,17 @@ TEST_CASE("back-to-back streams of any width, with squares or without, give thei
     CAPTURE(shape.width);
     CAPTURE(shape.height);
     CHECK(rc::check([shape] { check_against_integers(shape, some_expressions()); }));
+  }
+}
+
+TEST_CASE("so do streams of several bits in a clock, and trees that have not registers behind every level") {
+  for (const PlaneShape shape : shapes) {
+    CAPTURE(shape.width);
+    CAPTURE(shape.height);
+    CHECK(rc::check([shape] {
+      const TreeForm form{2, *rc::gen::inRange(1U, 33U), *rc::gen::inRange(1U, 17U)};
+      check_against_integers(shape, some_expressions(), form);
+    }));
   }
 }
 
