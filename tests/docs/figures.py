@@ -105,9 +105,15 @@ class Figures:
 
         return corpus.of_examples(self)
 
+    def one_pixel(self):
+        """What docs/one-pixel.md says of its pixel, worked out by other code and held against csgsim debug."""
+        from tables import one_pixel  # pylint: disable=import-outside-toplevel
+
+        return one_pixel.followed(self)
+
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "explore", "mesh", "effects", "shown", "advise", "curved", "examples")
+        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "explore", "mesh", "effects", "shown", "advise", "curved", "examples", "one_pixel")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 
