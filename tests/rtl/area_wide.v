@@ -17,7 +17,7 @@ module area_wide_node #(
   assign carries[0] = carry & ~first;
   genvar i;
   generate
-    for (i = 0; i < BITS; i = i + 1) begin : bit
+    for (i = 0; i < BITS; i = i + 1) begin : place
       assign carries[i+1] = (in[i] & multiplicand[i]) | (in[i] & carries[i]) | (multiplicand[i] & carries[i]);
     end
   endgenerate
@@ -53,10 +53,10 @@ module area_wide_node_2 #(
     if (DELAY == 0) begin : at_once
       assign late = slope;
     end else begin : delayed
-      reg [DELAY-1:0] before;
-      wire [BITS+DELAY-1:0] seen = {slope, before};
+      reg [DELAY-1:0] earlier;
+      wire [BITS+DELAY-1:0] seen = {slope, earlier};
       assign late = seen[BITS-1:0];
-      always @(posedge clk) before <= seen[BITS +: DELAY];
+      always @(posedge clk) earlier <= seen[BITS +: DELAY];
     end
   endgenerate
   reg step_carry, value_carry, slope_carry;
@@ -68,7 +68,7 @@ module area_wide_node_2 #(
   wire [BITS-1:0] step = times ^ square ^ step_carries[BITS-1:0];
   genvar i;
   generate
-    for (i = 0; i < BITS; i = i + 1) begin : bit
+    for (i = 0; i < BITS; i = i + 1) begin : place
       assign step_carries[i+1] = (times[i] & square[i]) | (times[i] & step_carries[i]) | (square[i] & step_carries[i]);
       assign value_carries[i+1] = (value[i] & step[i]) | (value[i] & value_carries[i]) | (step[i] & value_carries[i]);
       assign slope_carries[i+1] = (slope[i] & square_slope[i]) | (slope[i] & slope_carries[i]) |
