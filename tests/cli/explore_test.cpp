@@ -282,8 +282,8 @@ TEST_CASE("a search tries every neighbour of the front, goes on where it was int
   REQUIRE(run(search + "500").code == 0);
   const std::string table = content(folder / "e/explore.csv");
   std::map<std::pair<int, int>, bool> on_front;
-  for (const nlohmann::json& point : json(folder / "e/explore.json")["points"])
-    on_front[{point["z_bits"], point["fraction_bits"]}] = point["pareto"];
+  const nlohmann::json points = json(folder / "e/explore.json")["points"];
+  for (const nlohmann::json& point : points) on_front[{point["z_bits"], point["fraction_bits"]}] = point["pareto"];
   CHECK(on_front.size() > 20);
   CHECK(on_front.size() < 13 * 13);
   for (const auto& [design, is_on] : on_front) {
