@@ -40,12 +40,14 @@ void WordProcessor::fetch(const isa::Instruction& instruction, const ListForm& f
 void WordProcessor::link(const isa::Instruction& instruction, const ListForm& form) {
   fetch(instruction, form);
   spend(chain_.link);
-  for (const unsigned width : isa::WireFields(instruction).widths().subspan(1)) write_words(width);
+  const isa::WireFields fields(instruction);
+  for (const unsigned width : fields.widths().subspan(1)) write_words(width);
 }
 
 void WordProcessor::call(const isa::Instruction& instruction) {
   spend(chain_.call);
-  for (const unsigned width : isa::WireFields(instruction).widths().subspan(1)) read_words(width);
+  const isa::WireFields fields(instruction);
+  for (const unsigned width : fields.widths().subspan(1)) read_words(width);
 }
 
 /// Whole words are found elsewhere in memory; each of the others takes what comes in from the next.

@@ -22,8 +22,8 @@ const Figures& figures_of(const machines::Machine& machine) { return machines::o
 int most_accounts(const machines::Machine& machine) { return static_cast<int>(machine.array.width) + 2; }
 
 /// By index: two iterators of SystemC 2.3's sc_vector do not compare in C++20, since `a != b` and `b != a` fit equally.
-template <class Module, class Act>
-void for_each(sc_core::sc_vector<Module>& modules, const Act& act) {
+template <class Modules, class Act>
+void for_each(Modules& modules, const Act& act) {
   for (std::size_t i = 0; i < modules.size(); ++i) act(modules[i]);
 }
 
@@ -125,9 +125,9 @@ void ScanLineArray::on_entered() {
 void ScanLineArray::on_shown() { sc_core::sc_pause(); }
 
 bool ScanLineArray::all_through() const {
-  for (std::size_t i = 0; i < queues_.size(); ++i)
-    if (!queues_[i].is_through()) return false;
-  return true;
+  bool all = true;
+  for_each(queues_, [&](const PacketQueue& queue) { all = all && queue.is_through(); });
+  return all;
 }
 
 /// Clock edges since the machine was built.
