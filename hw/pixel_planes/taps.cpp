@@ -1,5 +1,6 @@
 #include "hw/pixel_planes/taps.h"
 
+#include <algorithm>
 #include <memory>
 #include <string_view>
 #include <utility>
@@ -41,7 +42,10 @@ class Probe {
                                                   : point_.evaluator.y_level(level.level, point_.place);
   }
 
+  /// Of bits that go on beyond the memory, as those of a wide ALU may behind a narrow operand, what there is.
   [[nodiscard]] std::uint64_t memory(isa::Field field) const {
+    const std::uint32_t left = point_.processors.pixels().memory_bits() - field.base;
+    field.width = static_cast<std::uint16_t>(std::min<std::uint32_t>(field.width, left));
     return point_.processors.pixels().value(field, point_.built.x, point_.built.y);
   }
 
