@@ -17,7 +17,7 @@ class TimeBase {
   explicit TimeBase(const machines::Machine& machine) : period_(systemc::period_of(machine)) {}
 
   /// Clocks since the simulation began.
-  [[nodiscard]] std::uint64_t now() const { return sc_core::sc_time_stamp().value() / period_.value(); }
+  [[nodiscard]] std::uint64_t now() const { return systemc::edges(period_); }
 
   [[nodiscard]] sc_core::sc_time of(std::uint64_t clocks) const {
     return sc_core::sc_time::from_value(clocks * period_.value());

@@ -148,7 +148,7 @@ void PixelPlanes::elaborate() {
 }
 
 /// Clock edges since the machine was built.
-std::uint64_t PixelPlanes::edges() const { return sc_core::sc_time_stamp().value() / clock_.period().value(); }
+std::uint64_t PixelPlanes::edges() const { return systemc::edges(clock_.period()); }
 
 /// What the scan-out has come to the end of belongs to the oldest frame that is being shown.
 void PixelPlanes::collect() {

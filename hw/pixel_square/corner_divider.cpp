@@ -145,10 +145,10 @@ void CornerDivider::store(const StoredWord& word) {
   spend(1);
   while (!store_.has_room()) {
     const std::string_view before = std::exchange(state_, name_of(SquareActivity::waiting_for_renderer));
-    const std::uint64_t begun = sc_core::sc_time_stamp().value() / period_.value();
+    const std::uint64_t begun = systemc::edges(period_);
     if (!store_.room_follows()) wait(store_.freed());
     wait(period_);
-    clocks_.add(SquareActivity::waiting_for_renderer, sc_core::sc_time_stamp().value() / period_.value() - begun);
+    clocks_.add(SquareActivity::waiting_for_renderer, systemc::edges(period_) - begun);
     state_ = before;
   }
   store_.write(word);

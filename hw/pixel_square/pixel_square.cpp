@@ -194,7 +194,7 @@ void PixelSquareMachine::begin(const isa::Program& program, systemc::RunListener
 }
 
 /// Clock edges since the machine was built.
-std::uint64_t PixelSquareMachine::edges() const { return sc_core::sc_time_stamp().value() / clock_.period().value(); }
+std::uint64_t PixelSquareMachine::edges() const { return systemc::edges(clock_.period()); }
 
 SquareAccount PixelSquareMachine::counted(std::uint64_t clocks) const {
   SquareAccount account;

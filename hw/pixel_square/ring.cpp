@@ -48,7 +48,7 @@ void Ring::end_of_elaboration() {
 }
 
 /// Since the machine was built.
-std::uint64_t Ring::edges() const { return sc_core::sc_time_stamp().value() / period_.value(); }
+std::uint64_t Ring::edges() const { return systemc::edges(period_); }
 
 /// Sleeps while no source has a word.
 void Ring::on_clock() {

@@ -52,7 +52,7 @@ std::string_view SquareController::state() const {
 }
 
 /// Since the machine was built.
-std::uint64_t SquareController::edges() const { return sc_core::sc_time_stamp().value() / period_.value(); }
+std::uint64_t SquareController::edges() const { return systemc::edges(period_); }
 
 /// At a clock edge; and when the last word of a square has left at one, which frees the pixels without a second buffer.
 /// Sleeps without a square, until a word comes.

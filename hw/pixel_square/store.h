@@ -7,6 +7,7 @@
 
 #include "hw/isa/link_word.h"
 #include "hw/machines/machine.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
 
@@ -48,7 +49,7 @@ class Store {
     std::uint64_t edge;
   };
 
-  [[nodiscard]] std::uint64_t edge() const { return sc_core::sc_time_stamp().value() / period_.value(); }
+  [[nodiscard]] std::uint64_t edge() const { return systemc::edges(period_); }
 
   const sc_core::sc_time period_;
   const std::uint64_t depth_;

@@ -26,6 +26,8 @@ sc_core::sc_time period_of(const machines::Machine& machine) {
   return {1.0 / static_cast<double>(machine.clock_hz), sc_core::SC_SEC};
 }
 
+std::uint64_t edges(const sc_core::sc_time& period) { return sc_core::sc_time_stamp().value() / period.value(); }
+
 void stop() {
   for (sc_core::sc_object* const object : sc_core::sc_get_top_level_objects()) kill_threads(*object);
   sc_core::sc_stop();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <systemc>
 
 #include "hw/machines/machine.h"
@@ -9,6 +10,9 @@ namespace csgsim::systemc {
 
 /// The machine's clock period. Its first rising edge is one period after the start, not at time 0.
 sc_core::sc_time period_of(const machines::Machine& machine);
+
+/// Rising edges of a clock of that period since the simulation began.
+std::uint64_t edges(const sc_core::sc_time& period);
 
 /// Ends the simulation for good (sc_stop), from within a method of it. Threads that wait are unwound first: what they
 /// hold would never be given back.
