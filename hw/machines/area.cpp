@@ -1,10 +1,10 @@
 #include "hw/machines/area.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 #include "hw/machines/area_table.h"
+#include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
 
 namespace csgsim::machines {
@@ -13,16 +13,11 @@ namespace {
 
 constexpr double register_transistors = 16;  ///< as Yosys counts them
 
-/// Levels of a tree with so many leaves.
-std::uint32_t levels_of(std::uint32_t leaves) {
-  return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
-}
-
 }  // namespace
 
 /// Level k has 2^k nodes.
 double registered_nodes(const Machine& machine) {
-  const std::uint32_t levels = levels_of(machine.array.height);
+  const std::uint32_t levels = tree_levels(machine.array.height);
   if (levels == 0) return 1;
   std::uint64_t registered = 0;
   for (std::uint32_t level = 0; level < levels; ++level) {

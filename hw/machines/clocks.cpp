@@ -10,10 +10,6 @@ namespace csgsim::machines {
 
 namespace {
 
-std::uint32_t tree_levels(std::uint32_t leaves) {
-  return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
-}
-
 /// Clocks in which every bit of the widest memory operand has passed the ALU.
 std::uint64_t field_clocks(const isa::Instruction& instruction, const Machine& machine) {
   return quotient_up(field_width(instruction), machine.alu_bits);
@@ -31,6 +27,10 @@ std::uint64_t root_clocks(std::uint64_t bits, const Machine& machine) {
 }
 
 }  // namespace
+
+std::uint32_t tree_levels(std::uint32_t leaves) {
+  return leaves <= 1 ? 0 : static_cast<std::uint32_t>(std::bit_width(leaves - 1));
+}
 
 std::uint32_t evaluator_latency(const Machine& machine) {
   return quotient_up(tree_levels(machine.array.width), machine.register_levels) +

@@ -8,6 +8,9 @@
 
 namespace csgsim::machines {
 
+/// Levels of a tree with so many leaves: ceil(log2 leaves), 0 for one or none.
+std::uint32_t tree_levels(std::uint32_t leaves);
+
 /// Clocks between a coefficient's first bit at the roots of the multiplier trees and the first bit of F at the pixels:
 /// one for as many levels of a tree as lie between registers, of ceil(log2 width) in one and ceil(log2 height) in the
 /// other. A program pays it once at its end (the last instruction has
