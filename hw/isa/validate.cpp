@@ -264,7 +264,9 @@ void validate_preparation(const Preparation& preparation) {
 
 void validate_preparations(const Program& program) {
   Preparation all = program.preparation;
+  validate_preparation(all);
   for (const Segment& segment : program.segments) {
+    validate_preparation(segment.preparation);
     all += segment.preparation;
     validate_preparation(all);
   }
@@ -287,8 +289,6 @@ void validate(const Program& program) {
             named.name);
   }
   for (const RowExtent& extent : program.extents) validate_extent(extent, program.shape);
-  validate_preparation(program.preparation);
-  for (const Segment& segment : program.segments) validate_preparation(segment.preparation);
   validate_preparations(program);
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];

@@ -31,7 +31,7 @@ void validate_ahead(const Segment& segment, std::size_t index);
 /// That the counts are no more than most_prepared.
 void validate_preparation(const Preparation& preparation);
 
-/// The same of the sum of all that a Program has, each of which has been looked at.
+/// The same of all that a Program has, and of their sum.
 void validate_preparations(const Program& program);
 
 /// That the steps of a segment write its instructions, in a Program with a display model.

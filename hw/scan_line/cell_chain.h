@@ -17,8 +17,7 @@ namespace csgsim::scan_line {
 /// What a chain counted of a frame.
 struct CellCounts {
   std::uint64_t fill_clocks = 0;  ///< until a packet was in the last cell of a line for the first time; 0: none was
-  std::uint64_t busy_cells =
-      0;  ///< clocks in which an instruction's packet occupied a cell of the line, over the cells
+  std::uint64_t busy_cells = 0;   ///< as Departure has them, of all packets
 };
 
 /// A whole chain as one module: a packet's beat enters cell 0 each clock, and a pixel leaves at the refresh port. What

@@ -93,7 +93,6 @@ void PacketQueue::end_packet() {
 void PacketQueue::end_line() {
   counts_.most_packets = std::max<std::uint64_t>(counts_.most_packets, index_);
   if (line_clocks_ > budget_) ++counts_.late_lines;
-  counts_.clocks += line_clocks_;
   line_clocks_ = 0;
   mark_clocks_ = 0;
   marked_ = true;

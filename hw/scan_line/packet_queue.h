@@ -19,7 +19,6 @@ namespace csgsim::scan_line {
 
 /// What a queue counted, clock by clock, of the frame that is running or ran last.
 struct EntryCounts {
-  std::uint64_t clocks = 0;        ///< from the frame's first until the last mark had entered
   std::uint64_t packets = 0;       ///< of instructions
   std::uint64_t most_packets = 0;  ///< of a line
   std::uint64_t late_lines = 0;  ///< whose mark entered more clocks after the one before than the refresh gives a line

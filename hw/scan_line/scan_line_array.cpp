@@ -131,7 +131,7 @@ bool ScanLineArray::all_through() const {
 }
 
 /// Clock edges since the machine was built.
-std::uint64_t ScanLineArray::edges() const { return sc_core::sc_time_stamp().value() / clock_.period().value(); }
+std::uint64_t ScanLineArray::edges() const { return systemc::edges(clock_.period()); }
 
 systemc::RunReport ScanLineArray::run(const isa::Program& program, systemc::RunListener& listener) {
   systemc::RunListener* const listeners[] = {&listener};
@@ -212,13 +212,9 @@ void ScanLineArray::collect() {
 }
 
 ScanLineArray::Entered ScanLineArray::entered() const {
-  Entered entered{.host = host_.counter(), .links = {}, .words = {}, .entries = {}, .counts = {}};
-  for (std::size_t i = 0; i < chains_.size(); ++i) {
-    entered.links.push_back(links_[i].counter());
-    entered.words.push_back(links_[i].sent());
-    entered.entries.push_back(queues_[i].counter());
-    entered.counts.push_back(queues_[i].counts());
-  }
+  Entered entered{.host = host_.counter(), .chains = {}};
+  for (std::size_t i = 0; i < chains_.size(); ++i)
+    entered.chains.push_back({links_[i].counter(), links_[i].sent(), queues_[i].counter(), queues_[i].counts()});
   return entered;
 }
 
@@ -230,18 +226,18 @@ LineAccount ScanLineArray::account_of(const Entered& entered, const ShownFrame& 
                       .line_budget = line_budget(machine_, static_cast<std::uint32_t>(lines)),
                       .drain_clocks = shown.drain_clocks,
                       .host = entered.host.clocks_of(shown.clocks),
-                      .link = entered.links[last].clocks_of(shown.clocks),
-                      .entry = entered.entries[last].clocks_of(shown.clocks),
+                      .link = entered.chains[last].link.clocks_of(shown.clocks),
+                      .entry = entered.chains[last].entry.clocks_of(shown.clocks),
                       .refresh = shown.chains[last]};
   for (std::size_t i = 0; i < chains_.size(); ++i) {
-    const EntryCounts& counts = entered.counts[i];
-    account.link_words += entered.words[i];
+    const auto& [link, words, entry, counts] = entered.chains[i];
+    account.link_words += words;
     account.packets += counts.packets;
     account.most_packets = std::max(account.most_packets, counts.most_packets);
     account.late_lines += counts.late_lines;
-    const LineClocks entry = entered.entries[i].clocks_of(shown.clocks);
-    account.entry_clocks += entry.of(LineActivity::entering);
-    account.refresh_clocks += entry.of(LineActivity::waiting_for_refresh);
+    const LineClocks at_entry = entry.clocks_of(shown.clocks);
+    account.entry_clocks += at_entry.of(LineActivity::entering);
+    account.refresh_clocks += at_entry.of(LineActivity::waiting_for_refresh);
     const CellCounts cells = chains_[i].take();
     if (cells.fill_clocks > 0 && (account.fill_clocks == 0 || cells.fill_clocks < account.fill_clocks))
       account.fill_clocks = cells.fill_clocks;

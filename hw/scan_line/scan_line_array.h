@@ -38,12 +38,15 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
 
  private:
   /// What host, links and entries counted of a frame all marks of which have entered.
+  struct EnteredLines {
+    ActivityCounter link;
+    std::uint64_t words = 0;
+    ActivityCounter entry;
+    EntryCounts counts;
+  };
   struct Entered {
     ActivityCounter host;
-    std::vector<ActivityCounter> links;
-    std::vector<std::uint64_t> words;
-    std::vector<ActivityCounter> entries;
-    std::vector<EntryCounts> counts;
+    std::vector<EnteredLines> chains;
   };
 
   /// A frame that has not been shown as a whole.
