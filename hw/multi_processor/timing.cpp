@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "hw/base/quotient.h"
@@ -298,18 +299,20 @@ class FrameModel {
   std::uint64_t nodes_free_ = 0;    ///< when they have rendered the segment
 };
 
-/// Is a subsegment's list rendered in more than one pass?
-bool comes_in_pieces(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
+/// How the subsegment's list is written, if it is rendered in one pass.
+std::optional<ListForm> form_of_whole(const isa::Program& program, const Machine& machine, std::uint32_t segment) {
   const isa::Segment* const part = &program.segments[segment];
+  const ModelSizes sizes = sizes_of(program.display_model);
   for (const Subsegments parts : by_segment(program, machine)) {
     if (part < parts.data() || part >= parts.data() + parts.size()) continue;
-    const Passes passes = passes_of(parts, sizes_of(program.display_model), machine);
+    const Passes passes = passes_of(parts, sizes, machine);
     const auto is_of_part = [&](const Message& message) {
       return message.piece && &parts[message.piece->subsegment] == part;
     };
-    return std::count_if(passes.messages.begin(), passes.messages.end(), is_of_part) > 1;
+    if (std::ranges::count_if(passes.messages, is_of_part) > 1) return std::nullopt;
+    return list_form(parts, list_room(parts, sizes, machine).is_far, sizes, machine);
   }
-  return false;
+  return ListForm{};
 }
 
 }  // namespace
@@ -350,14 +353,15 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
   const Refresh refresh(isa::frame_header(program), machine);
-  // Of one that comes as a whole, the timeline tells the first clock in which a node works on it; how numbers of
-  // half-spaces are written, only the segment's other lists tell.
-  const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
-  std::vector<BegunPart> parts{
-      {{.instructions = part.instructions, .met = met}, timeline.cleared[segment].begin + 1, 0}};
-  const bool has_numbers = machines::own<Figures>(machine).lists == ListKind::numbers;
-  if (has_numbers || comes_in_pieces(program, machine, segment))
+  std::vector<BegunPart> parts;
+  if (const std::optional<ListForm> form = form_of_whole(program, machine, segment)) {
+    // The timeline tells the first clock in which a node works on it.
+    const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
+    parts.push_back(
+        {{.instructions = part.instructions, .met = met, .form = *form}, timeline.cleared[segment].begin + 1, 0});
+  } else {
     parts = begun_parts(program, machine, segment, timeline.met);
+  }
   std::vector<ClockSpan> all;
   for (const BegunPart& one : parts) {
     for (const ClockSpan& span : spans_at_pixel(one.part, own, column, row, machine))

@@ -5,7 +5,7 @@ foreach(seed RANGE 1 24)
   csgsim_lockstep_row(lockstep_multi_processor "multi-processor ${seed}" "${seed} 25")
 endforeach()
 
-csgsim_test(multi_processor
+csgsim_test(multi_processor APART
   SOURCES test_multi_processor.cpp
   LINK csgsim::read csgsim::emit csgsim::cycle csgsim::functional csgsim::kinds
   LABELS lockstep)

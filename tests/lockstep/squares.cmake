@@ -71,7 +71,7 @@ foreach(row IN ITEMS
   csgsim_lockstep_row(lockstep_squares "squares ${row}" "${row}")
 endforeach()
 
-csgsim_test(pixel_square
+csgsim_test(pixel_square APART
   SOURCES test_pixel_square.cpp
   LINK csgsim::cycle csgsim::functional
   LABELS lockstep)

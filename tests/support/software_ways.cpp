@@ -7,6 +7,7 @@
 
 #include "sim/software/display/rows.h"
 #include "sim/software/facets/facets.h"
+#include "tests/support/usual_cases.h"
 
 namespace csgsim::testing {
 
@@ -129,6 +130,7 @@ std::string fault_of_software(const std::string& csg, const model::Tree& tree, c
   constexpr std::size_t ways = 6;
   std::uint64_t number = 0;
   for (const char letter : csg) number = 31 * number + static_cast<unsigned char>(letter);
+  if (number / all_ways().size() % static_cast<std::uint64_t>(cases(1, 4)) != 0) return "";
   std::vector<Seen> expected;
   for (std::size_t i = 0; i < frame.depth.size(); ++i) expected.push_back({frame.depth[i], frame.owner[i]});
   const SoftwareScene software(tree, geometry, view);

@@ -64,7 +64,7 @@ class SoftwareScene {
 };
 
 /// What some methods of software, others for each text, and those that draw facet by facet, draw of a model that is not
-/// that picture; empty if all draw it.
+/// that picture; empty if all draw it. Where few cases are drawn, each fourth text is looked at.
 std::string fault_of_software(const std::string& csg, const model::Tree& tree, const facet::Geometry& geometry,
                               const view::View& view, const observe::Frame& frame);
 

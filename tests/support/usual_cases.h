@@ -12,4 +12,7 @@ inline bool draws_usual_cases() {
   return parameters == nullptr || std::string_view(parameters).find("max_success") == std::string_view::npos;
 }
 
+/// How many cases a test tries that counts them itself: `few` where properties draw fewer.
+inline int cases(int usual, int few) { return draws_usual_cases() ? usual : few; }
+
 }  // namespace csgsim::testing

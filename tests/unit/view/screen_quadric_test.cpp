@@ -285,7 +285,7 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
   std::array<int, 4> roles{};
   int ins = 0;
   int unfit = 0;
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 8; ++round) {
     CHECK(rc::check([&] {
       testing::begin_round(round);
       const Subject subject = random_subject();
