@@ -14,8 +14,8 @@ WaveRecorder::WaveRecorder(sc_core::sc_module_name name, const sc_core::sc_time&
   sensitive << next_;
 }
 
-void WaveRecorder::arm(wave::VcdWriter writer, std::vector<wave::Window> windows, std::uint64_t first_clock,
-                       bool stops) {
+void WaveRecorder::arm(std::unique_ptr<wave::Writer> writer, std::vector<wave::Window> windows,
+                       std::uint64_t first_clock, bool stops) {
   writer_ = std::move(writer);
   windows_ = std::move(windows);
   window_ = 0;

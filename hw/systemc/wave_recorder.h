@@ -2,13 +2,13 @@
 
 #include <chrono>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <systemc>
 #include <vector>
 
 #include "hw/systemc/listener_guard.h"
 #include "hw/wave/request.h"
-#include "hw/wave/vcd_writer.h"
+#include "hw/wave/writer.h"
 
 namespace csgsim::systemc {
 
@@ -21,7 +21,8 @@ class WaveRecorder final : public sc_core::sc_module {
 
   /// Records the run that begins at this time. `first_clock`: the frame's clock that the next rising edge begins.
   /// `stops`: the simulation ends with the last window (systemc::stop).
-  void arm(wave::VcdWriter writer, std::vector<wave::Window> windows, std::uint64_t first_clock, bool stops);
+  void arm(std::unique_ptr<wave::Writer> writer, std::vector<wave::Window> windows, std::uint64_t first_clock,
+           bool stops);
 
   /// Wall time that sampling, and writing the file, have taken since arm.
   [[nodiscard]] std::chrono::duration<double> writing() const { return writing_; }
@@ -34,7 +35,7 @@ class WaveRecorder final : public sc_core::sc_module {
 
   sc_core::sc_time period_;
   sc_core::sc_event next_{"next"};
-  std::optional<wave::VcdWriter> writer_;
+  std::unique_ptr<wave::Writer> writer_;
   std::vector<wave::Window> windows_;
   std::size_t window_ = 0;   ///< that is being recorded, or comes next
   std::uint64_t clock_ = 0;  ///< of the frame, in which it samples next

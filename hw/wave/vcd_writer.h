@@ -7,24 +7,22 @@
 #include <vector>
 
 #include "hw/wave/tap.h"
+#include "hw/wave/writer.h"
 
 namespace csgsim::wave {
 
 /// Writes what taps show in each clock as a value change dump (IEEE 1364-2005, 18.2), with a `clock` of its own. Texts
 /// are variables of the type `string`, which GTKWave, Surfer and vcd2fst know; blanks in them are written `\x20`.
 /// Nothing is `z` in a number and `-` in a text. Clock n is at the time (n + 1) periods, where the clock rises.
-class VcdWriter {
+class VcdWriter final : public Writer {
  public:
   /// `top`: the scope around all. `write` takes the text, piece by piece.
   VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t period_ps,
             std::function<void(std::string_view)> write);
 
-  /// What the taps show in that clock. Clocks come in order; those between two that do not follow each other are left
-  /// unknown (`$dumpoff`).
-  void sample(std::uint64_t clock);
-
-  /// After the last clock.
-  void finish();
+  /// Clocks that are left out are unknown (`$dumpoff`).
+  void sample(std::uint64_t clock) override;
+  void finish() override;
 
  private:
   void write_header(std::string_view top);

@@ -13,6 +13,7 @@
 #include "hw/systemc/wave_recorder.h"
 #include "hw/wave/vcd_writer.h"
 #include "sim/cycle/elaboration.h"
+#include "sim/waves/trace_events.h"
 
 namespace csgsim::waves {
 
@@ -39,6 +40,12 @@ bool can_be_probed(const isa::Program& program, const machines::Machine& machine
          program.segments.front().region == whole;
 }
 
+std::unique_ptr<wave::Writer> writer_of(const Recording& recording, std::uint64_t period_ps,
+                                        const wave::Request& request, Format format) {
+  if (format == Format::trace_events) return std::make_unique<TraceEvents>(recording.taps, period_ps, request.write);
+  return std::make_unique<wave::VcdWriter>(recording.top, recording.taps, period_ps, request.write);
+}
+
 }  // namespace
 
 systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wave::Request& request) {
@@ -47,7 +54,7 @@ systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wav
 }
 
 Recording record(const isa::Program& program, const machines::Machine& machine, const Foreknowledge& known,
-                 const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form) {
+                 const wave::Request& request, Fidelity fidelity, systemc::EvaluatorForm form, Format format) {
   cycle::claim_elaboration(machine);
   sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);  // that it has been stopped
   const bool probes = fidelity == Fidelity::probed && can_be_probed(program, machine, request);
@@ -65,8 +72,7 @@ Recording record(const isa::Program& program, const machines::Machine& machine, 
   }
   const std::uint64_t first = hardware->skip_to(program, {request.windows.front().begin, request.windows.back().end});
   const auto picoseconds = static_cast<std::uint64_t>(std::llround(period.to_seconds() * 1e12));
-  recorder.arm(wave::VcdWriter(recording.top, recording.taps, picoseconds, request.write), request.windows, first,
-               true);
+  recorder.arm(writer_of(recording, picoseconds, request, format), request.windows, first, true);
   Nobody nobody;
   hardware->run(program, nobody);
   recording.writing_seconds = recorder.writing().count();

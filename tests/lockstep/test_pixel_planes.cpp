@@ -371,9 +371,9 @@ class Dump {
     text.clear();
     csgsim::wave::Request request{
         .windows = std::move(windows), .pixels = std::move(pixels), .tree_levels = {}, .write = {}};
-    csgsim::wave::VcdWriter writer("top", machine_.taps(program, request), 100'000,
-                                   [this](std::string_view piece) { text += piece; });
-    recorder_.arm(std::move(writer), request.windows, 0, false);
+    recorder_.arm(std::make_unique<csgsim::wave::VcdWriter>("top", machine_.taps(program, request), 100'000,
+                                                            [this](std::string_view piece) { text += piece; }),
+                  request.windows, 0, false);
   }
   bool finish() { return recorder_.finish(); }
 

@@ -64,8 +64,9 @@ void TimedMachine::check_wave(const isa::Program& program, engine::Engine& judge
   const WaveCheck wave(program, machine_, judge);
   std::string dump;
   const wave::Request request = wave.request([&dump](std::string_view text) { dump += text; });
-  recorder_.arm(wave::VcdWriter("machine", hardware_.taps(wave.program(), request), period, request.write),
-                request.windows, 0, false);
+  recorder_.arm(
+      std::make_unique<wave::VcdWriter>("machine", hardware_.taps(wave.program(), request), period, request.write),
+      request.windows, 0, false);
   systemc::RunListener nobody;
   hardware_.run(wave.program(), nobody);
   if (recorder_.finish()) wave.check(Vcd(dump), "machine", period);

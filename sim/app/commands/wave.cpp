@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <filesystem>
@@ -63,6 +64,9 @@ wave::TreeLevel tree_level_of(const std::string& text) {
   return {is_x ? Axis::x : Axis::y, level.front()};
 }
 
+/// Does the file have what parts are at, and no pixels?
+bool is_of_parts(const Options& options) { return ends_in(options.output, ".json"); }
+
 /// Without its windows and its file.
 wave::Request request_of(const Options& options, const isa::Program& program) {
   wave::Request request;
@@ -76,7 +80,8 @@ wave::Request request_of(const Options& options, const isa::Program& program) {
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
   std::erase_if(request.pixels, [&](wave::Pixel pixel) { return !seen.insert({pixel.x, pixel.y}).second; });
-  if (request.pixels.empty()) throw UsageError("--pixel", "say which pixel to look into, as in --pixel 100,20");
+  if (request.pixels.empty() && !is_of_parts(options))
+    throw UsageError("--pixel", "say which pixel to look into, as in --pixel 100,20");
   return request;
 }
 
@@ -112,10 +117,26 @@ void print_timing(double functional, double recording, double writing) {
              functional * 1e3, all * 1e3, all / functional, writing * 1e3);
 }
 
+/// Clocks from the first that is drawn in to the last that is shown in.
+Windows whole_frame(const waves::Foreknowledge& known) {
+  return {{{0, std::max(known.result.clocks, known.result.shown_clocks)}}, 0, "the whole frame"};
+}
+
+void refuse_pixels(const Command& command) {
+  for (const char* const option : {"pixel", "probe", "at", "evaluator"}) {
+    if (!is_given(command, option)) continue;
+    throw UsageError("--" + std::string(option),
+                     "a file of what the parts are at, .json, has no pixels; choose a name that ends in .vcd or .fst");
+  }
+}
+
 void record(const Options& options, const Command& command) {
   const bool is_stream = is_unnamed_stream(options.output);
-  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && !is_stream)
-    throw UsageError("--output", "the waveform's name has to end in .vcd or .fst");
+  const bool has_view = !is_stream && !is_of_parts(options);
+  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_view)
+    throw UsageError("--output",
+                     "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
+  if (is_of_parts(options)) refuse_pixels(command);
   if (!is_model(options.model.model))
     refuse_model_options(
         command, {"machine", "set", "pixel", "probe", "window", "at", "evaluator", "whole", "timing", "output"});
@@ -124,12 +145,14 @@ void record(const Options& options, const Command& command) {
   const auto asked = options.at.empty()
                          ? for_option("--window", [&] { return std::optional(waves::parse_window(options.window)); })
                          : std::nullopt;
+  if (is_of_parts(options) && asked && asked->kind != waves::WindowRequest::Kind::clocks)
+    throw UsageError("--window", "what the parts are at is told of clocks FIRST:END, or without it of the whole frame");
   const std::filesystem::path view_path =
-      is_stream ? std::filesystem::path() : std::filesystem::path(options.output).replace_extension(".gtkw");
+      !has_view ? std::filesystem::path() : std::filesystem::path(options.output).replace_extension(".gtkw");
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
   OutputFile file(options.output);
   std::optional<OutputFile> view;
-  if (!is_stream) view.emplace(view_path);
+  if (has_view) view.emplace(view_path);
   const ProgramOnMachine subject = program_of(options.model, command);
   const machines::Machine& machine = subject.machine;
   const isa::Program& program = subject.program;
@@ -139,15 +162,19 @@ void record(const Options& options, const Command& command) {
       with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
-  const Windows windows = windows_of(options, asked, program, machine, known, request.pixels);
+  const bool is_whole = is_of_parts(options) && !is_given(command, "window");
+  const Windows windows =
+      is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
   request.windows = windows.windows;
   waves::WaveFile waveform(file, ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
   const auto form =
       options.evaluator.empty() ? waves::evaluator_for(machine, request) : evaluator_form(options.evaluator);
-  const waves::Recording recording = with_memory_for_run(
-      {&program, 1}, machine.array, [&] { return waves::record(program, machine, known, request, fidelity, form); });
+  const auto format = is_of_parts(options) ? waves::Format::trace_events : waves::Format::value_changes;
+  const waves::Recording recording = with_memory_for_run({&program, 1}, machine.array, [&] {
+    return waves::record(program, machine, known, request, fidelity, form, format);
+  });
   const double recording_seconds = seconds_since(begin) - functional_seconds;
   if (!recording.reached) {
     throw UsageError(
@@ -161,10 +188,15 @@ void record(const Options& options, const Command& command) {
   commit_all(std::array{&file, view ? &*view : nullptr});
   std::uint64_t clocks = 0;
   for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
-  fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
-             grouped(known.result.clocks), counted(request.windows.size(), "window"),
-             counted(request.pixels.size(), "pixel"),
-             view ? "; to look at it: gtkwave " + shell_word(view_path.native()) : "");
+  if (is_of_parts(options)) {
+    fmt::print("{}: what the parts are at, {}, {} clocks; to look at it: open it in ui.perfetto.dev\n",
+               printable(options.output), windows.shown, grouped(clocks));
+  } else {
+    fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
+               grouped(known.result.clocks), counted(request.windows.size(), "window"),
+               counted(request.pixels.size(), "pixel"),
+               view ? "; to look at it: gtkwave " + shell_word(view_path.native()) : "");
+  }
   if (options.timing) print_timing(functional_seconds, recording_seconds, recording.writing_seconds);
 }
 
@@ -177,7 +209,8 @@ void add_wave(CommandLine& line) {
       "Example:\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o last_write.vcd\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --probe tree.x:3 --window i10:i14 -o trees.vcd\n"
-      "  gtkwave trees.gtkw");
+      "  gtkwave trees.gtkw\n"
+      "  csgsim wave traces/thesis_fig_2_3.csgt -o parts.json");
   options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
   command.option("--pixel", options->pixels, "A pixel to look into, x,y; may be given several times");
   command.option("--probe", options->probes,
@@ -197,7 +230,8 @@ void add_wave(CommandLine& line) {
   command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
   command
       .option("-o,--output", options->output,
-              "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it")
+              "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it; .json: what the parts "
+              "are at over the frame, as trace events, which Perfetto shows")
       .required();
   command.prints_summary();
   command.runs([options, command] { record(*options, command); });

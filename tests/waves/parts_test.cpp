@@ -1,0 +1,124 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/cli/cli.h"
+
+namespace {
+
+using namespace csgsim::testing::cli;
+
+struct Stretch {
+  std::string shown;
+  std::uint64_t begin = 0;
+  std::uint64_t clocks = 0;
+};
+
+/// What a file has of each lane, `PART.LANE`, in its order; times are held against clocks of so many picoseconds.
+std::map<std::string, std::vector<Stretch>> lanes_of(const nlohmann::json& file, double period_ps) {
+  std::map<int, std::string> parts;
+  std::map<int, std::string> names;
+  std::map<std::string, std::vector<Stretch>> lanes;
+  for (const nlohmann::json& event : file.at("traceEvents")) {
+    if (event.at("ph") == "M") {
+      const bool is_part = event.at("name") == "process_name";
+      (is_part ? parts : names)[event.at(is_part ? "pid" : "tid")] = event.at("args").at("name");
+      continue;
+    }
+    REQUIRE(event.at("ph") == "X");
+    const Stretch one{event.at("name"), event.at("args").at("clock"), event.at("args").at("clocks")};
+    CHECK(event.at("ts").get<double>() == doctest::Approx(static_cast<double>(one.begin) * period_ps / 1e6));
+    CHECK(event.at("dur").get<double>() == doctest::Approx(static_cast<double>(one.clocks) * period_ps / 1e6));
+    lanes[parts.at(event.at("pid")) + "." + names.at(event.at("tid"))].push_back(one);
+  }
+  return lanes;
+}
+
+using Clocks = std::map<std::string, std::uint64_t>;
+
+Clocks clocks_of(const std::vector<Stretch>& lane) {
+  Clocks clocks;
+  for (const Stretch& one : lane) clocks[one.shown] += one.clocks;
+  return clocks;
+}
+
+/// A small frame of a machine: its lanes, and what a run counts of its parts, but for what they never do.
+struct Frame {
+  explicit Frame(const std::string& machine, const std::string& window = "", double period_ps = 100e3) {
+    const Folder folder;
+    const std::string options = " " + model("thesis_fig_2_3") + " --size 64x64 --machine " + machine;
+    const Outcome wave = run("wave" + options + window + " -o " + (folder / "parts.json"));
+    REQUIRE_MESSAGE(wave.code == 0, wave.err);
+    CHECK(folder.files() == 1);
+    lanes = lanes_of(json(folder / "parts.json"), period_ps);
+    const Outcome outcome =
+        run("render" + options + " --level cycle -o " + (folder / "p.png") + " --stats " + (folder / "s.json"));
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+    const nlohmann::json stats = json(folder / "s.json");
+    shown_clocks = stats.at("shown_clocks");
+    for (const auto& [part, counts] : stats.at("account").at("parts").items()) {
+      for (const auto& [name, clocks] : counts.items()) {
+        if (clocks > 0) counted[part][name] = clocks;
+      }
+    }
+  }
+
+  std::map<std::string, std::vector<Stretch>> lanes;
+  std::map<std::string, Clocks> counted;
+  std::uint64_t shown_clocks = 0;
+};
+
+}  // namespace
+
+TEST_CASE("what the parts of a scan-line array are at over a frame adds up to what a run counts of them") {
+  const Frame frame("scan-line");
+  for (const char* const part : {"host", "link", "entry"}) {
+    CAPTURE(part);
+    CHECK(clocks_of(frame.lanes.at(part + std::string(".activity"))) == frame.counted.at(part));
+  }
+}
+TEST_CASE("what the link of a frame buffer is at over a frame is what a run counts of it, until the picture is shown") {
+  const Frame frame("pixel-planes-4");
+  const Clocks link = clocks_of(frame.lanes.at("host.state"));
+  const Clocks& counted = frame.counted.at("host link");
+  CHECK(link.at("sending") == counted.at("sending"));
+  CHECK(link.at("blocked") == counted.at("blocked"));
+  CHECK(link.at("waiting") + link.at("latent") == counted.at("waiting"));
+  std::uint64_t all = 0;
+  for (const auto& [name, clocks] : link) all += clocks;
+  CHECK(all == frame.shown_clocks);
+}
+TEST_CASE("what the parts of a pixel-square machine wait for over a frame is what a run counts of it") {
+  const Frame frame("pixel-square");
+  const Clocks sender = clocks_of(frame.lanes.at("sender.state"));
+  const Clocks& counted = frame.counted.at("sender");
+  CHECK(sender.at("sending") == counted.at("working"));
+  CHECK(sender.at("waiting_for_divider") == counted.at("waiting_for_divider"));
+  CHECK(sender.at("waiting_for_renderer") == counted.at("waiting_for_renderer"));
+  CHECK(clocks_of(frame.lanes.at("host.state")).at("sending") == frame.counted.at("host").at("working"));
+}
+TEST_CASE("a lane's stretches follow each other, and what follows is something else") {
+  const Frame frame("pixel-planes-5", " --window 300:900", 25e3);
+  CHECK(frame.lanes.size() > 20);
+  for (const auto& [name, lane] : frame.lanes) {
+    CAPTURE(name);
+    CHECK(lane.front().begin >= 300);
+    CHECK(lane.back().begin + lane.back().clocks <= 900);
+    for (std::size_t i = 0; i < lane.size(); ++i) {
+      CHECK(lane[i].clocks > 0);
+      if (i == 0) continue;
+      const std::uint64_t end = lane[i - 1].begin + lane[i - 1].clocks;
+      CHECK(lane[i].begin >= end);
+      CHECK((lane[i].begin > end || lane[i].shown != lane[i - 1].shown));
+    }
+  }
+}
+TEST_CASE("of what the parts are at there are no pixels, and only clocks") {
+  misused("wave traces/x.csgt --pixel 1,1 -o parts.json", "has no pixels");
+  misused("wave traces/x.csgt --at owner -o parts.json", "has no pixels");
+  misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
+}
