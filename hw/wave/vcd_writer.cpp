@@ -11,14 +11,15 @@ namespace csgsim::wave {
 
 namespace {
 
-constexpr std::size_t piece = 1U << 16U;      // bytes written at once
-constexpr std::string_view clock_code = "!";  // of the variable that is no tap
+constexpr std::size_t piece = 1U << 16U;        // bytes written at once
+constexpr std::string_view clock_code = "!";    // of variables that are no taps
+constexpr std::string_view number_code = "\"";  // which clock it is
 
-/// The n-th short name of printable characters, after the clock's.
+/// The n-th short name of printable characters, after those.
 std::string code_of(std::size_t n) {
   constexpr std::size_t characters = 94;
   std::string code;
-  for (++n; n > 0; n /= characters) code += static_cast<char>('!' + n % characters);
+  for (n += 2; n > 0; n /= characters) code += static_cast<char>('!' + n % characters);
   return code;
 }
 
@@ -69,7 +70,7 @@ VcdWriter::VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t 
 void VcdWriter::write_header(std::string_view top) {
   auto out = std::back_inserter(text_);
   fmt::format_to(out, "$version csgsim $end\n$timescale 1 ps $end\n$scope module {} $end\n", top);
-  fmt::format_to(out, "$var wire 1 {} clock $end\n", clock_code);
+  fmt::format_to(out, "$var wire 1 {} clock $end\n$var wire 64 {} clock_number [63:0] $end\n", clock_code, number_code);
   std::vector<std::string_view> open;
   for (std::size_t i = 0; i < taps_.size(); ++i) {
     std::vector<std::string_view> words = words_of(taps_[i].name);
@@ -101,17 +102,17 @@ void VcdWriter::sample(std::uint64_t clock) {
   const bool follows = begun_ && clock == next_;
   if (begun_ && !follows) {
     put_time((next_ + 1) * period_);
-    text_ += "$dumpoff\nx!\n";
+    fmt::format_to(std::back_inserter(text_), "$dumpoff\nx{}\nbx {}\n", clock_code, number_code);
     for (std::size_t i = 0; i < taps_.size(); ++i) show_unknown(i);
     text_ += "$end\n";
   }
   put_time((clock + 1) * period_);
   if (!follows) text_ += begun_ ? "$dumpon\n" : "$dumpvars\n";
-  text_ += "1!\n";
+  fmt::format_to(std::back_inserter(text_), "1{}\nb{:b} {}\n", clock_code, clock, number_code);
   for (std::size_t i = 0; i < taps_.size(); ++i) show(i);
   if (!follows) text_ += "$end\n";
   put_time((clock + 1) * period_ + period_ / 2);
-  text_ += "0!\n";
+  fmt::format_to(std::back_inserter(text_), "0{}\n", clock_code);
   begun_ = true;
   next_ = clock + 1;
   if (text_.size() >= piece) write_(std::exchange(text_, {}));

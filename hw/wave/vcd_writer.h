@@ -11,9 +11,10 @@
 
 namespace csgsim::wave {
 
-/// Writes what taps show in each clock as a value change dump (IEEE 1364-2005, 18.2), with a `clock` of its own. Texts
-/// are variables of the type `string`, which GTKWave, Surfer and vcd2fst know; blanks in them are written `\x20`.
-/// Nothing is `z` in a number and `-` in a text. Clock n is at the time (n + 1) periods, where the clock rises.
+/// Writes what taps show in each clock as a value change dump (IEEE 1364-2005, 18.2), with a `clock` of its own and its
+/// number, `clock_number`. Texts are variables of the type `string`, which GTKWave, Surfer and vcd2fst know; blanks in
+/// them are written `\x20`. Nothing is `z` in a number and `-` in a text. Clock n is at the time (n + 1) periods, where
+/// the clock rises.
 class VcdWriter final : public Writer {
  public:
   /// `top`: the scope around all. `write` takes the text, piece by piece.

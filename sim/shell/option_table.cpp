@@ -79,6 +79,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "point", "X,Y,Z"},
     {varied, "why-not", "PRIMITIVE"},
     {varied, "window", "WINDOW"},
+    {varied, "padding", "CLOCKS"},
     {varied, "at", "WHAT"},
     {varied, "views"},
     {varied, "knobs", "LIST"},

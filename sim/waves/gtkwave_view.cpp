@@ -51,11 +51,12 @@ std::string gtkwave_view(const Recording& recording, std::span<const wave::Windo
   const bool is_plain = printable(waveform) == waveform && waveform.find('"') == std::string::npos;
   if (is_plain) fmt::format_to(out, "[dumpfile] \"{}\"\n", waveform);
   fmt::format_to(out, "[timestart] {}\n[size] {} {}\n[pos] -1 -1\n", (first.begin + 1) * period, window_width,
-                 row_height * (recording.taps.size() + 16));
+                 row_height * (recording.taps.size() + 17));
   fmt::format_to(out, "*{:.6f} {}\n", zoom_of(first.end - first.begin, period), (marked + 1) * period);
   fmt::format_to(out, "[sst_expanded] 0\n[sst_width] 0\n[signals_width] {}\n", names_width);
   fmt::format_to(out, "@200\n-{}\n", machine.name);
   fmt::format_to(out, "{}{}.clock\n", flags_of(wave::Show::bits), recording.top);
+  fmt::format_to(out, "{}{}.clock_number[63:0]\n", flags_of(wave::Show::number), recording.top);
   std::vector<const wave::Tap*> taps;
   for (const wave::Tap& tap : recording.taps) taps.push_back(&tap);
   std::stable_partition(taps.begin(), taps.end(), [](const wave::Tap* tap) { return tap->name.starts_with("pixel_"); });

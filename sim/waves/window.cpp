@@ -194,6 +194,19 @@ std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Pr
   return windows;
 }
 
+std::vector<wave::Window> padded(std::span<const wave::Window> windows, std::uint64_t clocks) {
+  std::vector<wave::Window> all;
+  for (const wave::Window& window : windows) {
+    const wave::Window one{window.begin - std::min(window.begin, clocks), window.end + std::min(~window.end, clocks)};
+    if (!all.empty() && one.begin <= all.back().end) {
+      all.back().end = one.end;
+    } else {
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
 LastWrite last_write(std::string_view what, const isa::Program& program, const machines::Machine& machine,
                      const Foreknowledge& known, wave::Pixel pixel) {
   const isa::Field field = field_named(what, program);

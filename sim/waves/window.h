@@ -36,6 +36,9 @@ std::vector<wave::Window> windows_of(const WindowRequest& request, const isa::Pr
                                      const machines::Machine& machine, const Foreknowledge& known,
                                      std::span<const wave::Pixel> pixels);
 
+/// With so many clocks before and behind each; what touches then is one. The frame may end before a window does.
+std::vector<wave::Window> padded(std::span<const wave::Window> windows, std::uint64_t clocks);
+
 /// The write that left the value of a field in a pixel.
 struct LastWrite {
   std::uint32_t segment = 0;

@@ -242,6 +242,30 @@ TEST_CASE("the wave of the last write of a field ends with the clock that shows 
   CHECK(state.instruction_at(last) != state.instruction_at(last - 1));
 }
 
+TEST_CASE("every clock has its number, and padding adds clocks at both ends of each window") {
+  const Folder folder;
+  const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, "100:110"};
+  compiled(one, folder / "p.csgt");
+  const Vcd vcd = recorded(one, folder / "p.csgt", folder / "w.vcd", " --padding 7");
+  constexpr std::uint64_t period = 100'000;
+  CHECK(vcd.first_time() / period - 1 == 93);
+  CHECK(vcd.last_time() / period - 2 == 116);
+  for (std::uint64_t clock = 93; clock <= 116; ++clock)
+    CHECK(vcd.number_at("frame_buffer.clock_number", (clock + 1) * period + period / 2) == clock);
+  const Case at_end{"pixel-planes-4", "--size 24x16", {{12, 8}}, "3:18446744073709551615"};
+  CHECK(recorded(at_end, folder / "p.csgt", folder / "e.vcd", " --padding 7").first_time() == period);
+}
+
+TEST_CASE("windows that touch by their padding are one") {
+  const Folder folder;
+  const Case apart{"pixel-planes-4", "--size 24x16", {{12, 8}}, "purpose:merge"};
+  compiled(apart, folder / "p.csgt");
+  recorded(apart, folder / "p.csgt", folder / "w.vcd");
+  CHECK(content(folder / "w.vcd").find("$dumpoff") != std::string::npos);
+  recorded(apart, folder / "p.csgt", folder / "w.vcd", " --padding 1000000");
+  CHECK(content(folder / "w.vcd").find("$dumpoff") == std::string::npos);
+}
+
 TEST_CASE("a file is as long as its window") {
   const Folder folder;
   const Case one{"pixel-planes-4", "--size 32x32", {{16, 16}}, ""};

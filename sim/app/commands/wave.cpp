@@ -42,6 +42,7 @@ struct Options {
   std::vector<std::string> pixels;
   std::vector<std::string> probes;
   std::string window = "0:2000";
+  std::uint32_t padding = 0;
   std::string at;
   std::string evaluator;
   bool whole = false;
@@ -138,8 +139,8 @@ void record(const Options& options, const Command& command) {
                      "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
   if (is_of_parts(options)) refuse_pixels(command);
   if (!is_model(options.model.model))
-    refuse_model_options(
-        command, {"machine", "set", "pixel", "probe", "window", "at", "evaluator", "whole", "timing", "output"});
+    refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "padding", "at", "evaluator", "whole",
+                                   "timing", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   const auto asked = options.at.empty()
@@ -165,7 +166,7 @@ void record(const Options& options, const Command& command) {
   const bool is_whole = is_of_parts(options) && !is_given(command, "window");
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
-  request.windows = windows.windows;
+  request.windows = waves::padded(windows.windows, options.padding);
   waves::WaveFile waveform(file, ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
@@ -218,6 +219,7 @@ void add_wave(CommandLine& line) {
   command.option("--window", options->window,
                  "Clocks FIRST:END, instructions iFIRST:iEND or iN, primitive:NAME, purpose:NAME or effect:NAME; END "
                  "is not included");
+  command.option("--padding", options->padding, "So many clocks more before and behind each window");
   command.option("--at", options->at,
                  "In place of a window: the instruction that last wrote the first pixel's owner, depth or FIELD");
   command
