@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -430,7 +431,9 @@ TEST_CASE("a wave is sampled in the middle of each clock") {
     sampled.push_back(sc_core::sc_time_stamp());
     return 1;
   });
-  recorder.arm({"top", {tap}, 100'000, [](std::string_view) {}}, {{2, 4}}, 0, false);
+  const auto ignored = [](std::string_view) {};
+  recorder.arm(std::make_unique<csgsim::wave::VcdWriter>("top", std::vector{tap}, 100'000, ignored), {{2, 4}}, 0,
+               false);
   sc_core::sc_start(10 * period);
   CHECK(recorder.finish());
   CHECK(sampled == std::vector{3.5 * period, 4.5 * period});  // clock 0 begins a period from the start

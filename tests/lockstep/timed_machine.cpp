@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <systemc>
 #include <tuple>
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/timeline.h"
 #include "hw/systemc/kernel.h"
+#include "hw/wave/vcd_writer.h"
 #include "sim/cycle/clocked_engine.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/lockstep/wave_check.h"

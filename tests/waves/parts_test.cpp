@@ -104,8 +104,9 @@ TEST_CASE("what the parts of a pixel-square machine wait for over a frame is wha
 TEST_CASE("a lane's stretches follow each other, and what follows is something else") {
   const Frame frame("pixel-planes-5", " --window 300:900", 25e3);
   CHECK(frame.lanes.size() > 20);
-  for (const auto& [name, lane] : frame.lanes) {
-    CAPTURE(name);
+  for (const auto& one : frame.lanes) {
+    CAPTURE(one.first);
+    const std::vector<Stretch>& lane = one.second;
     CHECK(lane.front().begin >= 300);
     CHECK(lane.back().begin + lane.back().clocks <= 900);
     for (std::size_t i = 0; i < lane.size(); ++i) {
