@@ -68,6 +68,9 @@ wave::TreeLevel tree_level_of(const std::string& text) {
 /// Does the file have what parts are at, and no pixels?
 bool is_of_parts(const Options& options) { return ends_in(options.output, ".json"); }
 
+/// Is a save file for GTKWave written beside the file?
+bool has_view(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
+
 /// Without its windows and its file.
 wave::Request request_of(const Options& options, const isa::Program& program) {
   wave::Request request;
@@ -131,10 +134,9 @@ void refuse_pixels(const Command& command) {
   }
 }
 
-void record(const Options& options, const Command& command) {
-  const bool is_stream = is_unnamed_stream(options.output);
-  const bool has_view = !is_stream && !is_of_parts(options);
-  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_view)
+/// Refuses words that do not go together; returns the window that is asked for, if --at does not stand in its place.
+std::optional<waves::WindowRequest> checked(const Options& options, const Command& command) {
+  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_view(options))
     throw UsageError("--output",
                      "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
   if (is_of_parts(options)) refuse_pixels(command);
@@ -143,17 +145,35 @@ void record(const Options& options, const Command& command) {
                                    "timing", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
-  const auto asked = options.at.empty()
-                         ? for_option("--window", [&] { return std::optional(waves::parse_window(options.window)); })
-                         : std::nullopt;
-  if (is_of_parts(options) && asked && asked->kind != waves::WindowRequest::Kind::clocks)
+  if (!options.at.empty()) return std::nullopt;
+  const waves::WindowRequest asked = for_option("--window", [&] { return waves::parse_window(options.window); });
+  if (is_of_parts(options) && asked.kind != waves::WindowRequest::Kind::clocks)
     throw UsageError("--window", "what the parts are at is told of clocks FIRST:END, or without it of the whole frame");
+  return asked;
+}
+
+void print_summary(const Options& options, const Windows& windows, const wave::Request& request,
+                   std::uint64_t frame_clocks, const std::filesystem::path& view) {
+  std::uint64_t clocks = 0;
+  for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
+  if (is_of_parts(options)) {
+    fmt::print("{}: what the parts are at, {}, {} clocks; to look at it: open it in ui.perfetto.dev\n",
+               printable(options.output), windows.shown, grouped(clocks));
+    return;
+  }
+  fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
+             grouped(frame_clocks), counted(request.windows.size(), "window"), counted(request.pixels.size(), "pixel"),
+             view.empty() ? "" : "; to look at it: gtkwave " + shell_word(view.native()));
+}
+
+void record(const Options& options, const Command& command) {
+  const std::optional<waves::WindowRequest> asked = checked(options, command);
   const std::filesystem::path view_path =
-      !has_view ? std::filesystem::path() : std::filesystem::path(options.output).replace_extension(".gtkw");
+      has_view(options) ? std::filesystem::path(options.output).replace_extension(".gtkw") : std::filesystem::path();
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
   OutputFile file(options.output);
   std::optional<OutputFile> view;
-  if (has_view) view.emplace(view_path);
+  if (has_view(options)) view.emplace(view_path);
   const ProgramOnMachine subject = program_of(options.model, command);
   const machines::Machine& machine = subject.machine;
   const isa::Program& program = subject.program;
@@ -187,17 +207,7 @@ void record(const Options& options, const Command& command) {
   waveform.finish();
   if (view) view->write(gtkwave_view(recording, request.windows, windows.marked, options.output, machine));
   commit_all(std::array{&file, view ? &*view : nullptr});
-  std::uint64_t clocks = 0;
-  for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
-  if (is_of_parts(options)) {
-    fmt::print("{}: what the parts are at, {}, {} clocks; to look at it: open it in ui.perfetto.dev\n",
-               printable(options.output), windows.shown, grouped(clocks));
-  } else {
-    fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
-               grouped(known.result.clocks), counted(request.windows.size(), "window"),
-               counted(request.pixels.size(), "pixel"),
-               view ? "; to look at it: gtkwave " + shell_word(view_path.native()) : "");
-  }
+  print_summary(options, windows, request, known.result.clocks, view_path);
   if (options.timing) print_timing(functional_seconds, recording_seconds, recording.writing_seconds);
 }
 
