@@ -12,7 +12,7 @@ target_compile_options(csgsim_flags INTERFACE
   -ffp-contract=off)
 # Of the shell, in which nothing takes time as it runs: the command line, pages, plots.
 add_library(csgsim_shell_flags INTERFACE)
-target_compile_options(csgsim_shell_flags INTERFACE $<IF:$<BOOL:${CSGSIM_SANITIZED}>,-O0,$<$<CONFIG:Release>:-O1>>)
+target_compile_options(csgsim_shell_flags INTERFACE $<$<CONFIG:Release>:-O1>)
 if(CSGSIM_SANITIZE)
   add_compile_options(-fsanitize=${CSGSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CSGSIM_SANITIZE})
@@ -29,10 +29,7 @@ function(csgsim_library name)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/csgsim>)
   target_link_libraries(csgsim_${name} PUBLIC ${ROOM_LINK} PRIVATE $<BUILD_INTERFACE:csgsim_flags> ${ROOM_PRIVATE_LINK})
-  # Beside sanitizers the shell is not optimised, and the precompiled headers are: Clang takes them alike or not at all.
-  if(NOT (CSGSIM_SANITIZED AND "${ROOM_PRIVATE_LINK}" MATCHES csgsim_shell_flags))
-    csgsim_use_precompiled(csgsim_${name} rooms)
-  endif()
+  csgsim_use_precompiled(csgsim_${name} rooms)
   set_property(GLOBAL APPEND PROPERTY CSGSIM_ROOMS csgsim_${name})
 endfunction()
 
