@@ -86,13 +86,14 @@ class FrameModel {
     const SegmentDivision division = division_of(parts);
     ++counted_.segment_count;
     divide(division);
-    is_far_ = division.active && list_room(parts, sizes_, machine_).is_far;
-    form_ = list_form(parts, is_far_, sizes_, machine_);
+    const Passes passes = passes_of(parts, sizes_, machine_);
+    is_far_ = passes.is_far;
+    form_ = passes.form;
     broadcast_segment(division);
     std::uint64_t now = display_free_;
     if (division.active) {
       ++counted_.active_segments;
-      now = draw_lists(parts, now);
+      now = draw_lists(parts, passes, now);
     } else {
       now = render({}, whole_of(parts), now);
     }
@@ -100,8 +101,7 @@ class FrameModel {
   }
 
   /// From the first list's division on; returns when all are rendered.
-  std::uint64_t draw_lists(Subsegments parts, std::uint64_t now) {
-    const Passes passes = passes_of(parts, sizes_, machine_);
+  std::uint64_t draw_lists(Subsegments parts, const Passes& passes, std::uint64_t now) {
     now = prune(parts, passes.divided, now);
     std::vector<Piece> come;
     for (const Message& message : passes.messages) {
@@ -310,7 +310,7 @@ std::optional<ListForm> form_of_whole(const isa::Program& program, const Machine
       return message.piece && &parts[message.piece->subsegment] == part;
     };
     if (std::ranges::count_if(passes.messages, is_of_part) > 1) return std::nullopt;
-    return list_form(parts, list_room(parts, sizes, machine).is_far, sizes, machine);
+    return passes.form;
   }
   return ListForm{};
 }

@@ -111,6 +111,8 @@ class Traffic {
   }
 
   Passes run() {
+    passes_.is_far = is_far_;
+    passes_.form = form_;
     for (const std::vector<Made>& list : made_) passes_.divided.push_back(is_far_ ? 0 : list.front().clocks);
     for (std::size_t node = 0; node < parts_.size(); ++node) send_list(node);
     return passes_;

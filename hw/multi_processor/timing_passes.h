@@ -33,6 +33,8 @@ struct Message {
 
 /// A segment from the first list's division to the last one's arrival.
 struct Passes {
+  bool is_far = false;                 ///< half-spaces stay with the display processor
+  ListForm form;                       ///< of all lists
   std::vector<std::uint64_t> divided;  ///< clocks of each list, before the first is sent
   std::vector<Message> messages;
 };
