@@ -11,7 +11,6 @@ namespace csgsim::wave {
 
 namespace {
 
-constexpr std::size_t piece = 1U << 16U;        // bytes written at once
 constexpr std::string_view clock_code = "!";    // of variables that are no taps
 constexpr std::string_view number_code = "\"";  // which clock it is
 
@@ -61,14 +60,14 @@ void put_number(std::string& out, const Number& number, unsigned width) {
 
 VcdWriter::VcdWriter(std::string_view top, std::vector<Tap> taps, std::uint64_t period_ps,
                      std::function<void(std::string_view)> write)
-    : taps_(std::move(taps)), shown_(taps_.size()), period_(period_ps), write_(std::move(write)) {
+    : taps_(std::move(taps)), shown_(taps_.size()), period_(period_ps), out_(std::move(write)) {
   for (std::size_t i = 0; i < taps_.size(); ++i) codes_.push_back(code_of(i));
   write_header(top);
   for (std::string& code : codes_) code += '\n';
 }
 
 void VcdWriter::write_header(std::string_view top) {
-  auto out = std::back_inserter(text_);
+  auto out = std::back_inserter(out_.text);
   fmt::format_to(out, "$version csgsim $end\n$timescale 1 ps $end\n$scope module {} $end\n", top);
   fmt::format_to(out, "$var wire 1 {} clock $end\n$var wire 64 {} clock_number [63:0] $end\n", clock_code, number_code);
   std::vector<std::string_view> open;
@@ -77,7 +76,7 @@ void VcdWriter::write_header(std::string_view top) {
     const std::string_view own = words.back();
     words.pop_back();
     const auto [left, entered] = std::mismatch(open.begin(), open.end(), words.begin(), words.end());
-    for (auto scope = left; scope != open.end(); ++scope) text_ += "$upscope $end\n";
+    for (auto scope = left; scope != open.end(); ++scope) out_.text += "$upscope $end\n";
     for (auto scope = entered; scope != words.end(); ++scope) fmt::format_to(out, "$scope module {} $end\n", *scope);
     open = std::move(words);
     if (taps_[i].show == Show::text) {
@@ -88,34 +87,34 @@ void VcdWriter::write_header(std::string_view top) {
       fmt::format_to(out, "$var wire {} {} {} [{}:0] $end\n", taps_[i].width, codes_[i], own, taps_[i].width - 1);
     }
   }
-  for (std::size_t scope = 0; scope <= open.size(); ++scope) text_ += "$upscope $end\n";
-  text_ += "$enddefinitions $end\n";
+  for (std::size_t scope = 0; scope <= open.size(); ++scope) out_.text += "$upscope $end\n";
+  out_.text += "$enddefinitions $end\n";
 }
 
 void VcdWriter::put_time(std::uint64_t time) {
-  text_ += '#';
-  text_ += fmt::format_int(time).c_str();
-  text_ += '\n';
+  out_.text += '#';
+  out_.text += fmt::format_int(time).c_str();
+  out_.text += '\n';
 }
 
 void VcdWriter::sample(std::uint64_t clock) {
   const bool follows = begun_ && clock == next_;
   if (begun_ && !follows) {
     put_time((next_ + 1) * period_);
-    fmt::format_to(std::back_inserter(text_), "$dumpoff\nx{}\nbx {}\n", clock_code, number_code);
+    fmt::format_to(std::back_inserter(out_.text), "$dumpoff\nx{}\nbx {}\n", clock_code, number_code);
     for (std::size_t i = 0; i < taps_.size(); ++i) show_unknown(i);
-    text_ += "$end\n";
+    out_.text += "$end\n";
   }
   put_time((clock + 1) * period_);
-  if (!follows) text_ += begun_ ? "$dumpon\n" : "$dumpvars\n";
-  fmt::format_to(std::back_inserter(text_), "1{}\nb{:b} {}\n", clock_code, clock, number_code);
+  if (!follows) out_.text += begun_ ? "$dumpon\n" : "$dumpvars\n";
+  fmt::format_to(std::back_inserter(out_.text), "1{}\nb{:b} {}\n", clock_code, clock, number_code);
   for (std::size_t i = 0; i < taps_.size(); ++i) show(i);
-  if (!follows) text_ += "$end\n";
+  if (!follows) out_.text += "$end\n";
   put_time((clock + 1) * period_ + period_ / 2);
-  fmt::format_to(std::back_inserter(text_), "0{}\n", clock_code);
+  fmt::format_to(std::back_inserter(out_.text), "0{}\n", clock_code);
   begun_ = true;
   next_ = clock + 1;
-  if (text_.size() >= piece) write_(std::exchange(text_, {}));
+  out_.pass();
 }
 
 void VcdWriter::show(std::size_t tap) {
@@ -125,26 +124,26 @@ void VcdWriter::show(std::size_t tap) {
   if (from.show == Show::text) {
     std::string text = from.text();
     if (has_value && text == shown.text) return;
-    put_text(text_, text);
+    put_text(out_.text, text);
     shown.text = std::move(text);
   } else {
     const Number number = from.number();
     if (has_value && number == shown.number) return;
-    put_number(text_, number, from.width);
+    put_number(out_.text, number, from.width);
     shown.number = number;
   }
-  text_ += codes_[tap];
+  out_.text += codes_[tap];
 }
 
 void VcdWriter::show_unknown(std::size_t tap) {
   shown_[tap].state = Shown::State::unknown;
-  text_ += taps_[tap].show == Show::text ? "s- " : taps_[tap].width == 1 ? "x" : "bx ";
-  text_ += codes_[tap];
+  out_.text += taps_[tap].show == Show::text ? "s- " : taps_[tap].width == 1 ? "x" : "bx ";
+  out_.text += codes_[tap];
 }
 
 void VcdWriter::finish() {
-  if (begun_) fmt::format_to(std::back_inserter(text_), "#{}\n", (next_ + 1) * period_);
-  write_(std::exchange(text_, {}));
+  if (begun_) fmt::format_to(std::back_inserter(out_.text), "#{}\n", (next_ + 1) * period_);
+  out_.pass_all();
 }
 
 }  // namespace csgsim::wave

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/wave/pieces.h"
 #include "hw/wave/tap.h"
 #include "hw/wave/writer.h"
 
@@ -44,8 +45,7 @@ class VcdWriter final : public Writer {
   std::vector<std::string> codes_;  ///< a tap's, in the file, with the line's end
   std::vector<Shown> shown_;
   std::uint64_t period_;  ///< picoseconds
-  std::function<void(std::string_view)> write_;
-  std::string text_;        ///< still to be written
+  Pieces out_;
   std::uint64_t next_ = 0;  ///< clock that would follow the last one
   bool begun_ = false;
 };

@@ -10,8 +10,6 @@ namespace csgsim::waves {
 
 namespace {
 
-constexpr std::size_t piece_bytes = 1U << 16U;  // written at once
-
 std::string json_string(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -26,8 +24,8 @@ std::string name_event(std::string_view kind, unsigned part, unsigned lane, std:
 
 TraceEvents::TraceEvents(const std::vector<wave::Tap>& taps, std::uint64_t period_ps,
                          std::function<void(std::string_view)> write)
-    : period_(period_ps), write_(std::move(write)) {
-  text_ = "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
+    : period_(period_ps), out_(std::move(write)) {
+  out_.text = "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
   std::vector<std::string_view> parts;
   for (const wave::Tap& tap : taps) {
     if (tap.show != wave::Show::text) continue;
@@ -58,18 +56,18 @@ void TraceEvents::sample(std::uint64_t clock) {
     lane.begin = clock;
   }
   next_ = clock + 1;
-  if (text_.size() >= piece_bytes) write_(std::exchange(text_, {}));
+  out_.pass();
 }
 
 void TraceEvents::finish() {
   for (Lane& lane : lanes_) end(lane, next_);
-  text_ += "\n]}\n";
-  write_(std::exchange(text_, {}));
+  out_.text += "\n]}\n";
+  out_.pass_all();
 }
 
 void TraceEvents::put(std::string_view event) {
-  text_ += std::exchange(has_events_, true) ? ",\n" : "\n";
-  text_ += event;
+  out_.text += std::exchange(has_events_, true) ? ",\n" : "\n";
+  out_.text += event;
 }
 
 void TraceEvents::end(Lane& lane, std::uint64_t clock) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/wave/pieces.h"
 #include "hw/wave/tap.h"
 #include "hw/wave/writer.h"
 
@@ -38,8 +39,7 @@ class TraceEvents final : public wave::Writer {
 
   std::vector<Lane> lanes_;
   std::uint64_t period_;  ///< picoseconds
-  std::function<void(std::string_view)> write_;
-  std::string text_;        ///< still to be written
+  wave::Pieces out_;
   std::uint64_t next_ = 0;  ///< clock that would follow the last one
   bool has_events_ = false;
 };

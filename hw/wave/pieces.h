@@ -1,0 +1,30 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace csgsim::wave {
+
+/// A long text that is handed on in pieces of some 64 KiB.
+class Pieces {
+ public:
+  explicit Pieces(std::function<void(std::string_view)> write) : write_(std::move(write)) {}
+
+  /// What has not been handed on yet; append to it.
+  std::string text;
+
+  /// Hands it on, if it is long enough.
+  void pass() {
+    if (text.size() >= piece_bytes) pass_all();
+  }
+  void pass_all() { write_(std::exchange(text, {})); }
+
+ private:
+  static constexpr std::size_t piece_bytes = std::size_t{1} << 16U;
+
+  std::function<void(std::string_view)> write_;
+};
+
+}  // namespace csgsim::wave
