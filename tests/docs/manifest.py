@@ -28,10 +28,11 @@ class Entry:
     kind: str
     page: str
     keys: dict
+    page_is_long: bool = False
 
     @property
     def is_long(self):
-        return self.keys.get("long", False)
+        return self.keys.get("long", self.page_is_long)
 
     @property
     def is_exact(self):
@@ -69,17 +70,18 @@ def read_page(path):
     except tomllib.TOMLDecodeError as error:
         raise Wrong(f"{file}: {error}") from None
     page = Page(text.pop("page"), text.pop("let", {}))
+    page_is_long = text.pop("long", False)
     if not (ROOT / page.path).exists():
         raise Wrong(f"{file}: there is no page {page.path}")
     for kind, rows in text.items():
         if kind not in KEYS:
-            raise Wrong(f"{file}: there is no '{kind}'; there are page, let, {', '.join(KEYS)}")
+            raise Wrong(f"{file}: there is no '{kind}'; there are page, long, let, {', '.join(KEYS)}")
         for keys in rows:
             check_keys(file, kind, keys)
             if kind == "allowed":
                 page.allowed.append(keys)
             else:
-                page.entries.append(Entry(kind, page.path, keys))
+                page.entries.append(Entry(kind, page.path, keys, page_is_long))
     return page
 
 
