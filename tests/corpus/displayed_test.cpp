@@ -60,7 +60,7 @@ void for_each_model(const std::map<std::string, std::string>& models, const Use&
     const std::string& name = model.first;
     const auto projection = ++number % 2 == 0 ? view::Projection::orthographic : view::Projection::perspective;
     if (refused.contains(name) || take_long.contains(name)) continue;
-    if (number % static_cast<std::size_t>(testing::cases(1, 4)) != 0) continue;
+    if (number % testing::cases<std::size_t>(1, 4) != 0) continue;
     CAPTURE(name);
     const Drawn one = drawn(model.second, projection);
     REQUIRE(one.compiled.scene.is_faceted());

@@ -5,12 +5,16 @@
 
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim::testing;
 
 namespace {
 
 constexpr glm::dvec3 oblique{0.61, -0.74, 0.9};
+
+/// Solids of the largest unions and differences.
+const int most = csgsim::testing::cases(10'000, 2'000);
 
 /// A block on a grid of 100 columns, through a plate of thickness 4 or not.
 std::string peg(int index, double low, double high) {
@@ -81,8 +85,10 @@ TEST_CASE("a cube without N times the intersection of sphere and cylinder is dra
   }
   check_both_ways(dimpled(100), 0, false);
 }
-TEST_CASE("a union of 10000 solids is drawn right") { check_both_ways(unite(plate_and_pegs(10000)), 2, false); }
-TEST_CASE("a difference of 10000 solids is drawn right") { check_both_ways(subtract(plate_and_pegs(10000)), 2, false); }
+TEST_CASE("a union of thousands of solids is drawn right") { check_both_ways(unite(plate_and_pegs(most)), 2, false); }
+TEST_CASE("a difference of thousands of solids is drawn right") {
+  check_both_ways(subtract(plate_and_pegs(most)), 2, false);
+}
 TEST_CASE("an intersection of 300 solids, each of which cuts a little off, is drawn right") {
   std::vector<std::string> parts;
   for (int i = 0; i < 300; ++i)

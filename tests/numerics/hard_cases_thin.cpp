@@ -4,6 +4,7 @@
 
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim::testing;
 
@@ -37,7 +38,7 @@ TEST_CASE("a sphere of $fn = 1000, half a million facets, is drawn right") {
   Look how = without_other_engines();
   how.sampling.width = 48;
   how.sampling.height = 40;
-  const std::string round = ball({0, 0, 0}, 10, 1000);
+  const std::string round = ball({0, 0, 0}, 10, csgsim::testing::cases(1000U, 300U));
   for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
     const Verdict verdict = look(round, whole(round, {0.61, -0.74, 0.52}, projection), how);
     CHECK(verdict.covered > 300);

@@ -13,6 +13,9 @@ inline bool draws_usual_cases() {
 }
 
 /// How many cases a test tries that counts them itself: `few` where properties draw fewer.
-inline int cases(int usual, int few) { return draws_usual_cases() ? usual : few; }
+template <class Number = int>
+Number cases(Number usual, Number few) {
+  return draws_usual_cases() ? usual : few;
+}
 
 }  // namespace csgsim::testing

@@ -16,6 +16,7 @@
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/support/error_of.h"
+#include "tests/support/usual_cases.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;
@@ -105,7 +106,7 @@ std::string on_a_floor(std::uint64_t seed) {
 
 Tally judge_random(std::uint64_t first_seed, view::Projection projection, const std::string& lights,
                    unsigned z_bits = 20) {
-  constexpr int models = 25;
+  const auto models = testing::cases<std::uint64_t>(25, 8);
   Tally tally;
   for (std::uint64_t seed = first_seed; seed < first_seed + models; ++seed) {
     CAPTURE(seed);

@@ -8,6 +8,7 @@
 #include "tests/numerics/solids.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/rational_oracle.h"
+#include "tests/support/usual_cases.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;
@@ -45,16 +46,16 @@ void check_models(const view::Camera& camera, std::uint64_t seed, int models) {
 }  // namespace
 
 TEST_CASE("random models are seen as rational numbers say") {
-  check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1, 2);
-  check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 101, 2);
+  check_models({{15, -22, 17}, {0, 0, 0}, Projection::orthographic}, 1, testing::cases(2, 1));
+  check_models({{15, -22, 17}, {0, 0, 0}, Projection::perspective}, 101, testing::cases(2, 1));
 }
 TEST_CASE("random models with faces edge-on, through pixel centres, are seen as rational numbers say") {
-  check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 201, 4);
-  check_models({{0, 0, 30}, {0, 0, 0}, Projection::orthographic}, 301, 4);
-  check_models({{0, -25, 0}, {0, 0, 0}, Projection::perspective}, 401, 4);
+  check_models({{0, -30, 0}, {0, 0, 0}, Projection::orthographic}, 201, testing::cases(4, 1));
+  check_models({{0, 0, 30}, {0, 0, 0}, Projection::orthographic}, 301, testing::cases(4, 1));
+  check_models({{0, -25, 0}, {0, 0, 0}, Projection::perspective}, 401, testing::cases(4, 1));
 }
 TEST_CASE("random models around the eye are seen as rational numbers say") {
-  check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 501, 2);
+  check_models({{0.25, -1, 0.5}, {0, 3, 0}, Projection::perspective}, 501, testing::cases(2, 1));
 }
 TEST_CASE("where the faces of turned boxes meet on a ray, but for the last bits, the last bits decide") {
   CHECK(rc::check([] {

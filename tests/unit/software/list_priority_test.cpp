@@ -124,7 +124,8 @@ TEST_CASE("list priority draws each event once, and its wrong pixels have surfac
     return fault.empty() ? fault : fmt::format("seed {}: {}", seed, fault);
   };
   // Some that have faults of each kind; others each time.
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) CHECK(fault_of(seed) == "");
+  const auto seeds = testing::cases<std::uint64_t>(60, 15);
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(fault_of(seed) == "");
   CHECK(rc::check([&] {
     const auto first = *rc::gen::arbitrary<std::uint64_t>();
     for (std::uint64_t seed = first; seed != first + 4; ++seed) {

@@ -289,7 +289,7 @@ TEST_CASE("every facet that a ray meets is told of before the ray is settled bey
 TEST_CASE("EXCELL has the cells of its rule, and both ways through them tell the facets of those that a ray meets") {
   std::uint64_t rays = 0;
   std::uint64_t cells_met = 0;
-  const auto seeds = static_cast<std::uint64_t>(testing::cases(24, 4));
+  const auto seeds = testing::cases<std::uint64_t>(24, 4);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     Random random(seed);
     const software::Facets facets = any_facets(random, 0);
