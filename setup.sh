@@ -242,8 +242,8 @@ case "${1:-}" in
     ;;
   asan)
     # shellcheck disable=SC2086
-    need $build_packages $test_packages $clang_packages libbenchmark-dev
-    build asan -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
+    need $build_packages $test_packages $clang_packages
+    build asan -DCSGSIM_BUILD_TESTS=ON
     ctest --preset asan -j "$(nproc)"
     ;;
   flags)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "places.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim::testing::cli;
 
@@ -309,7 +310,8 @@ TEST_CASE("a hundred megabytes of brackets are refused quickly") {
   const Folder folder;
   for (const std::string bracket : {"{", "(", "[", "group(){", "cube([", "}"}) {
     std::string text;
-    while (text.size() < 100'000'000) text += bracket;
+    const auto bytes = testing::cases<std::size_t>(100'000'000, 5'000'000);
+    while (text.size() < bytes) text += bracket;
     write(folder / "m.csg", text);
     refuses(folder / "m.csg", "m.csg:");
   }

@@ -8,6 +8,7 @@
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim;
 
@@ -86,7 +87,7 @@ TEST_CASE("every strategy, colouring, pruning and division draws the same pictur
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
     for (const testing::ThesisObject& one : testing::thesis_objects(projection)) {
       CAPTURE(one.name);
-      testing::Setup how = setup(one.camera, 160, 120);
+      testing::Setup how = setup(one.camera, testing::cases(160U, 56U), testing::cases(120U, 42U));
       const observe::Frame expected = testing::draw(testing::compile_file(testing::model_path(one.name), how).program);
       for (const emit::Options& options : testing::all_options()) {
         CAPTURE(emit::name_of(options.strategy));
