@@ -32,7 +32,7 @@ Usage: ./setup.sh COMMAND
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   report-test
-         install a Chromium (300 MB) and open pages of --report in it
+         install a Chromium (300 MB) and open pages of --report, and of view, in it
   openscad-tests DIR [WORDS...]
          hold pictures of OpenSCAD's own tests and examples against OpenSCAD's meshes: DIR is a checkout, which
          git clone --depth 1 https://github.com/openscad/openscad DIR makes; with WORDS those with a word in their path
@@ -48,7 +48,7 @@ TEXT
 
 build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libpng-dev
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
-  libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
+  libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu lld"
@@ -278,6 +278,7 @@ case "${1:-}" in
     need $build_packages python3 chromium
     build release
     python3 tests/report/pages_test.py build/release/csgsim .
+    python3 tests/view/page_test.py build/release/csgsim .
     ;;
   cluster)
     # shellcheck disable=SC2086

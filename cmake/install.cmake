@@ -6,7 +6,7 @@ set(module_dir ${CMAKE_INSTALL_LIBDIR}/csgsim)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
 
 install(TARGETS csgsim)
-install(TARGETS csgsim_pictures_module csgsim_text_module LIBRARY DESTINATION ${module_dir})
+install(TARGETS csgsim_pictures_module csgsim_text_module csgsim_viewer_module LIBRARY DESTINATION ${module_dir})
 file(RELATIVE_PATH module_from_program /prefix/${CMAKE_INSTALL_BINDIR} /prefix/${module_dir})
 # The build's run path is the longer one: it is not filled up with empty folders, which mean the current one.
 set_target_properties(csgsim PROPERTIES INSTALL_RPATH $ORIGIN/${module_from_program}

@@ -4,10 +4,21 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "hw/base/text.h"
 
 namespace csgsim {
+
+namespace {
+
+thread_local KeptLines* keeper = nullptr;
+
+}  // namespace
+
+KeptLines::KeptLines() noexcept : before_(std::exchange(keeper, this)) {}
+
+KeptLines::~KeptLines() { keeper = before_; }
 
 void tell(std::string_view text) noexcept {
   std::fflush(stdout);  // where both go to one file, what was printed before stands before
@@ -17,6 +28,10 @@ void tell(std::string_view text) noexcept {
 
 void tell_line(std::string_view line) noexcept {
   try {
+    if (keeper != nullptr) {
+      keeper->lines_.emplace_back(line);
+      return;
+    }
     tell(printable(line) + "\n");
   } catch (...) {
     tell("csgsim: there is not enough memory\n");

@@ -377,27 +377,48 @@ void refuse_see_through(const ModelOptions& options, const model::Tree& tree, co
   }
 }
 
-ModelFile read_model_file(const ModelOptions& options) {
+namespace {
+
+void refuse_other_subjects(const ModelOptions& options) {
   if (is_program(options.model))
     throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
   if (!options.imports_from.empty() && !std::filesystem::is_directory(options.imports_from))
     throw InputError(fmt::format("--imports-from: {} is no folder", printable(options.imports_from)));
+}
+
+/// Of the text as it is read: what OpenSCAD makes of a source.
+ModelFile read_text(const ModelOptions& options, Subject subject, const std::string& text) {
+  const std::string name = shown_name(options.model);
+  Hash hash;
+  hash.add(text);
+  hash.add(options.scene_text());
+  if (options.snap) hash.add("--snap");
+  const read::Options how{options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
+                          work_of(options)};
+  model::Tree tree = subject == Subject::commands
+                         ? commands::read_text(text, name, how)
+                         : read::read_csg_text(text, subject == Subject::scad ? name + " (as .csg)" : name, how);
+  tree.file = name;
+  return {effects::reshaped(std::move(tree), options.scene()), hash.text()};
+}
+
+}  // namespace
+
+ModelFile read_model_file(const ModelOptions& options) {
+  refuse_other_subjects(options);
   return with_memory_for("the model " + options.model, [&] {
     const Subject subject = subject_in(options.model);
-    const bool is_source = subject == Subject::scad;
-    const std::string text = is_source ? csg_of_scad(options.model) : read_file(options.model, read::model_file);
-    const std::string name = shown_name(options.model);
-    Hash hash;
-    hash.add(text);
-    hash.add(options.scene_text());
-    if (options.snap) hash.add("--snap");
-    const read::Options how{options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
-                            work_of(options)};
-    model::Tree tree = subject == Subject::commands
-                           ? commands::read_text(text, name, how)
-                           : read::read_csg_text(text, is_source ? name + " (as .csg)" : name, how);
-    tree.file = name;
-    return ModelFile{effects::reshaped(std::move(tree), options.scene()), hash.text()};
+    return read_text(
+        options, subject,
+        subject == Subject::scad ? csg_of_scad(options.model) : read_file(options.model, read::model_file));
+  });
+}
+
+ModelFile read_model_text(const ModelOptions& options, const std::string& text) {
+  refuse_other_subjects(options);
+  return with_memory_for("the model " + options.model, [&] {
+    const Subject subject = subject_in(options.model);
+    return read_text(options, subject, subject == Subject::scad ? csg_of_scad(options.model, text) : text);
   });
 }
 
@@ -457,10 +478,13 @@ isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& mo
                      [&] { return compile_with_room(model, view, options, machine); });
 }
 
-CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
-  ModelFile file = read_model_file(options);
+CompiledModel compile_model(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
   return with_memory_for("the half-spaces of " + options.model,
                          [&] { return compile(std::move(file), options, machine); });
+}
+
+CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
+  return compile_model(read_model_file(options), options, machine);
 }
 
 }  // namespace csgsim::shell

@@ -128,6 +128,9 @@ struct ModelFile {
 
 /// Reads the model. Throws InputError.
 ModelFile read_model_file(const ModelOptions& options);
+
+/// The same of a text that stands in the file's place.
+ModelFile read_model_text(const ModelOptions& options, const std::string& text);
 model::Tree read_model(const ModelOptions& options);
 
 /// A model read, faceted, seen and compiled.
@@ -141,6 +144,7 @@ struct CompiledModel {
 
 /// Throws InputError, or UsageError for options that make no sense.
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine);
+CompiledModel compile_model(ModelFile file, const ModelOptions& options, const machines::Machine& machine);
 
 /// The Program of the same facets, seen by another camera. Throws as compile_model does.
 isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,

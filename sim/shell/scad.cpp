@@ -4,8 +4,11 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
+#include <span>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -66,15 +69,15 @@ void add_openscad_time(Command& command) {
       "Seconds after which OpenSCAD is ended if it has not evaluated a model's source; 1800 if not given");
 }
 
-std::string csg_of_scad(const std::string& file) {
-  const std::string path = file.starts_with('-') ? "./" + file : file;
-  const std::array<std::string, 6> words{"openscad", "-o", "-", "--export-format", "csg", path};
+namespace {
+
+/// Of the words of a command line of OpenSCAD.
+std::string evaluated(std::span<const std::string> words, const MemoryFile& input, const std::string& file) {
   const ChildLimits limits{.time = longest,
                            .output = read::max_file_bytes,
                            .errors = std::size_t{16} << 20U,
                            .memory = std::size_t{8} << 30U};
-  keep_input(file);
-  std::optional<ChildEnd> ended = run_child(words, MemoryFile(file), limits);
+  std::optional<ChildEnd> ended = run_child(words, input, limits);
   if (!ended) {
     throw InputError(printable(file) +
                      ": OpenSCAD's source has to be evaluated by OpenSCAD, which is not on the PATH; install it "
@@ -87,6 +90,25 @@ std::string csg_of_scad(const std::string& file) {
     throw InputError(printable(file) +
                      ": it makes no shape, so there is nothing to draw; call a module that makes one");
   return csg;
+}
+
+}  // namespace
+
+std::string csg_of_scad(const std::string& file) {
+  const std::string path = file.starts_with('-') ? "./" + file : file;
+  keep_input(file);
+  return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path}, MemoryFile(file),
+                   file);
+}
+
+std::string csg_of_scad(const std::string& file, std::string_view text) {
+  std::string folder = std::filesystem::path(file).parent_path().native();
+  if (folder.empty()) folder = ".";
+  MemoryFile input(file);
+  input.write(text);
+  return evaluated(
+      std::array<std::string, 8>{"env", "--chdir=" + folder, "openscad", "-o", "-", "--export-format", "csg", "-"},
+      input, file);
 }
 
 }  // namespace csgsim::shell

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "sim/shell/command_line.h"
 
@@ -13,5 +14,8 @@ void add_openscad_time(Command& command);
 /// go to standard error. Throws InputError if there is none, with what it says of an error, or if it takes more time,
 /// memory or output than it may.
 std::string csg_of_scad(const std::string& file);
+
+/// The same of a text that stands in the file's place, in the file's folder; messages name the file.
+std::string csg_of_scad(const std::string& file, std::string_view text);
 
 }  // namespace csgsim::shell

@@ -55,7 +55,8 @@ TEST_CASE("--version tells the libraries by the numbers that pkg-config has of t
                               {"pugixml", "pugixml"},
                               {"OpenImageIO", "OpenImageIO"},
                               {"HarfBuzz", "harfbuzz"},
-                              {"libedit", "libedit"}}) {
+                              {"libedit", "libedit"},
+                              {"cpp-httplib", "cpp-httplib"}}) {
     CAPTURE(library.first);
     const Outcome version = run_program("pkg-config", {"--modversion", library.second});
     REQUIRE(version.code == 0);

@@ -17,6 +17,7 @@ using namespace shell;  // in whose words commands are written
   COMMAND(convert)               \
   COMMAND(debug)                 \
   COMMAND(diff)                  \
+  COMMAND(view)                  \
   COMMAND(explain)               \
   COMMAND(wave)                  \
   COMMAND(effects)               \

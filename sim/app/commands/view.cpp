@@ -1,0 +1,116 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hw/base/standard_streams.h"
+#include "sim/app/commands/commands.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/options.h"
+#include "sim/shell/program_of.h"
+#include "sim/shell/subject.h"
+#include "sim/shell/usage.h"
+#include "sim/viewer/door.h"
+#include "sim/viewer/knobs.h"
+#include "sim/viewer/page.h"
+#include "sim/viewer/serve.h"
+#include "sim/viewer/session.h"
+
+namespace csgsim::app {
+
+namespace {
+
+struct Options {
+  ModelOptions model;
+  std::uint16_t port = 0;
+  unsigned patience = 10;
+};
+
+/// The options of a wish are read as a command line is.
+ModelOptions read_options(std::span<const std::string> words) {
+  ModelOptions options;
+  CommandLine line("", "csgsim");
+  Command command = line.add("view", "", "");
+  options.add_to(command);
+  command.runs([] {});
+  std::vector<std::string> all{"view"};
+  all.insert(all.end(), words.begin(), words.end());
+  line.run(std::move(all), {});
+  return options;
+}
+
+bool is_knob(const std::string& name) { return std::ranges::find(viewer::knobs, name) != viewer::knobs.end(); }
+
+viewer::Beginning beginning_of(const Options& options, const Command& command) {
+  viewer::Beginning beginning{options.model.model, {}, viewer::Json::object()};
+  for (const OptionValue& one : command.values()) {
+    if (one.is_operand || one.values.empty() || !is_given(command, one.name)) continue;
+    if (one.name == "port" || one.name == "patience") continue;
+    const bool is_flag = one.takes == Takes::flag;
+    if (!is_knob(one.name)) {
+      for (const std::string& value : one.values)
+        for (std::string& word : option_words(one.name, value)) beginning.words.push_back(std::move(word));
+    } else if (one.name == "set") {
+      beginning.knobs[one.name] = one.values;
+    } else if (is_flag) {
+      beginning.knobs[one.name] = true;
+    } else {
+      beginning.knobs[one.name] = one.values.back();
+    }
+  }
+  return beginning;
+}
+
+void run(const Options& options, const Command& command) {
+  if (options.model.model == standard_stream) throw UsageError("model", "is to be a file, which the page shows");
+  if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
+  viewer::Session session(beginning_of(options, command), read_options);
+  viewer::Door door{0, viewer::make_token()};
+  const auto handler = [&](const viewer::Request& request) -> viewer::Reply {
+    const viewer::Admission admission = viewer::admit(door, request);
+    if (!admission.is_admitted) return admission.refusal;
+    if (request.method == "GET")
+      if (std::optional<viewer::Reply> file = viewer::page_file(admission.path)) return *std::move(file);
+    return session.answer(request, admission.path);
+  };
+  viewer::serve({.port = options.port,
+                 .patience = std::chrono::seconds(options.patience),
+                 .begun =
+                     [&](std::uint16_t port) {
+                       door.port = port;
+                       fmt::print("{}\nopen this in a browser; it ends with the page, or by Ctrl-C\n", door.address());
+                       std::fflush(stdout);
+                     },
+                 .handler = handler,
+                 .stays =
+                     [&](const viewer::Request& request) {
+                       const viewer::Admission admission = viewer::admit(door, request);
+                       return admission.is_admitted && admission.path == "alive";
+                     }});
+}
+
+}  // namespace
+
+void add_view(CommandLine& line) {
+  const auto options = std::make_shared<Options>();
+  Command command = line.add("view", "Show a model in a browser, drawn by the machine while it is turned and edited",
+                             "Example:\n  csgsim view carburettor.csg\n"
+                             "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
+  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
+  command.option("--port", options->port, "Port of 127.0.0.1 at which the page is; 0 takes one that is free");
+  command
+      .option("--patience", options->patience,
+              "Seconds that it stays when the last page has been closed; 0 stays until it is ended")
+      .between(0U, 86'400U);
+  command.runs([options, command] { run(*options, command); });
+}
+
+}  // namespace csgsim::app

@@ -1,0 +1,295 @@
+#include "sim/viewer/session.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "host/read/limits.h"
+#include "host/read/read.h"
+#include "host/read/source.h"
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
+#include "hw/kinds/load.h"
+#include "sim/engine/engine.h"
+#include "sim/observe/bound.h"
+#include "sim/observe/pictures.h"
+#include "sim/observe/stats_json.h"
+#include "sim/report/codec.h"
+#include "sim/report/configuration.h"
+#include "sim/report/pictures.h"
+#include "sim/report/run_page.h"
+#include "sim/shell/memory.h"
+#include "sim/shell/paths.h"
+#include "sim/shell/primitive_name.h"
+#include "sim/shell/run_options.h"
+#include "sim/shell/subject.h"
+#include "sim/shell/usage.h"
+#include "sim/story/story.h"
+#include "sim/story/story_json.h"
+#include "sim/story/story_text.h"
+#include "sim/story/why_not.h"
+#include "sim/viewer/knobs.h"
+
+namespace csgsim::viewer {
+
+namespace {
+
+/// What the page may not ask for.
+class WishError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+const Json& member(const Json& wish, const char* key, Json::value_t type, const char* kind) {
+  static const Json nothing;
+  const auto found = wish.find(key);
+  if (found == wish.end() || found->is_null()) return nothing;
+  if (found->type() != type) throw WishError(fmt::format("{} is to be {}", key, kind));
+  return *found;
+}
+
+std::string text_in(const Json& wish, const char* key) {
+  const Json& text = member(wish, key, Json::value_t::string, "a text");
+  return text.is_null() ? "" : text.get<std::string>();
+}
+
+std::optional<std::string> source_in(const Json& wish) {
+  const Json& text = member(wish, "source", Json::value_t::string, "a text");
+  return text.is_null() ? std::nullopt : std::optional(text.get<std::string>());
+}
+
+/// A machine's file is read if it is the one that the session began with, and no other.
+void refuse_other_file(const std::string& machine, const Json& begun_with) {
+  const std::string_view file = machines::file_of(machine);
+  const std::string known = begun_with.is_string() ? begun_with.get<std::string>() : "";
+  if (!file.empty() && file != machines::file_of(known))
+    throw WishError(fmt::format("machine: {} is a file; begin csgsim view with it: --machine {}", file, file));
+}
+
+void add_words(std::vector<std::string>& words, const std::string& name, const Json& value) {
+  if (value.is_boolean()) {
+    if (value.get<bool>()) words.push_back("--" + name);
+    return;
+  }
+  if (!value.is_string()) throw WishError(name + " is to be a text");
+  for (std::string& word : shell::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
+}
+
+std::string shell_command(const std::vector<std::string>& words) {
+  std::string command = "csgsim";
+  for (const std::string& word : words) command += " " + shell_word(word);
+  return command;
+}
+
+std::string camera_text(const view::Camera& camera) {
+  return fmt::format("{},{},{},{},{},{}", camera.eye.x, camera.eye.y, camera.eye.z, camera.centre.x, camera.centre.y,
+                     camera.centre.z);
+}
+
+/// Line and column of a message that begins with the file's name and these.
+void put_place(Json& answer, const std::string& message, const std::string& file) {
+  if (!message.starts_with(file + ":")) return;
+  std::size_t at = file.size() + 1;
+  for (const char* key : {"line", "column"}) {
+    unsigned number = 0;
+    const std::size_t begin = at;
+    while (at < message.size() && message[at] >= '0' && message[at] <= '9' && number < 100'000'000)
+      number = number * 10 + static_cast<unsigned>(message[at++] - '0');
+    if (at == begin || at == message.size() || message[at] != ':') return;
+    answer[key] = number;
+    ++at;
+  }
+}
+
+Json error_json(const std::string& message, const std::string& file) {
+  Json answer{{"error", message}};
+  put_place(answer, message, file);
+  return answer;
+}
+
+Reply json_reply(const Json& json, int status = 200) {
+  return {
+      .status = status, .type = "application/json", .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+}
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+}  // namespace
+
+/// A wish that was compiled, and what has been found out about it.
+struct Session::Drawing {
+  Json wish;
+  std::string text;  ///< of the model, as it was read
+  shell::ModelFile file;
+  shell::ModelOptions options;
+  machines::Machine machine;
+  shell::CompiledModel model;
+  std::vector<std::string> warnings;
+  double compiling = 0;  ///< seconds
+  std::optional<shell::Drawn> drawn;
+};
+
+Session::Session(Beginning beginning, ReadOptions read) : beginning_(std::move(beginning)), read_(std::move(read)) {
+  static_cast<void>(read_file(beginning_.model, read::model_file));
+}
+
+Session::~Session() = default;
+
+std::vector<std::string> Session::words_of(const Json& wish) const {
+  std::vector<std::string> words{beginning_.model};
+  words.insert(words.end(), beginning_.words.begin(), beginning_.words.end());
+  const Json& wished = member(wish, "knobs", Json::value_t::object, "an object");
+  for (const auto& [name, value] : wished.items()) {
+    if (std::ranges::find(knobs, name) == knobs.end()) throw WishError(fmt::format("there is no knob '{}'", name));
+    if (name == "machine" && value.is_string())
+      refuse_other_file(value.get<std::string>(), beginning_.knobs.value("machine", Json()));
+    if (name != "set") {
+      add_words(words, name, value);
+      continue;
+    }
+    if (!value.is_array()) throw WishError("set is to be an array of texts");
+    for (const Json& one : value) add_words(words, name, one);
+  }
+  return words;
+}
+
+Session::Drawing& Session::compiled(const Json& asked) {
+  Json wish = asked;
+  for (const char* key : {"pixel", "why_not"}) wish.erase(key);
+  const std::optional<std::string> source = source_in(wish);
+  const shell::ModelOptions options = read_(words_of(wish));
+  std::string text = source ? *source : read_file(options.model, read::model_file);
+  if (last_ && last_->wish == wish && last_->text == text) return *last_;
+  const KeptLines told;
+  const auto begin = Clock::now();
+  const auto knob = [](const Json& of, const char* name) {
+    return of.value("knobs", Json::object()).value(name, Json());
+  };
+  const bool is_read = last_ && last_->text == text && knob(last_->wish, "snap") == knob(wish, "snap") &&
+                       knob(last_->wish, "set") == knob(wish, "set");
+  shell::ModelFile file = is_read  ? last_->file
+                          : source ? shell::read_model_text(options, text)
+                                   : shell::read_model_file(options);
+  machines::Machine machine = shell::machine_of(options);
+  shell::CompiledModel model = shell::compile_model(file, options, machine);
+  auto next = std::make_unique<Drawing>(Drawing{.wish = std::move(wish),
+                                                .text = std::move(text),
+                                                .file = std::move(file),
+                                                .options = options,
+                                                .machine = std::move(machine),
+                                                .model = std::move(model),
+                                                .warnings = told.lines(),
+                                                .compiling = seconds_since(begin),
+                                                .drawn = {}});
+  last_ = std::move(next);
+  return *last_;
+}
+
+Session::Drawing& Session::drawn(const Json& wish) {
+  Drawing& drawing = compiled(wish);
+  if (!drawing.drawn) drawing.drawn = shell::draw(drawing.model.program, drawing.machine);
+  return drawing;
+}
+
+namespace {
+
+Json stats_of(const shell::CompiledModel& model, const machines::Machine& machine, const shell::Drawn& drawn) {
+  const observe::Report report{model.program, machine, "functional", drawn.result, drawn.stats, drawn.seconds};
+  return report::without_wall_times(observe::to_json(report));
+}
+
+}  // namespace
+
+Json Session::draw(const Json& wish) {
+  Drawing& drawing = drawn(wish);
+  const shell::Drawn& done = *drawing.drawn;
+  const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
+  std::vector<std::string> words = words_of(wish);
+  words.insert(words.begin(), "render");
+  return {{"picture", "data:image/png;base64," + report::base64(picture.png)},
+          {"width", picture.width},
+          {"height", picture.height},
+          {"camera", camera_text(drawing.model.camera)},
+          {"stats", stats_of(drawing.model, drawing.machine, done)},
+          {"command", shell_command(words)},
+          {"warnings", drawing.warnings},
+          {"seconds", {{"compiling", drawing.compiling}, {"running", done.seconds}}}};
+}
+
+Json Session::explain(const Json& wish) {
+  const Drawing& drawing = compiled(wish);
+  const isa::Program& program = drawing.model.program;
+  const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
+  return shell::with_memory_for_picture(drawing.machine.array, [&] {
+    const story::Story told = story::Teller(program, drawing.machine).story_of(pixel.x, pixel.y);
+    const view::View view = view::make_view(drawing.model.scene, drawing.model.tree, drawing.model.camera,
+                                            shell::sampling_of(drawing.options, drawing.machine));
+    const story::HalfspaceFinder finder(drawing.model.tree, drawing.model.scene, view);
+    const story::Subject of{program, &finder};
+    Json answer{{"text", story::text_of(of, told)}, {"story", story::to_json(of, told)}};
+    if (const std::string missed = text_in(wish, "why_not"); !missed.empty()) {
+      const story::WhyNot why_not = story::why_not(of, told, shell::primitive_named(program, missed, "why not"));
+      answer["why_not"] = story::text_of(of, told, why_not);
+    }
+    return answer;
+  });
+}
+
+std::string Session::report() const {
+  if (!last_ || !last_->drawn) throw WishError("nothing has been drawn yet");
+  const Drawing& drawing = *last_;
+  const isa::Program& program = drawing.model.program;
+  std::vector<std::string> words = words_of(drawing.wish);
+  words.insert(words.begin(), "render");
+  return report::to_html(report::run_page(stats_of(drawing.model, drawing.machine, *drawing.drawn),
+                                          drawing.drawn->frame, program, drawing.machine, {shell_command(words), {}}));
+}
+
+Json Session::about() const {
+  Json machines = kinds::built_in_names();
+  const Json begun_with = beginning_.knobs.value("machine", Json());
+  if (begun_with.is_string() && std::ranges::find(machines, begun_with) == machines.end())
+    machines.insert(machines.begin(), begun_with);
+  return {{"model", beginning_.model},       {"source", read_file(beginning_.model, read::model_file)},
+          {"knobs", beginning_.knobs},       {"names", knobs},
+          {"machines", std::move(machines)}, {"strategies", shell::strategy_names()}};
+}
+
+Reply Session::answer(const Request& request, std::string_view path) {
+  const std::lock_guard lock(mutex_);
+  const std::string file = shell::shown_name(beginning_.model);
+  try {
+    if (request.method == "GET" && path == "about") return json_reply(about());
+    if (request.method == "GET" && path == "report")
+      return {.type = "text/html; charset=utf-8", .body = report(), .has_scripts = true};
+    if (request.method != "POST") return {.status = 404, .body = "there is nothing of that name\n"};
+    const Json wish = Json::parse(request.body);
+    if (!wish.is_object()) throw WishError("a wish is to be an object");
+    if (path == "draw") return json_reply(draw(wish));
+    if (path == "explain") return json_reply(explain(wish));
+    return {.status = 404, .body = "there is nothing of that name\n"};
+  } catch (const Json::exception& error) {
+    return json_reply({{"error", error.what()}}, 400);
+  } catch (const WishError& error) {
+    return json_reply({{"error", error.what()}}, 400);
+  } catch (const shell::UsageError& error) {
+    return json_reply({{"error", error.what()}}, 422);
+  } catch (const InputError& error) {
+    return json_reply(error_json(error.what(), file), 422);
+  } catch (const std::bad_alloc&) {
+    return json_reply({{"error", "there is not enough memory"}}, 422);
+  }
+}
+
+}  // namespace csgsim::viewer

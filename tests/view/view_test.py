@@ -1,0 +1,309 @@
+#!/usr/bin/env python3
+"""csgsim view, asked as its page asks it, and as nobody should: view_test.py CSGSIM SOURCE [NAMES...]"""
+
+import base64
+import json
+import pathlib
+import random
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+from server import Server
+
+CSGSIM = pathlib.Path(sys.argv[1]).resolve()
+SOURCE = pathlib.Path(sys.argv[2]).resolve()
+MODEL = "tests/models/thesis_fig_2_3.csg"
+SMALL = {"size": "64x48", "camera": "30,-40,25,0,0,2"}
+
+
+def run(*words, **options):
+    return subprocess.run([CSGSIM, *words], cwd=SOURCE, check=False, text=True, capture_output=True, **options)
+
+
+def of_render(folder, *words):
+    """The stats of csgsim render, but for what differs from run to run and for the configuration."""
+    stats = pathlib.Path(folder) / "stats.json"
+    picture = pathlib.Path(folder) / "picture.png"
+    done = run("render", *words, "--stats", str(stats), "-o", str(picture), "--progress", "none")
+    assert done.returncode == 0, done.stderr
+    return without_wall(json.loads(stats.read_text())), picture.read_bytes()
+
+
+def without_wall(value):
+    if isinstance(value, dict):
+        return {key: without_wall(each) for key, each in value.items() if not key.startswith("wall_seconds") and key != "configuration"}
+    return [without_wall(each) for each in value] if isinstance(value, list) else value
+
+
+class Asked(unittest.TestCase):
+    """What the page shows is what the commands give."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server(CSGSIM, MODEL, cwd=SOURCE)
+        cls.folder = tempfile.TemporaryDirectory()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+        cls.folder.cleanup()
+
+    def test_the_page_comes_whole_and_may_use_nothing_else(self):
+        for name, kind in (("", "text/html"), ("page.css", "text/css"), ("view.css", "text/css"), ("view.js", "text/javascript")):
+            status, headers, body = self.server.get(name)
+            self.assertEqual(status, 200)
+            self.assertTrue(headers["Content-Type"].startswith(kind))
+            self.assertIn("default-src 'none'", headers["Content-Security-Policy"])
+            self.assertNotIn("unsafe", headers["Content-Security-Policy"])
+            self.assertEqual(headers["Cache-Control"], "no-store")
+            self.assertNotIn(b"http://", body)
+
+    def test_it_tells_the_model_and_what_can_be_turned(self):
+        status, _, body = self.server.get("about")
+        about = json.loads(body)
+        self.assertEqual(status, 200)
+        self.assertEqual(about["source"], (SOURCE / MODEL).read_text())
+        self.assertIn("pixel-planes-5", about["machines"])
+        self.assertIn("bits", about["strategies"])
+
+    def test_a_picture_and_its_stats_are_those_of_render(self):
+        for knobs in (SMALL, SMALL | {"machine": "pixel-planes-5"}, SMALL | {"machine": "scan-line", "projection": "perspective"},
+                      SMALL | {"strategy": "bits", "z-bits": "16", "set": ["alu.bits=4"], "snap": True}):
+            words = [word for name, value in knobs.items() for each in (value if isinstance(value, list) else [value])
+                     for word in ([f"--{name}"] if each is True else [f"--{name}", each])]
+            status, answer = self.server.post("draw", {"knobs": knobs})
+            self.assertEqual(status, 200, answer)
+            stats, picture = of_render(self.folder.name, MODEL, *words)
+            self.assertEqual(without_wall(answer["stats"]), stats)
+            self.assertEqual(answer["picture"], "data:image/png;base64," + base64.b64encode(picture).decode())
+            again = subprocess.run(["bash", "-c", answer["command"].replace("csgsim", str(CSGSIM), 1) + " --stats -"], cwd=SOURCE,
+                                   check=True, text=True, capture_output=True).stdout
+            self.assertEqual(without_wall(json.loads(again)), stats)
+
+    def test_a_turned_camera_gives_what_a_fresh_start_gives(self):
+        _, first = self.server.post("draw", {"knobs": SMALL})
+        for eye in ("30,-40,25,0,0,2", "-20,35,11,0,0,2", "30,-40,25,0,0,2"):
+            _, turned = self.server.post("draw", {"knobs": SMALL | {"camera": eye}})
+            self.assertEqual(turned["stats"]["clocks"] == first["stats"]["clocks"], eye.startswith("30"))
+            self.assertEqual(turned["camera"], eye)
+
+    def test_a_pixel_is_explained_as_explain_does(self):
+        status, answer = self.server.post("explain", {"knobs": SMALL, "pixel": "32,24", "why_not": "p1"})
+        self.assertEqual(status, 200, answer)
+        words = [word for name, value in SMALL.items() for word in (f"--{name}", value)]
+        told = json.loads(run("explain", MODEL, *words, "--pixel", "32,24", "--why-not", "p1", "--json", "-").stdout)
+        self.assertEqual(answer["story"] | {"why_not": told["why_not"]}, told)
+        text = run("explain", MODEL, *words, "--pixel", "32,24", "--why-not", "p1").stdout
+        self.assertEqual(answer["why_not"] + "\n" + answer["text"], text)
+
+    def test_an_edited_source_is_drawn_and_not_written(self):
+        before = (SOURCE / MODEL).read_text()
+        status, answer = self.server.post("draw", {"knobs": SMALL, "source": "cube(size=[1,2,3],center=true);"})
+        self.assertEqual((status, answer["stats"]["model"]["primitives"]), (200, 1))
+        self.assertEqual((SOURCE / MODEL).read_text(), before)
+
+    def test_errors_have_their_place(self):
+        status, answer = self.server.post("draw", {"knobs": SMALL, "source": "cube(size=[1,2,3],center=true);\nsphere(r=;"})
+        self.assertEqual(status, 422)
+        self.assertTrue(answer["error"].startswith(f"{MODEL}:2:"), answer)
+        self.assertEqual(answer["line"], 2)
+        self.assertGreater(answer["column"], 1)
+        for knobs, told in (({"machine": "pixel-plane-4"}, "pixel-planes-4"), ({"strategy": "bit"}, "bits"), ({"size": "0x4"}, "size"),
+                            ({"memory-bits": "x"}, "memory-bits"), ({"set": ["alu.bit=4"]}, "alu.bits")):
+            status, answer = self.server.post("draw", {"knobs": knobs})
+            self.assertEqual(status, 422, answer)
+            self.assertIn(told, answer["error"])
+        status, answer = self.server.post("explain", {"knobs": SMALL, "pixel": "64,0"})
+        self.assertEqual(status, 422, answer)
+
+    def test_a_source_of_openscad_is_evaluated_in_its_folder(self):
+        if not shutil.which("openscad"):
+            self.skipTest("there is no openscad")
+        folder = pathlib.Path(self.folder.name)
+        (folder / "part.scad").write_text("module part() cube([1, 2, 3]);\n")
+        (folder / "whole.scad").write_text("use <part.scad>\npart();\n")
+        server = Server(CSGSIM, str(folder / "whole.scad"), "--size", "32x24")
+        try:
+            for wish, count in (({}, 1), ({"source": "use <part.scad>\npart(); translate([3, 0, 0]) part();\n"}, 2)):
+                status, answer = server.post("draw", wish)
+                self.assertEqual((status, answer.get("stats", answer).get("model", {}).get("primitives")), (200, count), answer)
+            status, answer = server.post("draw", {"source": "use <part.scad>\npart(;\n"})
+            self.assertEqual(status, 422)
+            self.assertIn("line 2", answer["error"])
+        finally:
+            server.stop()
+
+    def test_the_report_is_of_the_picture_that_was_drawn_last(self):
+        self.server.post("draw", {"knobs": SMALL})
+        status, headers, body = self.server.get("report")
+        self.assertEqual(status, 200)
+        self.assertIn("connect-src 'none'", headers["Content-Security-Policy"])
+        self.assertIn(b"30,-40,25,0,0,2", body)
+
+
+class Attacked(unittest.TestCase):
+    """Nobody else is answered, and nothing ends it."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = Server(CSGSIM, MODEL, "--size", "32x24", cwd=SOURCE)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.server.stop()
+
+    def tearDown(self):
+        self.assertIsNone(self.server.process.poll())
+        self.assertEqual(self.server.post("draw", {})[0], 200)
+
+    def refused(self, status, method="POST", path=None, body="{}", **headers):
+        path = f"/{self.server.token}/draw" if path is None else path
+        told, answered, text = self.server.ask(method, path, None if method == "GET" else body, **headers)
+        self.assertEqual(told, status, text)
+        self.assertNotIn("Access-Control-Allow-Origin", answered)
+        self.assertNotIn(b"picture", text)
+
+    def test_another_name_is_refused(self):
+        for host in ("evil.example", f"evil.example:{self.server.port}", "127.0.0.1", f"127.0.0.1:{self.server.port + 1}", f"[::1]:{self.server.port}"):
+            self.refused(403, Host=host)
+            self.refused(403, "GET", f"/{self.server.token}/", Host=host)
+
+    def test_another_origin_is_refused(self):
+        for origin in ("http://evil.example", "null", f"https://127.0.0.1:{self.server.port}", f"http://127.0.0.1:{self.server.port}.evil.example", None):
+            self.refused(403, Origin=origin)
+        for site in ("cross-site", "same-site"):
+            self.refused(403, Sec_Fetch_Site=site)
+            self.refused(403, "GET", f"/{self.server.token}/about", Sec_Fetch_Site=site)
+
+    def test_without_the_token_there_is_nothing(self):
+        token = self.server.token
+        for path in ("/", "/draw", "//draw", f"/{token[:-1]}/draw", f"/{token}0/draw", f"/{token.upper()}x/draw", f"/{'0' * 32}/draw", f"/x/../{token}/draw"):
+            self.refused(403, path=path)
+        self.refused(403, "GET", f"/{token}")
+
+    def test_no_file_is_given(self):
+        for path in ("../../etc/passwd", "..%2f..%2fetc%2fpasswd", "%2e%2e/%2e%2e/etc/passwd", "/etc/passwd", "view.js/../../x", "page.css%00", "thesis_fig_2_3.csg"):
+            status, _, body = self.server.ask("GET", f"/{self.server.token}/{path}")
+            self.assertIn(status, (400, 403, 404))
+            self.assertNotIn(b"root:", body)
+
+    def test_no_file_is_read_that_the_model_does_not_import(self):
+        for source in ('import(file="/etc/passwd");', 'import(file="../../../../../../etc/passwd");', 'surface(file="/etc/hostname");'):
+            status, answer = self.server.post("draw", {"source": source})
+            self.assertEqual(status, 422)
+            self.assertNotIn("root:", answer["error"])
+        for knobs in ({"machine": "/etc/passwd.toml"}, {"machine": "hw/machines/pixel-planes-4.toml"}, {"scene": "/etc/passwd"},
+                      {"imports-from": "/"}, {"config": "/etc/passwd"}, {"model": "/etc/passwd"}, {"limit": "1000000000"}, {"port": "1"}):
+            status, answer = self.server.post("draw", {"knobs": knobs})
+            self.assertEqual(status, 400, answer)
+        # A word that looks like an option is a value.
+        for knobs in ({"size": "--scene=/etc/passwd"}, {"camera": "-1,-2,-3,0,0,0 --scene /etc/passwd"}, {"set": ["--scene", "/etc/passwd"]}):
+            status, answer = self.server.post("draw", {"knobs": knobs})
+            self.assertEqual(status, 422, answer)
+            self.assertNotIn("root:", answer["error"])
+
+    def test_what_is_no_wish_is_refused(self):
+        for body in ("", "{", "[]", "1", "null", '"draw"', "{}{}", '{"knobs": []}', '{"knobs": {"size": 3}}', '{"knobs": {"set": "a"}}', '{"source": 3}',
+                     "\xff", '{"knobs": {"size": ["x"]}}', "[" * 100_000):
+            self.refused(400, body=body)
+        self.refused(415, Content_Type="text/plain")
+        self.refused(404, path=f"/{self.server.token}/drawn")
+        self.refused(404, "GET")
+        for method in ("PUT", "DELETE", "OPTIONS", "PATCH"):
+            status, headers, _ = self.server.ask(method, f"/{self.server.token}/draw", "{}")
+            self.assertGreaterEqual(status, 400)
+            self.assertNotIn("Access-Control-Allow-Origin", headers)
+
+    def test_a_body_that_is_too_long_is_refused(self):
+        try:
+            status, _, _ = self.server.ask("POST", f"/{self.server.token}/draw", json.dumps({"source": "x" * 5_000_000}))
+            self.assertEqual(status, 413)
+        except (BrokenPipeError, ConnectionResetError):
+            pass
+
+    def test_a_thousand_broken_requests_do_no_harm(self):
+        drawn = random.Random(1)
+        whole = (f"POST /{self.server.token}/draw HTTP/1.1\r\nHost: {self.server.host}\r\nOrigin: http://{self.server.host}\r\n"
+                 "Content-Type: application/json\r\nContent-Length: 20\r\n\r\n{\"knobs\": {\"snap\":1}}").encode()
+        for number in range(1000):
+            data = bytearray(whole)
+            for _ in range(drawn.randrange(1, 8)):
+                at = drawn.randrange(len(data))
+                match drawn.randrange(4):
+                    case 0: data[at] = drawn.randrange(256)
+                    case 1: del data[at:at + drawn.randrange(1, 40)]
+                    case 2: data[at:at] = bytes(drawn.randrange(256) for _ in range(drawn.randrange(20)))
+                    case _: data = data[:at + 1]
+            with socket.create_connection(("127.0.0.1", self.server.port), timeout=20) as connection:
+                connection.sendall(data)
+                if number % 3:
+                    connection.shutdown(socket.SHUT_WR)
+                    connection.settimeout(20)
+                    try:
+                        while connection.recv(65536):
+                            pass
+                    except ConnectionResetError:
+                        pass
+
+    def test_two_browsers_are_each_answered_their_own(self):
+        wrong = []
+
+        def turn(size):
+            for _ in range(20):
+                status, answer = self.server.post("draw", {"knobs": {"size": f"{size}x{size}"}})
+                if status != 200 or answer["width"] != size:
+                    wrong.append(answer)
+
+        threads = [threading.Thread(target=turn, args=(size,)) for size in (16, 24)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(wrong, [])
+
+
+class Ended(unittest.TestCase):
+    """It ends with its last page."""
+
+    def stream(self, server):
+        connection = socket.create_connection(("127.0.0.1", server.port), timeout=20)
+        connection.sendall(f"GET /{server.token}/alive HTTP/1.1\r\nHost: {server.host}\r\n\r\n".encode())
+        self.assertIn(b"200", connection.recv(4096))
+        return connection
+
+    def test_it_ends_some_time_after_the_last_page_was_closed(self):
+        server = Server(CSGSIM, MODEL, "--patience", "1", cwd=SOURCE)
+        try:
+            first, second = self.stream(server), self.stream(server)
+            first.close()
+            time.sleep(3)
+            self.assertIsNone(server.process.poll())
+            second.close()
+            self.assertEqual(server.process.wait(20), 0)
+        finally:
+            server.stop()
+
+    def test_a_port_in_use_is_told(self):
+        server = Server(CSGSIM, MODEL, cwd=SOURCE)
+        try:
+            done = run("view", MODEL, "--port", str(server.port), timeout=20)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"port {server.port} of 127.0.0.1 cannot be had", done.stderr)
+        finally:
+            server.stop()
+
+    def test_what_is_no_model_is_refused_before_anything_is_served(self):
+        for word, code in (("nothing.csg", 1), ("traces/thesis_fig_2_3.csgt", 2), ("-", 2)):
+            done = run("view", word, timeout=20, input="")
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertEqual(done.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]])
