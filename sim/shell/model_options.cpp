@@ -150,6 +150,18 @@ ModelOptions ModelOptions::without_effects(const std::vector<std::string>& names
   return fewer;
 }
 
+ModelOptions model_options_in(std::span<const std::string> words) {
+  ModelOptions options;
+  CommandLine line("", "csgsim");
+  Command command = line.add("view", "", "");
+  options.add_to(command);
+  command.runs([] {});
+  std::vector<std::string> all{"view"};
+  all.insert(all.end(), words.begin(), words.end());
+  line.run(std::move(all), {});
+  return options;
+}
+
 std::vector<std::string> strategy_names() {
   std::vector<std::string> names;
   names.reserve(std::size(emit::strategies));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -91,6 +92,9 @@ struct ModelOptions {
   mutable std::shared_ptr<const LoadedScene> scene_;
   std::vector<std::string> effects_off_;
 };
+
+/// What a command line of these words says: the model and options. Throws UsageError.
+ModelOptions model_options_in(std::span<const std::string> words);
 
 /// Those of --strategy.
 std::vector<std::string> strategy_names();

@@ -140,7 +140,7 @@ struct Session::Drawing {
   std::optional<shell::Drawn> drawn;
 };
 
-Session::Session(Beginning beginning, ReadOptions read) : beginning_(std::move(beginning)), read_(std::move(read)) {
+Session::Session(Beginning beginning) : beginning_(std::move(beginning)) {
   static_cast<void>(read_file(beginning_.model, read::model_file));
 }
 
@@ -168,7 +168,7 @@ Session::Drawing& Session::compiled(const Json& asked) {
   Json wish = asked;
   for (const char* key : {"pixel", "why_not"}) wish.erase(key);
   const std::optional<std::string> source = source_in(wish);
-  const shell::ModelOptions options = read_(words_of(wish));
+  const shell::ModelOptions options = shell::model_options_in(words_of(wish));
   std::string text = source ? *source : read_file(options.model, read::model_file);
   if (last_ && last_->wish == wish && last_->text == text) return *last_;
   const KeptLines told;

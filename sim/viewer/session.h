@@ -1,11 +1,8 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -15,9 +12,6 @@
 namespace csgsim::viewer {
 
 using Json = nlohmann::ordered_json;
-
-/// The options that a command line says. Throws UsageError.
-using ReadOptions = std::function<shell::ModelOptions(std::span<const std::string> words)>;
 
 /// What the command line that began a session says.
 struct Beginning {
@@ -34,7 +28,7 @@ struct Beginning {
 class Session {
  public:
   /// Throws InputError where the file cannot be read.
-  Session(Beginning beginning, ReadOptions read);
+  explicit Session(Beginning beginning);
   ~Session();
 
   /// `about`: what the page has to know first. `draw`: a picture, with the stats of csgsim render. `explain`: the story
@@ -53,7 +47,6 @@ class Session {
   Drawing& drawn(const Json& wish);
 
   Beginning beginning_;
-  ReadOptions read_;
   std::mutex mutex_;
   std::unique_ptr<Drawing> last_;
 };

@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,19 +33,6 @@ struct Options {
   unsigned patience = 10;
 };
 
-/// The options of a wish are read as a command line is.
-ModelOptions read_options(std::span<const std::string> words) {
-  ModelOptions options;
-  CommandLine line("", "csgsim");
-  Command command = line.add("view", "", "");
-  options.add_to(command);
-  command.runs([] {});
-  std::vector<std::string> all{"view"};
-  all.insert(all.end(), words.begin(), words.end());
-  line.run(std::move(all), {});
-  return options;
-}
-
 bool is_knob(const std::string& name) { return std::ranges::find(viewer::knobs, name) != viewer::knobs.end(); }
 
 viewer::Beginning beginning_of(const Options& options, const Command& command) {
@@ -72,7 +58,7 @@ viewer::Beginning beginning_of(const Options& options, const Command& command) {
 void run(const Options& options, const Command& command) {
   if (options.model.model == standard_stream) throw UsageError("model", "is to be a file, which the page shows");
   if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
-  viewer::Session session(beginning_of(options, command), read_options);
+  viewer::Session session(beginning_of(options, command));
   viewer::Door door{0, viewer::make_token()};
   const auto handler = [&](const viewer::Request& request) -> viewer::Reply {
     const viewer::Admission admission = viewer::admit(door, request);

@@ -1,0 +1,98 @@
+#include "sim/viewer/door.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <set>
+#include <string>
+
+using namespace csgsim;
+
+namespace {
+
+const viewer::Door door{8080, "0123456789abcdef0123456789abcdef"};
+
+viewer::Request own_post() {
+  return {.method = "POST",
+          .path = "/" + door.token + "/draw",
+          .host = "127.0.0.1:8080",
+          .origin = "http://127.0.0.1:8080",
+          .site = "same-origin",
+          .content_type = "application/json"};
+}
+
+viewer::Request own_get() {
+  return {.method = "GET", .path = "/" + door.token + "/", .host = "localhost:8080", .site = "none"};
+}
+
+/// The status with which it is refused; 200 if it is not.
+int status_of(const viewer::Request& request) {
+  const viewer::Admission admission = viewer::admit(door, request);
+  return admission.is_admitted ? 200 : admission.refusal.status;
+}
+
+}  // namespace
+
+TEST_CASE("the page's own requests are let in, with what stands behind the token") {
+  CHECK(viewer::admit(door, own_post()).path == "draw");
+  const viewer::Request get = own_get();
+  CHECK(viewer::admit(door, get).is_admitted);
+  CHECK(viewer::admit(door, get).path == "");
+  viewer::Request plain = own_post();
+  plain.site = "";
+  plain.content_type = "application/json; charset=utf-8";
+  CHECK(status_of(plain) == 200);
+  CHECK(door.address() == "http://127.0.0.1:8080/0123456789abcdef0123456789abcdef/");
+}
+
+TEST_CASE("any other host, origin, site, token or type is refused") {
+  const auto with = [](std::string viewer::Request::*member, const std::string& value, viewer::Request request) {
+    request.*member = value;
+    return status_of(request);
+  };
+  for (const char* host : {"", "127.0.0.1", "127.0.0.1:80", "127.0.0.1:8080 ", "localhost:8081", "evil.example:8080",
+                           "LOCALHOST:8080", "[::1]:8080"}) {
+    CHECK(with(&viewer::Request::host, host, own_post()) == 403);
+    CHECK(with(&viewer::Request::host, host, own_get()) == 403);
+  }
+  for (const char* origin :
+       {"null", "http://evil.example", "https://127.0.0.1:8080", "http://127.0.0.1:8080/", "http://127.0.0.1:80801"}) {
+    CHECK(with(&viewer::Request::origin, origin, own_post()) == 403);
+    CHECK(with(&viewer::Request::origin, origin, own_get()) == 403);
+  }
+  CHECK(with(&viewer::Request::origin, "", own_post()) == 403);
+  for (const char* site : {"cross-site", "same-site"}) {
+    CHECK(with(&viewer::Request::site, site, own_post()) == 403);
+    CHECK(with(&viewer::Request::site, site, own_get()) == 403);
+  }
+  CHECK(with(&viewer::Request::site, "none", own_post()) == 403);
+  for (const char* type : {"", "text/plain", "application/jsonx", "multipart/form-data"})
+    CHECK(with(&viewer::Request::content_type, type, own_post()) == 415);
+}
+
+TEST_CASE("without the whole token, at its place, nothing is let in") {
+  CHECK(rc::check([] {
+    viewer::Request request = own_post();
+    const auto at = *rc::gen::inRange<std::size_t>(0, door.token.size() + 1);
+    const auto byte = *rc::gen::arbitrary<char>();
+    RC_PRE(request.path[at] != byte);
+    request.path[at] = byte;
+    RC_ASSERT(status_of(request) == 403);
+  }));
+  CHECK(rc::check([](const std::string& path) {
+    viewer::Request request = own_post();
+    request.path = path;
+    RC_ASSERT(status_of(request) == 403);
+  }));
+}
+
+TEST_CASE("tokens are 32 hexadecimal digits, each another") {
+  std::set<std::string> tokens;
+  for (int i = 0; i < 100; ++i) {
+    const std::string token = viewer::make_token();
+    CHECK(token.size() == 32);
+    CHECK(token.find_first_not_of("0123456789abcdef") == token.npos);
+    tokens.insert(token);
+  }
+  CHECK(tokens.size() == 100);
+}

@@ -1,0 +1,120 @@
+#include "sim/viewer/session.h"
+
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "places.h"
+#include "sim/observe/stats_json.h"
+#include "sim/report/codec.h"
+#include "sim/report/page.h"
+#include "sim/report/pictures.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/run_options.h"
+
+using namespace csgsim;
+using viewer::Json;
+
+namespace {
+
+const std::string file = CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg";
+
+viewer::Session session(Json knobs = Json::object()) { return viewer::Session({file, {}, std::move(knobs)}); }
+
+struct Answer {
+  int status = 0;
+  Json json;
+};
+
+Answer ask(viewer::Session& session, std::string_view what, const Json& wish) {
+  const viewer::Reply reply = session.answer({.method = "POST", .body = wish.dump()}, what);
+  return {reply.status, Json::parse(reply.body)};
+}
+
+/// What the command line of these words draws.
+Json drawn_by(const std::vector<std::string>& words) {
+  const shell::ModelOptions options = shell::model_options_in(words);
+  const machines::Machine machine = shell::machine_of(options);
+  const shell::CompiledModel compiled = shell::compile_model(options, machine);
+  const shell::Drawn drawn = shell::draw(compiled.program, machine);
+  const observe::Report report{compiled.program, machine, "functional", drawn.result, drawn.stats};
+  return {{"picture",
+           "data:image/png;base64," + report::base64(report::picture_of(drawn.frame, compiled.program, "", "").png)},
+          {"stats", report::without_wall_times(observe::to_json(report))}};
+}
+
+void check_drawn(const Answer& answer, const std::vector<std::string>& words) {
+  REQUIRE(answer.status == 200);
+  const Json expected = drawn_by(words);
+  CHECK(answer.json["picture"] == expected["picture"]);
+  CHECK(answer.json["stats"] == expected["stats"]);
+}
+
+}  // namespace
+
+TEST_CASE("whatever was drawn before, a wish is drawn as the command line that says the same") {
+  viewer::Session drawing = session();
+  const std::vector<std::string> size{"--size", "40x30"};
+  const std::vector<std::pair<Json, std::vector<std::string>>> rows{
+      {{{"camera", "30,-40,25,0,0,2"}}, {"--camera", "30,-40,25,0,0,2"}},
+      {{{"camera", "-30,40,25,0,0,2"}}, {"--camera=-30,40,25,0,0,2"}},
+      {{{"machine", "pixel-square"}, {"projection", "perspective"}},
+       {"--machine", "pixel-square", "--projection", "perspective"}},
+      {{{"machine", "pixel-powers"}}, {"--machine", "pixel-powers"}},
+      {{{"machine", "pixel-powers"}, {"camera", "3,-10,9,0,0,2"}},
+       {"--machine", "pixel-powers", "--camera", "3,-10,9,0,0,2"}},
+      {{{"set", {"alu.bits=4", "effects.depth-cue.strength=1"}}},
+       {"--set", "alu.bits=4", "--set", "effects.depth-cue.strength=1"}},
+      {{{"tolerance", "0.5px"}, {"camera", "30,-40,25,0,0,2"}},
+       {"--tolerance", "0.5px", "--camera", "30,-40,25,0,0,2"}},
+      {{{"tolerance", "0.5px"}, {"camera", "300,-400,250,0,0,2"}},
+       {"--tolerance", "0.5px", "--camera", "300,-400,250,0,0,2"}},
+      {Json::object(), {}}};
+  for (const auto& [knobs, words] : rows) {
+    const std::string told = knobs.dump();
+    CAPTURE(told);
+    Json all = knobs;
+    all["size"] = "40x30";
+    std::vector<std::string> line{file};
+    line.insert(line.end(), size.begin(), size.end());
+    line.insert(line.end(), words.begin(), words.end());
+    check_drawn(ask(drawing, "draw", {{"knobs", all}}), line);
+  }
+}
+
+TEST_CASE("an edited source is drawn in the file's place, and its errors have their place in it") {
+  viewer::Session drawing = session({{"size", "32x24"}});
+  const Answer cube = ask(drawing, "draw", {{"source", "cube(size=[1,2,3],center=true);"}});
+  REQUIRE(cube.status == 200);
+  CHECK(cube.json["stats"]["model"]["primitives"] == 1);
+  const Answer wrong = ask(drawing, "draw", {{"source", "cube(size=[1,2,3],center=true);\n  cube(size=;"}});
+  CHECK(wrong.status == 422);
+  CHECK(wrong.json["line"] == 2);
+  CHECK(wrong.json["error"].get<std::string>().starts_with(file + ":2:"));
+  CHECK(ask(drawing, "draw", Json::object()).json["stats"]["model"]["primitives"] > 1);
+}
+
+TEST_CASE("what is warned of goes to the page, line by line") {
+  viewer::Session drawing = session();
+  const Answer empty =
+      ask(drawing, "draw", {{"source", "import(file=\"there_is_none.stl\");cube(size=[1,2,3],center=true);"}});
+  REQUIRE(empty.status == 200);
+  REQUIRE(empty.json["warnings"].size() == 1);
+  CHECK(empty.json["warnings"][0].get<std::string>().find("there_is_none.stl") != std::string::npos);
+}
+
+TEST_CASE("what is no wish has the status 400, what cannot be drawn 422, and what there is not 404") {
+  viewer::Session drawing = session();
+  for (const char* body : {"", "{", "[]", "3", R"({"knobs":[]})", R"({"knobs":{"size":3}})", R"({"knobs":{"set":"x"}})",
+                           R"({"source":1})", R"({"knobs":{"scene":"x"}})", R"({"knobs":{"machine":"x.toml"}})"})
+    CHECK(drawing.answer({.method = "POST", .body = body}, "draw").status == 400);
+  for (const char* body :
+       {R"({"knobs":{"size":"0x0"}})", R"({"knobs":{"machine":"none"}})", R"({"knobs":{"z-bits":"x"}})"})
+    CHECK(drawing.answer({.method = "POST", .body = body}, "draw").status == 422);
+  CHECK(drawing.answer({.method = "POST", .body = R"({"pixel":"1"})"}, "explain").status == 422);
+  CHECK(drawing.answer({.method = "POST", .body = "{}"}, "paint").status == 404);
+  CHECK(drawing.answer({.method = "GET"}, "draw").status == 404);
+  CHECK(drawing.answer({.method = "GET"}, "report").status == 400);
+}
