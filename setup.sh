@@ -51,8 +51,8 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation"
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
-  python3 man-db mandoc zsh fish binutils-m68k-linux-gnu lld"
-clang_packages="clang libclang-rt-14-dev"
+  python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
+clang_packages="clang libclang-rt-14-dev lld"
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then

@@ -26,8 +26,8 @@ struct Door {
 /// POST are refused.
 struct Admission {
   bool is_admitted = false;
-  std::string_view path;  ///< of the request
-  Reply refusal;
+  std::string_view path{};  ///< of the request
+  Reply refusal{};
 };
 
 Admission admit(const Door& door, const Request& request);

@@ -7,19 +7,19 @@ namespace csgsim::viewer {
 
 /// What a browser asks for. Headers that are not there are empty.
 struct Request {
-  std::string method;
-  std::string path;
-  std::string host;          ///< header Host
-  std::string origin;        ///< header Origin
-  std::string site;          ///< header Sec-Fetch-Site
-  std::string content_type;  ///< of the body
-  std::string body;
+  std::string method{};
+  std::string path{};
+  std::string host{};          ///< header Host
+  std::string origin{};        ///< header Origin
+  std::string site{};          ///< header Sec-Fetch-Site
+  std::string content_type{};  ///< of the body
+  std::string body{};
 };
 
 struct Reply {
   int status = 200;
   std::string type = "text/plain; charset=utf-8";
-  std::string body;
+  std::string body{};
   bool has_scripts = false;  ///< a page with its style and script in it, which asks for nothing else
 };
 

@@ -258,12 +258,17 @@ std::string Session::report() const {
 
 Json Session::about() const {
   Json machines = kinds::built_in_names();
+  const shell::ModelOptions usual;
   const Json begun_with = beginning_.knobs.value("machine", Json());
   if (begun_with.is_string() && std::ranges::find(machines, begun_with) == machines.end())
     machines.insert(machines.begin(), begun_with);
-  return {{"model", beginning_.model},       {"source", read_file(beginning_.model, read::model_file)},
-          {"knobs", beginning_.knobs},       {"names", knobs},
-          {"machines", std::move(machines)}, {"strategies", shell::strategy_names()}};
+  return {{"model", beginning_.model},
+          {"source", read_file(beginning_.model, read::model_file)},
+          {"knobs", beginning_.knobs},
+          {"names", knobs},
+          {"machines", std::move(machines)},
+          {"strategies", shell::strategy_names()},
+          {"usual", {{"machine", usual.machine}, {"strategy", usual.strategy}, {"z-bits", usual.z_bits}}}};
 }
 
 Reply Session::answer(const Request& request, std::string_view path) {

@@ -63,7 +63,7 @@
       ['primitives, half-spaces', grouped(stats.model.primitives) + ', ' + grouped(stats.model.halfspaces)],
     ];
     byId('counts').replaceChildren(...rows.map(each => row(...each)));
-    byId('bound').textContent = stats.bound_by ? stats.bound_by.sentence : '';
+    byId('bound').textContent = stats.bound_by ? stats.bound_by.sentence ?? stats.bound_by : '';
     const purposes = Object.entries(stats.by_purpose).filter(([, cost]) => cost.instructions > 0);
     const whole = purposes.reduce((sum, [, cost]) => sum + cost.clocks, 0) || 1;
     byId('bill').replaceChildren(...purposes.map(([name, cost]) => make('tr', {}, make('th', {scope: 'row'}, name.replace(/_/g, ' ')),
@@ -165,7 +165,7 @@
       return;
     }
     story.textContent = (answer.answer.why_not ? answer.answer.why_not + '\n' : '') + answer.answer.text;
-    const {x, y} = answer.answer.story;
+    const [x, y] = answer.answer.story.pixel;
     byId('mark').style.left = (x + 0.5) / now.drawn.width * 100 + '%';
     byId('mark').style.top = (y + 0.5) / now.drawn.height * 100 + '%';
     byId('mark').hidden = false;
@@ -221,7 +221,7 @@
 
   const setUpKnobs = about => {
     byId('machines').replaceChildren(...about.machines.map(name => make('option', {value: name})));
-    byId('strategy').replaceChildren(...about.strategies.map(name => make('option', {}, name)));
+    byId('strategy').replaceChildren(...about.strategies.map(name => make('option', {value: name === about.usual.strategy ? '' : name}, name)));
     for (const name of about.names) {
       if (named.includes(name) || name === 'set' || name === 'camera') continue;
       const input = flags.includes(name) ? make('input', {type: 'checkbox', id: name}) : make('input', {id: name, spellcheck: 'false'});
@@ -233,10 +233,11 @@
         const numbers = value.split(',').map(Number);
         if (numbers.length === 6) now.camera = {eye: numbers.slice(0, 3), centre: numbers.slice(3)};
       } else if (flags.includes(name)) byId(name).checked = value === true;
-      else byId(name).value = value;
+      else if (name !== 'strategy' || value !== about.usual.strategy) byId(name).value = value;
     }
     now.first = now.camera && structuredClone(now.camera);
-    if (!byId('machine').value) byId('machine').placeholder = 'pixel-planes-4';
+    byId('machine').placeholder = about.usual.machine;
+    byId('z-bits').placeholder = about.usual['z-bits'];
     let timer = 0;
     const changed = () => {
       clearTimeout(timer);

@@ -310,7 +310,7 @@ TEST_CASE("a hundred megabytes of brackets are refused quickly") {
   const Folder folder;
   for (const std::string bracket : {"{", "(", "[", "group(){", "cube([", "}"}) {
     std::string text;
-    const auto bytes = testing::cases<std::size_t>(100'000'000, 5'000'000);
+    const auto bytes = csgsim::testing::cases<std::size_t>(100'000'000, 5'000'000);
     while (text.size() < bytes) text += bracket;
     write(folder / "m.csg", text);
     refuses(folder / "m.csg", "m.csg:");

@@ -12,6 +12,7 @@
 
 #include "hw/base/address_sanitizer.h"
 #include "tests/faults/commands.h"
+#include "tests/support/usual_cases.h"
 
 namespace {
 
@@ -54,7 +55,7 @@ Conditions with_fault(const Bench& bench, const std::string& fault) {
   conditions.environment = {{"LD_PRELOAD", CSGSIM_FAULT_LIBRARY}, {"CSGSIM_FAULT_REPORT", bench.report()}};
   if (!fault.empty()) conditions.environment["CSGSIM_FAULT"] = fault;
 #if CSGSIM_ADDRESS_SANITIZER
-  conditions.environment["ASAN_OPTIONS"] = "verify_asan_link_order=0";
+  conditions.environment["ASAN_OPTIONS"] = "verify_asan_link_order=0:detect_leaks=0:quarantine_size_mb=16";
 #endif
   return conditions;
 }
@@ -157,6 +158,12 @@ void try_calls(const Bench& bench, const Trial& trial, std::size_t calls, std::s
   if (is_everything() && runs > 0) print_row(bench, trial, calls, runs, clean);
 }
 
+/// Calls of a kind that are tried.
+std::size_t usual_most(const Bench& bench) {
+  const std::size_t most = bench.command().most;
+  return csgsim::testing::cases(most, std::min<std::size_t>(most, 4));
+}
+
 /// All trials of a command; one that is only for the long run (./setup.sh faults) has a `most` of 0.
 void try_command(const std::string& name) {
   if (command(name).most == 0 && !is_everything()) return;
@@ -165,7 +172,7 @@ void try_command(const std::string& name) {
   Counts counts = count_calls(bench);
   for (const Trial& trial : trials) {
     const std::size_t calls = counts[trial.kind];
-    try_calls(bench, trial, calls, is_everything() ? calls : bench.command().most);
+    try_calls(bench, trial, calls, is_everything() ? calls : usual_most(bench));
   }
   for (const Trial& trial : single_trials) try_calls(bench, trial, counts[trial.kind], is_everything() ? 8 : 1);
   if (!is_everything()) return;

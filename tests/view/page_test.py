@@ -121,6 +121,8 @@ def use(page, csgsim, server):
     until(page, "document.getElementById('story').textContent.length > 100")
     story = page.evaluate("document.getElementById('story').textContent")
     check("pixel" in story, "the pixel's story is told")
+    off = page.evaluate("(() => { const m = document.getElementById('mark').getBoundingClientRect(); return [m.left + m.width / 2, m.top + m.height / 2]; })()")
+    check(abs(off[0] - box[0] - box[2] / 2) < 3 and abs(off[1] - box[1] - box[2] / 2) < 3, f"the mark is where the click was: {off} {box}")
     set_value(page, "why-not", "p1")
     page.evaluate("document.querySelector('#why button').click()")
     until(page, f"document.getElementById('story').textContent.length > {len(story)}")

@@ -234,9 +234,9 @@ class Attacked(unittest.TestCase):
         for number in range(1000):
             data = bytearray(whole)
             for _ in range(drawn.randrange(1, 8)):
-                at = drawn.randrange(len(data))
+                at = drawn.randrange(len(data) + 1)
                 match drawn.randrange(4):
-                    case 0: data[at] = drawn.randrange(256)
+                    case 0: data[at:at + 1] = bytes([drawn.randrange(256)])
                     case 1: del data[at:at + drawn.randrange(1, 40)]
                     case 2: data[at:at] = bytes(drawn.randrange(256) for _ in range(drawn.randrange(20)))
                     case _: data = data[:at + 1]

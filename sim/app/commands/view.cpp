@@ -29,7 +29,7 @@ namespace {
 
 struct Options {
   ModelOptions model;
-  std::uint16_t port = 0;
+  unsigned port = 0;
   unsigned patience = 10;
 };
 
@@ -67,7 +67,7 @@ void run(const Options& options, const Command& command) {
       if (std::optional<viewer::Reply> file = viewer::page_file(admission.path)) return *std::move(file);
     return session.answer(request, admission.path);
   };
-  viewer::serve({.port = options.port,
+  viewer::serve({.port = static_cast<std::uint16_t>(options.port),
                  .patience = std::chrono::seconds(options.patience),
                  .begun =
                      [&](std::uint16_t port) {
@@ -91,7 +91,8 @@ void add_view(CommandLine& line) {
                              "Example:\n  csgsim view carburettor.csg\n"
                              "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
   options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
-  command.option("--port", options->port, "Port of 127.0.0.1 at which the page is; 0 takes one that is free");
+  command.option("--port", options->port, "Port of 127.0.0.1 at which the page is; 0 takes one that is free")
+      .between(0U, 65'535U);
   command
       .option("--patience", options->patience,
               "Seconds that it stays when the last page has been closed; 0 stays until it is ended")
