@@ -44,14 +44,6 @@ class Progress : public engine::Observer {
   std::optional<isa::Instruction> last_;
 };
 
-std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts) {
-  const isa::Origin& origin = instruction.origin;
-  std::string text(isa::info(origin.purpose).name);
-  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(facts, origin.primitive);
-  if (origin.node != isa::no_node) text += " against " + isa::piece_name(facts, origin.node);
-  return text;
-}
-
 /// Numbers of the boundaries at which what instructions serve changes, and of the ends of regions.
 std::vector<std::uint64_t> boundaries_of_work(const isa::Program& program) {
   std::vector<std::uint64_t> boundaries;
@@ -233,6 +225,14 @@ Drawing record_work(const isa::Program& program, const machines::Machine& machin
 }
 
 }  // namespace
+
+std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts) {
+  const isa::Origin& origin = instruction.origin;
+  std::string text(isa::info(origin.purpose).name);
+  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(facts, origin.primitive);
+  if (origin.node != isa::no_node) text += " against " + isa::piece_name(facts, origin.node);
+  return text;
+}
 
 Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits) {
   const std::uint64_t count = engine::Numbers(program).count();

@@ -38,6 +38,9 @@ struct DrawingLimits {
   std::uint32_t side = 512;     ///< pixels shown in a row and in a column
 };
 
+/// Whom an instruction serves: its purpose, and pieces of primitives.
+std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts);
+
 /// Runs the Program at the functional level and takes down what it draws. Where steps fill more than the limits allow,
 /// every second is left out until they do not, and `told` tells it. The first step and the last stay, whatever they
 /// fill.

@@ -24,7 +24,6 @@
 #include "sim/observe/bound.h"
 #include "sim/observe/pictures.h"
 #include "sim/observe/stats_json.h"
-#include "sim/report/codec.h"
 #include "sim/report/configuration.h"
 #include "sim/report/pictures.h"
 #include "sim/report/run_page.h"
@@ -38,7 +37,10 @@
 #include "sim/story/story_json.h"
 #include "sim/story/story_text.h"
 #include "sim/story/why_not.h"
+#include "sim/viewer/instants.h"
 #include "sim/viewer/knobs.h"
+#include "sim/viewer/png.h"
+#include "sim/viewer/two.h"
 
 namespace csgsim::viewer {
 
@@ -121,6 +123,8 @@ Reply json_reply(const Json& json, int status = 200) {
       .status = status, .type = "application/json", .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
+constexpr std::size_t most_kept = 2;  ///< drawings: two are compared
+
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
@@ -138,6 +142,7 @@ struct Session::Drawing {
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
   std::optional<shell::Drawn> drawn;
+  std::unique_ptr<Instants> instants;
 };
 
 Session::Session(Beginning beginning) : beginning_(std::move(beginning)) {
@@ -166,19 +171,24 @@ std::vector<std::string> Session::words_of(const Json& wish) const {
 
 Session::Drawing& Session::compiled(const Json& asked) {
   Json wish = asked;
-  for (const char* key : {"pixel", "why_not"}) wish.erase(key);
+  for (const char* key : {"pixel", "why_not", "number", "field", "tinted", "primitive"}) wish.erase(key);
   const std::optional<std::string> source = source_in(wish);
   const shell::ModelOptions options = shell::model_options_in(words_of(wish));
   std::string text = source ? *source : read_file(options.model, read::model_file);
-  if (last_ && last_->wish == wish && last_->text == text) return *last_;
+  const auto is_same = [&](const auto& one) { return one->wish == wish && one->text == text; };
+  if (const auto same = std::ranges::find_if(kept_, is_same); same != kept_.end()) {
+    std::rotate(kept_.begin(), same, same + 1);
+    return *kept_.front();
+  }
   const KeptLines told;
   const auto begin = Clock::now();
   const auto knob = [](const Json& of, const char* name) {
     return of.value("knobs", Json::object()).value(name, Json());
   };
-  const bool is_read = last_ && last_->text == text && knob(last_->wish, "snap") == knob(wish, "snap") &&
-                       knob(last_->wish, "set") == knob(wish, "set");
-  shell::ModelFile file = is_read  ? last_->file
+  const bool is_read = !kept_.empty() && kept_.front()->text == text &&
+                       knob(kept_.front()->wish, "snap") == knob(wish, "snap") &&
+                       knob(kept_.front()->wish, "set") == knob(wish, "set");
+  shell::ModelFile file = is_read  ? kept_.front()->file
                           : source ? shell::read_model_text(options, text)
                                    : shell::read_model_file(options);
   machines::Machine machine = shell::machine_of(options);
@@ -191,9 +201,11 @@ Session::Drawing& Session::compiled(const Json& asked) {
                                                 .model = std::move(model),
                                                 .warnings = told.lines(),
                                                 .compiling = seconds_since(begin),
-                                                .drawn = {}});
-  last_ = std::move(next);
-  return *last_;
+                                                .drawn = {},
+                                                .instants = {}});
+  kept_.insert(kept_.begin(), std::move(next));
+  if (kept_.size() > most_kept) kept_.pop_back();
+  return *kept_.front();
 }
 
 Session::Drawing& Session::drawn(const Json& wish) {
@@ -217,7 +229,7 @@ Json Session::draw(const Json& wish) {
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
   std::vector<std::string> words = words_of(wish);
   words.insert(words.begin(), "render");
-  return {{"picture", "data:image/png;base64," + report::base64(picture.png)},
+  return {{"picture", png_url(picture.png)},
           {"width", picture.width},
           {"height", picture.height},
           {"camera", camera_text(drawing.model.camera)},
@@ -246,9 +258,36 @@ Json Session::explain(const Json& wish) {
   });
 }
 
+Json Session::instant(const Json& wish) {
+  Drawing& drawing = compiled(wish);
+  const Json& number = member(wish, "number", Json::value_t::number_unsigned, "a number");
+  const Json& tinted = member(wish, "tinted", Json::value_t::boolean, "true or false");
+  const Json& primitive = member(wish, "primitive", Json::value_t::number_unsigned, "a number");
+  const InstantWish instant{
+      .number = number.is_null() ? 0 : number.get<std::uint64_t>(),
+      .field = text_in(wish, "field"),
+      .is_tinted = tinted.is_boolean() && tinted.get<bool>(),
+      .primitive = primitive.is_null() ? std::nullopt : std::optional(primitive.get<std::uint64_t>())};
+  return shell::with_memory_for_picture(drawing.machine.array, [&] {
+    if (!drawing.instants) drawing.instants = std::make_unique<Instants>(drawing.model.program, drawing.machine);
+    return drawing.instants->at(instant);
+  });
+}
+
+Json Session::two(const Json& wish) {
+  const auto side = [&](const char* name) {
+    const Json& asked = member(wish, name, Json::value_t::object, "an object");
+    const Drawing& drawing = drawn(asked.is_null() ? Json::object() : asked);
+    return DrawnProgram{drawing.model.program, drawing.drawn->frame};
+  };
+  const DrawnProgram a = side("a");
+  const DrawnProgram b = side("b");
+  return two_at_once(a, b);
+}
+
 std::string Session::report() const {
-  if (!last_ || !last_->drawn) throw WishError("nothing has been drawn yet");
-  const Drawing& drawing = *last_;
+  if (kept_.empty() || !kept_.front()->drawn) throw WishError("nothing has been drawn yet");
+  const Drawing& drawing = *kept_.front();
   const isa::Program& program = drawing.model.program;
   std::vector<std::string> words = words_of(drawing.wish);
   words.insert(words.begin(), "render");
@@ -283,6 +322,8 @@ Reply Session::answer(const Request& request, std::string_view path) {
     if (!wish.is_object()) throw WishError("a wish is to be an object");
     if (path == "draw") return json_reply(draw(wish));
     if (path == "explain") return json_reply(explain(wish));
+    if (path == "instant") return json_reply(instant(wish));
+    if (path == "two") return json_reply(two(wish));
     return {.status = 404, .body = "there is nothing of that name\n"};
   } catch (const Json::exception& error) {
     return json_reply({{"error", error.what()}}, 400);

@@ -48,11 +48,11 @@
     byId('source').setSelectionRange(begin + (answer.column || 1) - 1, begin + (lines[answer.line - 1] || '').length);
   };
 
-  const row = (name, value) => make('tr', {}, make('th', {scope: 'row'}, name), make('td', {class: 'n'}, value));
+  const row = (name, ...values) => make('tr', {}, make('th', {scope: 'row'}, name), ...values.map(value => make('td', {class: 'n'}, value)));
 
-  const showCounts = stats => {
+  const countsOf = stats => {
     const rate = stats.frames_per_second;
-    const rows = [
+    return [
       ['clocks until it is drawn', grouped(stats.clocks)],
       ['clocks until it is shown', grouped(stats.shown_clocks)],
       ['clocks from one frame to the next', grouped(stats.interval_clocks)],
@@ -62,7 +62,12 @@
       ['memory bits a pixel', stats.memory.used_bits + ' of ' + stats.memory.memory_bits],
       ['primitives, half-spaces', grouped(stats.model.primitives) + ', ' + grouped(stats.model.halfspaces)],
     ];
-    byId('counts').replaceChildren(...rows.map(each => row(...each)));
+  };
+
+  const showCounts = stats => {
+    const ofA = now.kept ? countsOf(now.kept.drawn.stats) : [];
+    byId('counts').replaceChildren(...countsOf(stats).map((each, index) => row(...each, ...(now.kept ? [ofA[index][1]] : []))));
+    byId('sides').hidden = !now.kept;
     byId('bound').textContent = stats.bound_by ? stats.bound_by.sentence ?? stats.bound_by : '';
     const purposes = Object.entries(stats.by_purpose).filter(([, cost]) => cost.instructions > 0);
     const whole = purposes.reduce((sum, [, cost]) => sum + cost.clocks, 0) || 1;
@@ -87,26 +92,38 @@
     showCounts(answer.stats);
   };
 
-  // One picture is asked for at a time; of what is wished meanwhile only the last.
-  let isDrawing = false;
-  let isWished = false;
-  const draw = async () => {
-    isWished = true;
-    if (isDrawing) return;
-    isDrawing = true;
-    while (isWished) {
-      isWished = false;
-      try {
-        const {isGood, answer} = await ask('draw', wish());
-        if (isGood) show(answer);
-        else showError(answer);
-      } catch (error) {
-        showError({error: 'csgsim view does not answer: ' + error.message});
+  // Asks one thing at a time, and of what is wished meanwhile the last.
+  const lastOf = ask => {
+    let isBusy = false;
+    let isWished = false;
+    return async () => {
+      isWished = true;
+      if (isBusy) return;
+      isBusy = true;
+      while (isWished) {
+        isWished = false;
+        await ask();
       }
-      window.drawnPictures = (window.drawnPictures || 0) + 1;
-    }
-    isDrawing = false;
+      isBusy = false;
+    };
   };
+
+  const draw = lastOf(async () => {
+    try {
+      const {isGood, answer} = await ask('draw', wish());
+      if (isGood) show(answer);
+      else showError(answer);
+    } catch (error) {
+      showError({error: 'csgsim view does not answer: ' + error.message});
+    }
+    window.drawnPictures = (window.drawnPictures || 0) + 1;
+    // Not while the model is turned.
+    clearTimeout(now.later);
+    now.later = setTimeout(() => {
+      lookAtInstant();
+      compareTwo();
+    }, 250);
+  });
 
   const minus = (a, b) => a.map((value, i) => value - b[i]);
   const plus = (a, b) => a.map((value, i) => value + b[i]);
@@ -170,6 +187,112 @@
     byId('mark').style.top = (y + 0.5) / now.drawn.height * 100 + '%';
     byId('mark').hidden = false;
     tell(story.textContent.split('\n')[0]);
+    showEvents(answer.answer.story.events);
+  };
+
+  // Line of `cylinder@9:9` in the source.
+  const lineOf = primitive => {
+    const name = now.drawn && now.drawn.stats.by_primitive[primitive] ? now.drawn.stats.by_primitive[primitive].name : '';
+    const found = /@(\d+):\d+$/.exec(name);
+    return found ? Number(found[1]) : 0;
+  };
+
+  const selectLine = line => {
+    const source = byId('source');
+    const lines = source.value.split('\n');
+    if (!line || line > lines.length) return;
+    const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+    source.setSelectionRange(begin, begin + lines[line - 1].length);
+    source.scrollTop = (line - 4) * parseFloat(getComputedStyle(source).lineHeight);
+  };
+
+  const showInstant = answer => {
+    byId('then').src = answer.picture;
+    byId('scale').textContent = answer.scale;
+    byId('instant').max = answer.count;
+    byId('instant').value = answer.number;
+    if (byId('field').length === 0) byId('field').replaceChildren(make('option', {value: ''}, 'the picture'), ...answer.fields.map(name => make('option', {}, name)));
+    const next = answer.instructions.find(each => each.number === answer.number);
+    const clocks = answer.clocks ? ', issued in clocks ' + grouped(answer.clocks[0]) + ' to ' + grouped(answer.clocks[1]) : '';
+    byId('at').textContent = next ? 'before i' + next.number + ' of ' + grouped(answer.count) + ': ' + next.text + ', for ' + next.serves + clocks : 'at the end, after ' + grouped(answer.count) + ' instructions';
+    byId('listing').replaceChildren(...answer.instructions.map(each => {
+      const button = make('button', {type: 'button', 'aria-current': String(each.number === answer.number)}, 'i' + each.number + '  ' + each.text + '  ', make('span', {class: 'serves'}, each.serves));
+      button.addEventListener('click', () => goTo(each.number));
+      return make('li', {}, button);
+    }));
+    const current = byId('listing').querySelector('[aria-current="true"]');
+    if (current) byId('listing').scrollTop = current.offsetTop - byId('listing').offsetTop - 80;
+    if (next && next.primitive !== undefined) selectLine(lineOf(next.primitive));
+    window.shownInstants = (window.shownInstants || 0) + 1;
+  };
+
+  const lookAtInstant = lastOf(async () => {
+    const asked = {...wish(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked};
+    if (now.primitive !== undefined) asked.primitive = now.primitive;
+    now.primitive = undefined;
+    const {isGood, answer} = await ask('instant', asked);
+    if (isGood) showInstant(answer);
+    else byId('at').textContent = answer.error;
+  });
+
+  const goTo = number => {
+    byId('instant').max = Math.max(Number(byId('instant').max), number);
+    byId('instant').value = number;
+    lookAtInstant();
+  };
+
+  // To the first instruction that serves the primitive of a line of the source.
+  const goToLine = () => {
+    const line = byId('source').value.slice(0, byId('source').selectionStart).split('\n').length;
+    const primitive = (now.drawn ? now.drawn.stats.by_primitive : []).findIndex((_, index) => lineOf(index) === line);
+    if (primitive < 0) return;
+    now.primitive = primitive;
+    lookAtInstant();
+  };
+
+  const compareTwo = lastOf(async () => {
+    if (!now.kept) return;
+    const {isGood, answer} = await ask('two', {a: now.kept.wish, b: wish()});
+    if (!isGood) {
+      byId('differs').textContent = answer.error;
+      return;
+    }
+    byId('difference').src = answer.picture;
+    const pixels = answer.pixels === 0 ? 'The pictures are equal' : grouped(answer.pixels) + (answer.pixels === 1 ? ' pixel differs' : ' pixels differ') + ', the first at ' + answer.first.join(',');
+    const other = answer.instruction;
+    byId('differs').replaceChildren(pixels + '. ', other ? 'The first other instruction is i' + grouped(other.number) + ': ' + other.a + ' in A, ' + other.b + ' now.' : 'All instructions are the same.');
+    window.comparedTwo = (window.comparedTwo || 0) + 1;
+  });
+
+  const setUpTwo = () => {
+    byId('keep').addEventListener('click', () => {
+      if (!now.drawn) return;
+      now.kept = {wish: wish(), drawn: now.drawn};
+      byId('a').src = now.drawn.picture;
+      byId('kept').textContent = now.drawn.command;
+      byId('two').hidden = false;
+      showCounts(now.drawn.stats);
+      compareTwo();
+    });
+  };
+
+  const setUpTime = () => {
+    byId('instant').addEventListener('input', lookAtInstant);
+    byId('field').addEventListener('change', lookAtInstant);
+    byId('tinted').addEventListener('change', lookAtInstant);
+    byId('back').addEventListener('click', () => goTo(Math.max(0, Number(byId('instant').value) - 1)));
+    byId('on').addEventListener('click', () => goTo(Number(byId('instant').value) + 1));
+    byId('source').addEventListener('click', goToLine);
+  };
+
+  const showEvents = events => {
+    byId('events').replaceChildren(...events.map(event => {
+      const whose = event.primitive ? ' p' + event.primitive.index + ' ' + event.primitive.name : '';
+      const button = make('button', {type: 'button'}, 'i' + event.first + (event.last > event.first ? '–i' + event.last : '') + '  ' + event.what.replace(/_/g, ' ') + whose + (event.enabled[1] ? '' : ': disabled'));
+      button.addEventListener('click', () => goTo(event.last + 1));
+      return make('li', {}, button);
+    }));
+    byId('events').hidden = events.length === 0;
   };
 
   const setUpStage = () => {
@@ -267,6 +390,8 @@
     byId('source').value = about.source;
     setUpKnobs(about);
     setUpStage();
+    setUpTime();
+    setUpTwo();
     draw();
     // Open as long as the page is: csgsim view ends with its last page.
     new EventSource('alive');

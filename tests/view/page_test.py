@@ -68,8 +68,18 @@ def drag(page, x, y, dx, dy, steps):
     page.send("Input.dispatchMouseEvent", type="mouseReleased", x=x + dx, y=y + dy, button="left", clickCount=1)
 
 
-def set_value(page, name, value):
-    page.evaluate(f"(() => {{ const e = document.getElementById({name!r}); e.value = {json.dumps(value)}; e.dispatchEvent(new Event('input', {{bubbles: true}})); }})()")
+def set_value(page, name, value, event="input"):
+    page.evaluate(f"(() => {{ const e = document.getElementById({name!r}); e.value = {json.dumps(value)}; e.dispatchEvent(new Event({event!r}, {{bubbles: true}})); }})()")
+
+
+def move(page, number):
+    """To an instant."""
+    shown = page.evaluate("window.shownInstants")
+    set_value(page, "tinted", "")
+    page.evaluate("document.getElementById('tinted').checked = false")
+    set_value(page, "instant", str(number))
+    until(page, f"window.shownInstants > {shown}")
+    time.sleep(0.2)
 
 
 def use(page, csgsim, server):
@@ -126,6 +136,56 @@ def use(page, csgsim, server):
     set_value(page, "why-not", "p1")
     page.evaluate("document.querySelector('#why button').click()")
     until(page, f"document.getElementById('story').textContent.length > {len(story)}")
+
+    # Time: the slider, a field, an event of the story, an instruction of the listing, a line of the source.
+    until(page, "window.shownInstants > 0")
+    count = int(page.evaluate("document.getElementById('instant').max"))
+    move(page, count)
+    check(page.evaluate("document.getElementById('then').src === document.getElementById('picture').src"), "the last instant is the picture")
+    set_value(page, "field", "Z1", "change")
+    move(page, count // 3)
+    number = int(page.evaluate("document.getElementById('instant').value"))
+    check(f"before i{number} of" in page.evaluate("document.getElementById('at').textContent"), "it tells where it is")
+    check("white" in page.evaluate("document.getElementById('scale').textContent"), "the scale of Z1 is told")
+    shown = page.evaluate("window.shownInstants")
+    page.evaluate("document.querySelectorAll('#events button')[1].click()")
+    until(page, f"window.shownInstants > {shown}")
+    event = page.evaluate("document.querySelectorAll('#events button')[1].textContent")
+    last = int(event.split()[0].split("i")[-1])
+    check(int(page.evaluate("document.getElementById('instant').value")) == last + 1, f"an event leads behind its last instruction: {event}")
+    shown = page.evaluate("window.shownInstants")
+    page.evaluate("document.querySelector('#listing button').click()")
+    until(page, f"window.shownInstants > {shown}")
+    check(page.evaluate("document.querySelector('#listing [aria-current=true]').textContent.startsWith('i' + document.getElementById('instant').value + ' ')"),
+          "the listing shows where it is")
+    lines = page.evaluate("document.getElementById('source').value").split("\n")
+    line = next(number for number, text in enumerate(lines) if "cylinder" in text)
+    shown = page.evaluate("window.shownInstants")
+    at = len("\n".join(lines[:line])) + 2
+    page.evaluate(f"(() => {{ const s = document.getElementById('source'); s.setSelectionRange({at}, {at}); s.click(); }})()")
+    until(page, f"window.shownInstants > {shown}")
+    check(f"@{line + 1}:" in page.evaluate("document.getElementById('at').textContent"), "a line of the source leads to its primitive")
+    if len(sys.argv) > 3:
+        page.evaluate("document.querySelector('.time').scrollIntoView()")
+        page.screenshot(sys.argv[3].replace(".png", "_time.png"), full=False)
+        page.evaluate("window.scrollTo(0, 0)")
+
+    # Two at once.
+    page.evaluate("document.getElementById('keep').click()")
+    until(page, "window.comparedTwo > 0")
+    check("pictures are equal" in page.evaluate("document.getElementById('differs').textContent"), "A is itself")
+    compared = page.evaluate("window.comparedTwo")
+    set_value(page, "z-bits", "8")
+    until(page, f"window.comparedTwo > {compared}")
+    told = page.evaluate("document.getElementById('differs').textContent")
+    check("pixels differ" in told and "other instruction is i" in told, f"what differs is told: {told}")
+    check(page.evaluate("document.querySelectorAll('#counts tr:first-child td').length") == 2, "counts stand side by side")
+    if len(sys.argv) > 3:
+        page.evaluate("document.getElementById('keep').scrollIntoView()")
+        page.screenshot(sys.argv[3].replace(".png", "_two.png"), full=False)
+        page.evaluate("window.scrollTo(0, 0)")
+    set_value(page, "z-bits", "")
+    settled(page)
 
     # Source.
     source = page.evaluate("document.getElementById('source').value")

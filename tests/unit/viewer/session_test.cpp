@@ -118,3 +118,25 @@ TEST_CASE("what is no wish has the status 400, what cannot be drawn 422, and wha
   CHECK(drawing.answer({.method = "GET"}, "draw").status == 404);
   CHECK(drawing.answer({.method = "GET"}, "report").status == 400);
 }
+
+TEST_CASE("two wishes are compared pixel by pixel, and by their first other instruction") {
+  viewer::Session drawing = session({{"size", "40x30"}, {"camera", "30,-40,25,0,0,2"}});
+  const auto two = [&](const Json& a, const Json& b) { return ask(drawing, "two", {{"a", a}, {"b", b}}); };
+  const auto with = [](const char* name, const char* value) { return Json{{"knobs", {{name, value}}}}; };
+  const Json plain = Json::object();
+  const Answer same = two(plain, plain);
+  CHECK(same.status == 200);
+  CHECK(same.json["pixels"] == 0);
+  CHECK(same.json["instruction"].is_null());
+  const Answer strategies = two(with("strategy", "stack"), with("strategy", "bits"));
+  CHECK(strategies.json["pixels"] == 0);
+  CHECK(strategies.json["instruction"]["a"] != strategies.json["instruction"]["b"]);
+  // A whole cube in place of what it is a part of: it differs where a picture of each does.
+  const Json cube{{"source", "cube(size=[4,4,4],center=true);"}};
+  const Answer models = two(plain, cube);
+  CHECK(models.json["pixels"] > 0);
+  CHECK(models.json["picture"] != two(cube, plain).json["picture"]);
+  CHECK(models.json["pixels"] == two(cube, plain).json["pixels"]);
+  CHECK(two(plain, with("size", "41x30")).status == 422);
+  CHECK(two(3, plain).status == 400);
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "hw/isa/program.h"
+#include "sim/observe/frame.h"
+
+namespace csgsim::viewer {
+
+/// A Program and the picture that it draws.
+struct DrawnProgram {
+  const isa::Program& program;
+  const observe::Frame& frame;
+};
+
+/// How two drawings compare: `pixels` that show different things, the `first` of them; a `picture` of A in grey in
+/// which these stand out; and `instruction`, the number of the first that is another one, with both texts, or nothing.
+/// Throws InputError where the pictures are not equally large.
+nlohmann::ordered_json two_at_once(const DrawnProgram& a, const DrawnProgram& b);
+
+}  // namespace csgsim::viewer

@@ -1,0 +1,130 @@
+#include "sim/viewer/instants.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hw/isa/pieces.h"
+#include "hw/isa/text.h"
+#include "hw/kinds/load.h"
+#include "places.h"
+#include "sim/debug/field_picture.h"
+#include "sim/engine/engine.h"
+#include "sim/pictures/encode.h"
+#include "sim/report/codec.h"
+#include "sim/report/pictures.h"
+#include "sim/shell/model_options.h"
+#include "sim/shell/run_options.h"
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+
+namespace {
+
+struct Subject {
+  machines::Machine machine;
+  isa::Program program;
+};
+
+Subject subject(const std::string& machine, const std::string& size = "48x40") {
+  const shell::ModelOptions options = shell::model_options_in(std::vector<std::string>{
+      CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg", "--machine", machine, "--size", size});
+  const machines::Machine built = shell::machine_of(options);
+  return {built, shell::compile_model(options, built).program};
+}
+
+std::string as_url(const std::string& png) { return "data:image/png;base64," + report::base64(png); }
+
+/// Of a grey picture, or one in colours.
+std::string url_of(const observe::Picture& picture) {
+  std::vector<std::uint8_t> bytes;
+  for (const std::uint8_t byte : picture.bytes) bytes.insert(bytes.end(), picture.channels == 3 ? 1 : 3, byte);
+  return as_url(pictures::encode("picture.png", {picture.width, picture.height, 3, {}, pictures::Bytes(bytes)}));
+}
+
+}  // namespace
+
+TEST_CASE("after the last instruction the picture is the one that is drawn, on each machine") {
+  for (const std::string_view name : kinds::built_in_names()) {
+    CAPTURE(name);
+    const Subject of = subject(std::string(name));
+    const shell::Drawn drawn = shell::draw(of.program, of.machine);
+    viewer::Instants instants(of.program, of.machine);
+    const nlohmann::ordered_json last = instants.at({.number = ~std::uint64_t{0}, .field = {}});
+    CHECK(last["number"] == last["count"]);
+    CHECK(last["picture"] == as_url(report::picture_of(drawn.frame, of.program, "", "").png));
+  }
+}
+
+TEST_CASE("fields at an instant are those that the reference has there, forwards and backwards") {
+  const Subject of = subject("pixel-planes-4");
+  viewer::Instants instants(of.program, of.machine);
+  const std::vector<isa::Instruction>& all = of.program.segments.front().instructions;
+  for (const std::uint64_t number : {0U, 40U, 41U, 90U, 60U, 13U, 120U, 5U}) {
+    const std::unique_ptr<engine::Engine> reference = engine::make_reference_engine(of.machine);
+    const std::unique_ptr<engine::Run> run = reference->begin(of.program);
+    run->advance(number, {});
+    for (const isa::NamedField& field : of.program.facts.fields) {
+      CAPTURE(field.name);
+      const nlohmann::ordered_json instant = instants.at({.number = number, .field = field.name});
+      CHECK(instant["number"] == number);
+      CHECK(instant["picture"] == url_of(debug::picture_of(field.field, *run, of.program).picture));
+    }
+    const nlohmann::ordered_json instant = instants.at({.number = number, .field = "E"});
+    CHECK(instant["picture"] == url_of(debug::picture_of({}, *run, of.program).picture));
+    const auto& listed = instant["instructions"];
+    const auto here = std::ranges::find_if(listed, [&](const auto& one) { return one["number"] == number; });
+    REQUIRE(here != listed.end());
+    CHECK((*here)["text"] == isa::text_of(all[number], of.program.facts.fields));
+  }
+}
+
+TEST_CASE("enabled pixels are tinted, and no others") {
+  const Subject of = subject("pixel-planes-4", "16x12");
+  viewer::Instants instants(of.program, of.machine);
+  const auto at = [&](bool is_tinted) { return instants.at({.number = 0, .field = {}, .is_tinted = is_tinted}); };
+  CHECK(at(false)["picture"] == at(true)["picture"]);  // before the first instruction none is
+  const auto differs = [&](std::uint64_t number) {
+    return instants.at({.number = number, .field = "Z1", .is_tinted = true})["picture"] !=
+           instants.at({.number = number, .field = "Z1"})["picture"];
+  };
+  CHECK(differs(1));
+}
+
+TEST_CASE("a primitive's first instruction is the first whose origin names it") {
+  const Subject of = subject("pixel-planes-4");
+  viewer::Instants instants(of.program, of.machine);
+  for (std::uint32_t primitive = 0; primitive < of.program.facts.primitives.size(); ++primitive) {
+    const nlohmann::ordered_json instant = instants.at({.number = 0, .field = {}, .primitive = primitive});
+    const auto number = instant["number"].get<std::uint64_t>();
+    const std::vector<isa::Instruction>& all = of.program.segments.front().instructions;
+    const auto serves = [&](const isa::Instruction& one) {
+      return one.origin.primitive != isa::no_primitive &&
+             isa::primitive_of(of.program.facts, one.origin.primitive) == primitive;
+    };
+    CHECK(serves(all[number]));
+    CHECK(std::none_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(number), serves));
+  }
+  CHECK(testing::error_of([&] { (void)instants.at({.number = 0, .field = {}, .primitive = 99}); }).find("p99") !=
+        std::string::npos);
+  CHECK(testing::error_of([&] {
+          (void)instants.at({.number = 0, .field = "Z3"});
+        }).starts_with("there is no field 'Z3'; there are E, "));
+}
+
+TEST_CASE("clocks at an instant are those in which the instruction is issued, or why there are none") {
+  for (const std::string_view name : kinds::built_in_names()) {
+    CAPTURE(name);
+    const Subject of = subject(std::string(name));
+    viewer::Instants instants(of.program, of.machine);
+    const nlohmann::ordered_json instant = instants.at({.number = 3, .field = {}});
+    CHECK(instant.contains("clocks") != instant.contains("no_clocks"));
+    if (instant.contains("clocks"))
+      CHECK(instant["clocks"][0].get<std::uint64_t>() <= instant["clocks"][1].get<std::uint64_t>());
+  }
+}
