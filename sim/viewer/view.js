@@ -93,33 +93,36 @@
   };
 
   // Asks one thing at a time, and of what is wished meanwhile the last.
-  const lastOf = ask => {
+  const lastOf = work => {
     let isBusy = false;
     let isWished = false;
-    return async () => {
+    const run = async () => {
       isWished = true;
       if (isBusy) return;
       isBusy = true;
       while (isWished) {
         isWished = false;
-        await ask();
+        try {
+          await work();
+        } catch (error) {
+          showError({error: 'csgsim view does not answer: ' + error.message});
+        }
       }
       isBusy = false;
     };
+    run.isBusy = () => isBusy;
+    return run;
   };
 
   const draw = lastOf(async () => {
-    try {
-      const {isGood, answer} = await ask('draw', wish());
-      if (isGood) show(answer);
-      else showError(answer);
-    } catch (error) {
-      showError({error: 'csgsim view does not answer: ' + error.message});
-    }
+    const {isGood, answer} = await ask('draw', wish());
+    if (isGood) show(answer);
+    else showError(answer);
     window.drawnPictures = (window.drawnPictures || 0) + 1;
     // Not while the model is turned.
     clearTimeout(now.later);
     now.later = setTimeout(() => {
+      now.later = 0;
       lookAtInstant();
       compareTwo();
     }, 250);
@@ -197,8 +200,10 @@
     return found ? Number(found[1]) : 0;
   };
 
+  // Unless somebody writes there.
   const selectLine = line => {
     const source = byId('source');
+    if (document.activeElement === source) return;
     const lines = source.value.split('\n');
     if (!line || line > lines.length) return;
     const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
@@ -206,11 +211,12 @@
     source.scrollTop = (line - 4) * parseFloat(getComputedStyle(source).lineHeight);
   };
 
-  const showInstant = answer => {
+  const showInstant = (answer, asked) => {
     byId('then').src = answer.picture;
     byId('scale').textContent = answer.scale;
     byId('instant').max = answer.count;
-    byId('instant').value = answer.number;
+    // Not where the slider has been moved on meanwhile.
+    if (Number(byId('instant').value) === asked.number || asked.primitive !== undefined) byId('instant').value = answer.number;
     if (byId('field').length === 0) byId('field').replaceChildren(make('option', {value: ''}, 'the picture'), ...answer.fields.map(name => make('option', {}, name)));
     const next = answer.instructions.find(each => each.number === answer.number);
     const clocks = answer.clocks ? ', issued in clocks ' + grouped(answer.clocks[0]) + ' to ' + grouped(answer.clocks[1]) : '';
@@ -231,7 +237,7 @@
     if (now.primitive !== undefined) asked.primitive = now.primitive;
     now.primitive = undefined;
     const {isGood, answer} = await ask('instant', asked);
-    if (isGood) showInstant(answer);
+    if (isGood) showInstant(answer, asked);
     else byId('at').textContent = answer.error;
   });
 
@@ -263,6 +269,9 @@
     byId('differs').replaceChildren(pixels + '. ', other ? 'The first other instruction is i' + grouped(other.number) + ': ' + other.a + ' in A, ' + other.b + ' now.' : 'All instructions are the same.');
     window.comparedTwo = (window.comparedTwo || 0) + 1;
   });
+
+  // Whether all that was wished has been shown.
+  window.isAtRest = () => now.drawn !== null && !now.changed && !now.later && ![draw, lookAtInstant, compareTwo].some(each => each.isBusy());
 
   const setUpTwo = () => {
     byId('keep').addEventListener('click', () => {
@@ -361,10 +370,10 @@
     now.first = now.camera && structuredClone(now.camera);
     byId('machine').placeholder = about.usual.machine;
     byId('z-bits').placeholder = about.usual['z-bits'];
-    let timer = 0;
     const changed = () => {
-      clearTimeout(timer);
-      timer = setTimeout(() => {
+      clearTimeout(now.changed);
+      now.changed = setTimeout(() => {
+        now.changed = 0;
         if (byId('view-all').checked) now.camera = null;
         draw();
       }, 150);

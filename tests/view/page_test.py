@@ -39,11 +39,8 @@ def until(page, expression, seconds=30):
 
 
 def settled(page):
-    """Waits until nothing is being drawn that was wished."""
-    before = -1
-    while (count := page.evaluate("window.drawnPictures || 0")) != before or count == 0:
-        before = count
-        time.sleep(0.4)
+    """Waits until all that was wished is shown."""
+    until(page, "window.isAtRest()")
 
 
 def stats_of(csgsim, command):
@@ -74,12 +71,9 @@ def set_value(page, name, value, event="input"):
 
 def move(page, number):
     """To an instant."""
-    shown = page.evaluate("window.shownInstants")
-    set_value(page, "tinted", "")
     page.evaluate("document.getElementById('tinted').checked = false")
     set_value(page, "instant", str(number))
-    until(page, f"window.shownInstants > {shown}")
-    time.sleep(0.2)
+    settled(page)
 
 
 def use(page, csgsim, server):
@@ -138,14 +132,14 @@ def use(page, csgsim, server):
     until(page, f"document.getElementById('story').textContent.length > {len(story)}")
 
     # Time: the slider, a field, an event of the story, an instruction of the listing, a line of the source.
-    until(page, "window.shownInstants > 0")
+    settled(page)
     count = int(page.evaluate("document.getElementById('instant').max"))
     move(page, count)
     check(page.evaluate("document.getElementById('then').src === document.getElementById('picture').src"), "the last instant is the picture")
     set_value(page, "field", "Z1", "change")
     move(page, count // 3)
     number = int(page.evaluate("document.getElementById('instant').value"))
-    check(f"before i{number} of" in page.evaluate("document.getElementById('at').textContent"), "it tells where it is")
+    check(f"before i{number} of" in page.evaluate("document.getElementById('at').textContent"), "it tells where it is: " + page.evaluate("document.getElementById('at').textContent"))
     check("white" in page.evaluate("document.getElementById('scale').textContent"), "the scale of Z1 is told")
     shown = page.evaluate("window.shownInstants")
     page.evaluate("document.querySelectorAll('#events button')[1].click()")
