@@ -21,19 +21,25 @@ namespace {
 
 using Channels = std::array<std::uint8_t, 3>;
 
-/// A's picture in light grey, with the pixels marked that differ.
-std::vector<std::uint8_t> difference(const DrawnProgram& a, const DrawnProgram& b) {
-  std::vector<std::uint8_t> pixels;
-  pixels.reserve(3 * a.frame.colour.size());
+struct Difference {
+  std::vector<std::uint8_t> picture;  ///< A's in light grey, with the pixels marked that differ
+  std::uint64_t pixels = 0;
+  std::size_t first = 0;
+};
+
+Difference difference(const DrawnProgram& a, const DrawnProgram& b) {
+  Difference found;
+  found.picture.reserve(3 * a.frame.colour.size());
   for (std::size_t i = 0; i < a.frame.colour.size(); ++i) {
     const Channels of_a = isa::unpack_colour(a.frame.colour[i], a.program.colour.width);
     const Channels of_b = isa::unpack_colour(b.frame.colour[i], b.program.colour.width);
-    const bool is_same = of_a == of_b && a.frame.owner[i] == b.frame.owner[i] && a.frame.depth[i] == b.frame.depth[i];
+    const bool is_same = of_a == of_b && a.frame.owner[i] == b.frame.owner[i];
+    if (!is_same && found.pixels++ == 0) found.first = i;
     const auto grey = static_cast<std::uint8_t>(150 + (of_a[0] + 2 * of_a[1] + of_a[2]) / 10);
     const Channels shown = is_same ? Channels{grey, grey, grey} : mark_colour;
-    pixels.insert(pixels.end(), shown.begin(), shown.end());
+    found.picture.insert(found.picture.end(), shown.begin(), shown.end());
   }
-  return pixels;
+  return found;
 }
 
 std::string instruction_text(const isa::Program& program, std::uint64_t number) {
@@ -50,12 +56,10 @@ nlohmann::ordered_json two_at_once(const DrawnProgram& a, const DrawnProgram& b)
     throw InputError(fmt::format("A is {} x {} pixels and B {} x {}; give both the same size", a.frame.width,
                                  a.frame.height, b.frame.width, b.frame.height));
   }
-  nlohmann::ordered_json told{{"pixels", 0}, {"first", nullptr}};
-  if (const std::optional<lockstep::PictureDifference> found = lockstep::first_difference(a.frame, b.frame)) {
-    told["pixels"] = found->pixels;
-    told["first"] = {found->x, found->y};
-  }
-  told["picture"] = png_url(difference(a, b), a.frame.width, a.frame.height);
+  const Difference found = difference(a, b);
+  nlohmann::ordered_json told{{"pixels", found.pixels}, {"first", nullptr}};
+  if (found.pixels > 0) told["first"] = {found.first % a.frame.width, found.first / a.frame.width};
+  told["picture"] = png_url(found.picture, a.frame.width, a.frame.height);
   told["instruction"] = nullptr;
   if (const std::optional<std::uint64_t> other = lockstep::first_other_instruction(a.program, b.program)) {
     told["instruction"] = {

@@ -13,9 +13,9 @@ struct DrawnProgram {
   const observe::Frame& frame;
 };
 
-/// How two drawings compare: `pixels` that show different things, the `first` of them; a `picture` of A in grey in
-/// which these stand out; and `instruction`, the number of the first that is another one, with both texts, or nothing.
-/// Throws InputError where the pictures are not equally large.
+/// How two drawings compare: `pixels` that show another colour or another primitive, the `first` of them; a `picture`
+/// of A in grey in which these stand out; and `instruction`, the number of the first that is another one, with both
+/// texts, or nothing. Throws InputError where the pictures are not equally large.
 nlohmann::ordered_json two_at_once(const DrawnProgram& a, const DrawnProgram& b);
 
 }  // namespace csgsim::viewer

@@ -160,9 +160,12 @@ def use(page, csgsim, server):
     until(page, f"window.shownInstants > {shown}")
     check(f"@{line + 1}:" in page.evaluate("document.getElementById('at').textContent"), "a line of the source leads to its primitive")
     if len(sys.argv) > 3:
-        page.evaluate("document.querySelector('.time').scrollIntoView()")
+        page.evaluate("document.getElementById('tinted').checked = true")
+        set_value(page, "instant", str(count // 5))
+        settled(page)
+        page.evaluate("document.querySelector('.time').scrollIntoView({behavior: 'instant'})")
         page.screenshot(sys.argv[3].replace(".png", "_time.png"), full=False)
-        page.evaluate("window.scrollTo(0, 0)")
+        page.evaluate("window.scrollTo({top: 0, behavior: 'instant'})")
 
     # Two at once.
     page.evaluate("document.getElementById('keep').click()")
@@ -175,9 +178,9 @@ def use(page, csgsim, server):
     check("pixels differ" in told and "other instruction is i" in told, f"what differs is told: {told}")
     check(page.evaluate("document.querySelectorAll('#counts tr:first-child td').length") == 2, "counts stand side by side")
     if len(sys.argv) > 3:
-        page.evaluate("document.getElementById('keep').scrollIntoView()")
+        page.evaluate("document.getElementById('keep').scrollIntoView({behavior: 'instant'})")
         page.screenshot(sys.argv[3].replace(".png", "_two.png"), full=False)
-        page.evaluate("window.scrollTo(0, 0)")
+        page.evaluate("window.scrollTo({top: 0, behavior: 'instant'})")
     set_value(page, "z-bits", "")
     settled(page)
 
