@@ -126,7 +126,7 @@ void answer(const Serving& serving, Pages& pages, const httplib::Request& from, 
   }
   set_headers(response, reply.has_scripts);
   response.status = reply.status;
-  response.set_content(reply.body, reply.type.c_str());
+  response.set_content(reply.body, reply.type);
 }
 
 /// Without SO_REUSEPORT, with which two servers would share a port.

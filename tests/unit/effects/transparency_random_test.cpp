@@ -279,7 +279,7 @@ TEST_CASE("layers of random models are what rays see, orthographic") {
 TEST_CASE("layers of random models are what rays see, perspective") {
   const Tally tally = layers_of_random_models(101, view::Projection::perspective, 12);
   check(tally);
-  CHECK(tally.most_panes >= 3);
+  CHECK((!testing::draws_usual_cases() || tally.most_panes >= 3));
 }
 TEST_CASE("screen doors of random models are what rays see, orthographic") {
   check(screen_doors_of_random_models(1, view::Projection::orthographic));
