@@ -161,7 +161,7 @@ void try_calls(const Bench& bench, const Trial& trial, std::size_t calls, std::s
 /// Calls of a kind that are tried.
 std::size_t usual_most(const Bench& bench) {
   const std::size_t most = bench.command().most;
-  return csgsim::testing::cases(most, std::min<std::size_t>(most, 4));
+  return csgsim::testing::cases(most, std::min<std::size_t>(most, 2));
 }
 
 /// All trials of a command; one that is only for the long run (./setup.sh faults) has a `most` of 0.
