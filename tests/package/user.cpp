@@ -1,6 +1,6 @@
-#include "sim/csgsim.h"
-
 #include <cstdio>
+
+#include "sim/csgsim.h"
 
 int main() {
   using namespace csgsim;
