@@ -168,14 +168,12 @@ nlohmann::ordered_json Instants::at(const InstantWish& wish) {
   std::string scale;
   std::vector<std::uint8_t> pixels = pixels_of(field, scale);
   if (wish.is_tinted) tint(pixels);
-  nlohmann::ordered_json instant{
-      {"number", number},
-      {"count", numbers_.count()},
-      {"picture", png_url(pixels, program_.shape.width, program_.shape.height)},
-      {"scale", scale},
-      {"fields", fields()},
-      {"region", {run_->region().x, run_->region().y, run_->region().width, run_->region().height}},
-      {"instructions", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json instant{{"number", number},
+                                 {"count", numbers_.count()},
+                                 {"picture", png_url(pixels, program_.shape.width, program_.shape.height)},
+                                 {"scale", scale},
+                                 {"fields", fields()},
+                                 {"instructions", nlohmann::ordered_json::array()}};
   const std::uint64_t first = number < listed_before ? 0 : number - listed_before;
   for (std::uint64_t i = first; i < std::min(number + listed_after, numbers_.count()); ++i)
     instant["instructions"].push_back(told_of(i));

@@ -2,7 +2,7 @@
 
 #include <httplib.h>
 
-#include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <cstring>
 #include <exception>
@@ -14,7 +14,7 @@ namespace csgsim::viewer {
 namespace {
 
 constexpr int most_connections = 24;  // a browser keeps some open
-constexpr int patience_seconds = 10;
+constexpr int seconds_without_a_byte = 10;
 
 /// How many pages are open, and since when there is none.
 class Pages {
@@ -99,7 +99,7 @@ void set_headers(httplib::Response& response, bool has_scripts) {
   response.set_header("X-Content-Type-Options", "nosniff");
 }
 
-/// A stream that says something each second, so that its end is noticed.
+/// A stream that says something twice a second, so that its end is noticed.
 void stay(httplib::Response& response, Pages& pages) {
   pages.open();
   response.set_chunked_content_provider(
@@ -141,8 +141,8 @@ std::string serve(const Serving& serving) {
   server.new_task_queue = [] { return new httplib::ThreadPool(most_connections); };
   server.set_socket_options([](int socket) { set_socket_options(socket); });
   server.set_payload_max_length(serving.most_bytes);
-  server.set_read_timeout(patience_seconds);
-  server.set_write_timeout(patience_seconds);
+  server.set_read_timeout(seconds_without_a_byte);
+  server.set_write_timeout(seconds_without_a_byte);
   server.set_keep_alive_max_count(1000);
   const auto handle = [&](const httplib::Request& from, httplib::Response& response) {
     answer(serving, pages, from, response);

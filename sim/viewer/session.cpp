@@ -1,19 +1,13 @@
 #include "sim/viewer/session.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <chrono>
-#include <filesystem>
 #include <optional>
-#include <set>
+#include <stdexcept>
 #include <utility>
 
-#include "host/read/limits.h"
-#include "host/read/read.h"
 #include "host/read/source.h"
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
@@ -21,8 +15,6 @@
 #include "hw/base/text.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
-#include "sim/observe/bound.h"
-#include "sim/observe/pictures.h"
 #include "sim/observe/stats_json.h"
 #include "sim/report/configuration.h"
 #include "sim/report/pictures.h"
@@ -31,7 +23,6 @@
 #include "sim/shell/paths.h"
 #include "sim/shell/primitive_name.h"
 #include "sim/shell/run_options.h"
-#include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
 #include "sim/story/story.h"
 #include "sim/story/story_json.h"
@@ -135,10 +126,10 @@ double seconds_since(Clock::time_point begin) { return std::chrono::duration<dou
 struct Session::Drawing {
   Json wish;
   std::string text;  ///< of the model, as it was read
-  shell::ModelFile file;
   shell::ModelOptions options;
   machines::Machine machine;
   shell::CompiledModel model;
+  std::string command;  ///< that draws the same
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
   std::optional<shell::Drawn> drawn;
@@ -173,7 +164,8 @@ Session::Drawing& Session::compiled(const Json& asked) {
   Json wish = asked;
   for (const char* key : {"pixel", "why_not", "number", "field", "tinted", "primitive"}) wish.erase(key);
   const std::optional<std::string> source = source_in(wish);
-  const shell::ModelOptions options = shell::model_options_in(words_of(wish));
+  std::vector<std::string> words = words_of(wish);
+  const shell::ModelOptions options = shell::model_options_in(words);
   std::string text = source ? *source : read_file(options.model, read::model_file);
   const auto is_same = [&](const auto& one) { return one->wish == wish && one->text == text; };
   if (const auto same = std::ranges::find_if(kept_, is_same); same != kept_.end()) {
@@ -188,17 +180,17 @@ Session::Drawing& Session::compiled(const Json& asked) {
   const bool is_read = !kept_.empty() && kept_.front()->text == text &&
                        knob(kept_.front()->wish, "snap") == knob(wish, "snap") &&
                        knob(kept_.front()->wish, "set") == knob(wish, "set");
-  shell::ModelFile file = is_read  ? kept_.front()->file
-                          : source ? shell::read_model_text(options, text)
-                                   : shell::read_model_file(options);
+  shell::ModelFile file = is_read ? shell::ModelFile{kept_.front()->model.tree, kept_.front()->model.hash}
+                                  : shell::read_model_text(options, text);
   machines::Machine machine = shell::machine_of(options);
-  shell::CompiledModel model = shell::compile_model(file, options, machine);
+  shell::CompiledModel model = shell::compile_model(std::move(file), options, machine);
+  words.insert(words.begin(), "render");
   auto next = std::make_unique<Drawing>(Drawing{.wish = std::move(wish),
                                                 .text = std::move(text),
-                                                .file = std::move(file),
                                                 .options = options,
                                                 .machine = std::move(machine),
                                                 .model = std::move(model),
+                                                .command = shell_command(words),
                                                 .warnings = told.lines(),
                                                 .compiling = seconds_since(begin),
                                                 .drawn = {},
@@ -227,14 +219,12 @@ Json Session::draw(const Json& wish) {
   Drawing& drawing = drawn(wish);
   const shell::Drawn& done = *drawing.drawn;
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
-  std::vector<std::string> words = words_of(wish);
-  words.insert(words.begin(), "render");
   return {{"picture", png_url(picture.png)},
           {"width", picture.width},
           {"height", picture.height},
           {"camera", camera_text(drawing.model.camera)},
           {"stats", stats_of(drawing.model, drawing.machine, done)},
-          {"command", shell_command(words)},
+          {"command", drawing.command},
           {"warnings", drawing.warnings},
           {"seconds", {{"compiling", drawing.compiling}, {"running", done.seconds}}}};
 }
@@ -289,10 +279,8 @@ std::string Session::report() const {
   if (kept_.empty() || !kept_.front()->drawn) throw WishError("nothing has been drawn yet");
   const Drawing& drawing = *kept_.front();
   const isa::Program& program = drawing.model.program;
-  std::vector<std::string> words = words_of(drawing.wish);
-  words.insert(words.begin(), "render");
   return report::to_html(report::run_page(stats_of(drawing.model, drawing.machine, *drawing.drawn),
-                                          drawing.drawn->frame, program, drawing.machine, {shell_command(words), {}}));
+                                          drawing.drawn->frame, program, drawing.machine, {drawing.command, {}}));
 }
 
 Json Session::about() const {

@@ -43,9 +43,20 @@
     byId('error').hidden = false;
     byId('stage').classList.add('stale');
     if (!answer.line || !now.edited) return;
+    selectLine(answer.line, answer.column);
+  };
+
+  // From a column of the source's line to its end.
+  const selectLine = (line, column = 1) => {
     const lines = byId('source').value.split('\n');
-    const begin = lines.slice(0, answer.line - 1).reduce((sum, line) => sum + line.length + 1, 0);
-    byId('source').setSelectionRange(begin + (answer.column || 1) - 1, begin + (lines[answer.line - 1] || '').length);
+    const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+    byId('source').setSelectionRange(begin + column - 1, begin + (lines[line - 1] || '').length);
+  };
+
+  // Of six numbers; none of others, as OpenSCAD has them.
+  const cameraOf = text => {
+    const numbers = text.split(',').map(Number);
+    return numbers.length === 6 ? {eye: numbers.slice(0, 3), centre: numbers.slice(3)} : null;
   };
 
   const row = (name, ...values) => make('tr', {}, make('th', {scope: 'row'}, name), ...values.map(value => make('td', {class: 'n'}, value)));
@@ -85,8 +96,7 @@
     byId('warnings').replaceChildren(...answer.warnings.map(line => make('li', {}, line)));
     byId('warnings').hidden = answer.warnings.length === 0;
     if (!now.camera) {
-      const numbers = answer.camera.split(',').map(Number);
-      now.camera = {eye: numbers.slice(0, 3), centre: numbers.slice(3)};
+      now.camera = cameraOf(answer.camera);
       now.first = now.first || structuredClone(now.camera);
     }
     showCounts(answer.stats);
@@ -201,13 +211,10 @@
   };
 
   // Unless somebody writes there.
-  const selectLine = line => {
+  const showLine = line => {
     const source = byId('source');
-    if (document.activeElement === source) return;
-    const lines = source.value.split('\n');
-    if (!line || line > lines.length) return;
-    const begin = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
-    source.setSelectionRange(begin, begin + lines[line - 1].length);
+    if (!line || document.activeElement === source) return;
+    selectLine(line);
     source.scrollTop = (line - 4) * parseFloat(getComputedStyle(source).lineHeight);
   };
 
@@ -228,7 +235,7 @@
     }));
     const current = byId('listing').querySelector('[aria-current="true"]');
     if (current) byId('listing').scrollTop = current.offsetTop - byId('listing').offsetTop - 80;
-    if (next && next.primitive !== undefined) selectLine(lineOf(next.primitive));
+    if (next && next.primitive !== undefined) showLine(lineOf(next.primitive));
     window.shownInstants = (window.shownInstants || 0) + 1;
   };
 
@@ -361,10 +368,8 @@
     }
     for (const [name, value] of Object.entries(about.knobs)) {
       if (name === 'set') byId('set').value = value.join('\n');
-      else if (name === 'camera') {
-        const numbers = value.split(',').map(Number);
-        if (numbers.length === 6) now.camera = {eye: numbers.slice(0, 3), centre: numbers.slice(3)};
-      } else if (flags.includes(name)) byId(name).checked = value === true;
+      else if (name === 'camera') now.camera = cameraOf(value);
+      else if (flags.includes(name)) byId(name).checked = value === true;
       else if (name !== 'strategy' || value !== about.usual.strategy) byId(name).value = value;
     }
     now.first = now.camera && structuredClone(now.camera);
