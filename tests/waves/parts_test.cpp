@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/cli.h"
+#include "tests/waves/vcd.h"
 
 namespace {
 
@@ -101,6 +102,40 @@ TEST_CASE("what the parts of a pixel-square machine wait for over a frame is wha
   CHECK(sender.at("waiting_for_renderer") == counted.at("waiting_for_renderer"));
   CHECK(clocks_of(frame.lanes.at("host.state")).at("sending") == frame.counted.at("host").at("working"));
 }
+TEST_CASE("what ring, frame buffer, refresh and scan-out are at over a frame is what a run counts of them") {
+  const Frame frame("pixel-planes-5", "", 25e3);
+  for (const char* const part : {"ring", "frame_buffer"}) {
+    CAPTURE(part);
+    const Clocks lane = clocks_of(frame.lanes.at(part + std::string(".state")));
+    const std::string counted = part == std::string("ring") ? "ring" : "frame buffer";
+    for (const char* const name : {"working", "refreshing"}) {
+      const auto known = frame.counted.at(counted).find(name);
+      CHECK((lane.contains(name) ? lane.at(name) : 0) ==
+            (known == frame.counted.at(counted).end() ? 0 : known->second));
+    }
+  }
+}
+TEST_CASE("lanes of a pixel and its trees have, clock for clock, what a wave of them has") {
+  const Folder folder;
+  const std::string words = "wave " + model("thesis_fig_2_3") +
+                            " --size 8x8 --z-bits 8 --fraction-bits 0 --window i8:i10" +
+                            " --pixel 5,3 --probe tree.x:3 -o ";
+  for (const char* const name : {"w.json", "w.vcd"}) {
+    const Outcome outcome = run(words + (folder / name));
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+  }
+  const auto lanes = lanes_of(json(folder / "w.json"), 100e3);
+  const csgsim::test::Vcd vcd(content(folder / "w.vcd"));
+  for (const char* const name : {"pixel_5_3.tree_x_3", "pixel_5_3.enable", "root.bit", "controller.bit"}) {
+    CAPTURE(name);
+    std::size_t compared = 0;
+    for (const Stretch& one : lanes.at(name)) {
+      for (std::uint64_t clock = one.begin; clock < one.begin + one.clocks; ++clock, ++compared)
+        CHECK(vcd.number_at("pixel_planes." + std::string(name), (clock + 1) * 100'000) == std::stoull(one.shown));
+    }
+    CHECK(compared > 5);
+  }
+}
 TEST_CASE("a lane's stretches follow each other, and what follows is something else") {
   const Frame frame("pixel-planes-5", " --window 300:900", 25e3);
   CHECK(frame.lanes.size() > 20);
@@ -118,8 +153,8 @@ TEST_CASE("a lane's stretches follow each other, and what follows is something e
     }
   }
 }
-TEST_CASE("of what the parts are at there are no pixels, and only clocks") {
-  misused("wave traces/x.csgt --pixel 1,1 -o parts.json", "has no pixels");
-  misused("wave traces/x.csgt --at owner -o parts.json", "has no pixels");
+TEST_CASE("of what the parts are at without a pixel there are only clocks, and to a file only by its name") {
+  misused("wave traces/x.csgt --at owner -o parts.json", "say which, as in --pixel 100,20");
   misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
+  misused("wave traces/x.csgt --parts -o parts.vcd", "has to end in .json");
 }

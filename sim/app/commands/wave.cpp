@@ -47,6 +47,7 @@ struct Options {
   std::string evaluator;
   bool whole = false;
   bool timing = false;
+  bool parts = false;
   std::string output;
 };
 
@@ -65,11 +66,19 @@ wave::TreeLevel tree_level_of(const std::string& text) {
   return {is_x ? Axis::x : Axis::y, level.front()};
 }
 
-/// Does the file have what parts are at, and no pixels?
-bool is_of_parts(const Options& options) { return ends_in(options.output, ".json"); }
+/// Does the file have what parts are at, as lanes?
+bool is_of_parts(const Options& options) { return options.parts || ends_in(options.output, ".json"); }
+
+/// And numbers of pixels beside them?
+bool has_pixels(const Options& options) { return !options.pixels.empty() || !options.probes.empty(); }
 
 /// Is a save file for GTKWave written beside the file?
 bool has_view(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
+
+waves::Format format_of(const Options& options) {
+  if (!is_of_parts(options)) return waves::Format::value_changes;
+  return has_pixels(options) ? waves::Format::all_trace_events : waves::Format::trace_events;
+}
 
 /// Without its windows and its file.
 wave::Request request_of(const Options& options, const isa::Program& program) {
@@ -84,7 +93,7 @@ wave::Request request_of(const Options& options, const isa::Program& program) {
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
   std::erase_if(request.pixels, [&](wave::Pixel pixel) { return !seen.insert({pixel.x, pixel.y}).second; });
-  if (request.pixels.empty() && !is_of_parts(options))
+  if (request.pixels.empty() && (!is_of_parts(options) || has_pixels(options)))
     throw UsageError("--pixel", "say which pixel to look into, as in --pixel 100,20");
   return request;
 }
@@ -126,29 +135,35 @@ Windows whole_frame(const waves::Foreknowledge& known) {
   return {{{0, std::max(known.result.clocks, known.result.shown_clocks)}}, 0, "the whole frame"};
 }
 
-void refuse_pixels(const Command& command) {
-  for (const char* const option : {"pixel", "probe", "at", "evaluator"}) {
-    if (!is_given(command, option)) continue;
-    throw UsageError("--" + std::string(option),
-                     "a file of what the parts are at, .json, has no pixels; choose a name that ends in .vcd or .fst");
+/// Of a file of what the parts are at without a pixel.
+void refuse_what_pixels_have(const Command& command) {
+  for (const char* const option : {"at", "evaluator"}) {
+    if (is_given(command, option))
+      throw UsageError("--" + std::string(option), "is of a pixel; say which, as in --pixel 100,20");
   }
 }
 
 /// Refuses words that do not go together; returns the window that is asked for, if --at does not stand in its place.
 std::optional<waves::WindowRequest> checked(const Options& options, const Command& command) {
+  if (options.parts && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
+    throw UsageError("--parts", "the name of a file of what the parts are at has to end in .json");
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_view(options))
     throw UsageError("--output",
                      "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
-  if (is_of_parts(options)) refuse_pixels(command);
+  const bool has_parts_alone = is_of_parts(options) && !has_pixels(options);
+  if (has_parts_alone) refuse_what_pixels_have(command);
   if (!is_model(options.model.model))
     refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "padding", "at", "evaluator", "whole",
-                                   "timing", "output"});
+                                   "timing", "parts", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   if (!options.at.empty()) return std::nullopt;
   const waves::WindowRequest asked = for_option("--window", [&] { return waves::parse_window(options.window); });
-  if (is_of_parts(options) && asked.kind != waves::WindowRequest::Kind::clocks)
-    throw UsageError("--window", "what the parts are at is told of clocks FIRST:END, or without it of the whole frame");
+  if (has_parts_alone && asked.kind != waves::WindowRequest::Kind::clocks) {
+    throw UsageError("--window",
+                     "without a --pixel, what the parts are at is told of clocks FIRST:END, or without it of the whole "
+                     "frame");
+  }
   return asked;
 }
 
@@ -183,7 +198,7 @@ void record(const Options& options, const Command& command) {
       with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
-  const bool is_whole = is_of_parts(options) && !is_given(command, "window");
+  const bool is_whole = is_of_parts(options) && !is_given(command, "window") && options.at.empty();
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
   request.windows = waves::padded(windows.windows, options.padding);
@@ -192,9 +207,8 @@ void record(const Options& options, const Command& command) {
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
   const auto form =
       options.evaluator.empty() ? waves::evaluator_for(machine, request) : evaluator_form(options.evaluator);
-  const auto format = is_of_parts(options) ? waves::Format::trace_events : waves::Format::value_changes;
   const waves::Recording recording = with_memory_for_run({&program, 1}, machine.array, [&] {
-    return waves::record(program, machine, known, request, fidelity, form, format);
+    return waves::record(program, machine, known, request, fidelity, form, format_of(options));
   });
   const double recording_seconds = seconds_since(begin) - functional_seconds;
   if (!recording.reached) {
@@ -240,10 +254,11 @@ void add_wave(CommandLine& line) {
   command.flag("--whole", options->whole,
                "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
   command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
+  command.flag("--parts", options->parts, "Write what a .json would have to an output without a name, -");
   command
       .option("-o,--output", options->output,
               "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it; .json: what the parts "
-              "are at over the frame, as trace events, which Perfetto shows")
+              "are at over the frame, and with --pixel all that a wave shows, as trace events, which Perfetto shows")
       .required();
   command.prints_summary();
   command.runs([options, command] { record(*options, command); });
