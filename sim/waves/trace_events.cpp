@@ -22,11 +22,9 @@ std::string name_event(std::string_view kind, unsigned part, unsigned lane, std:
 
 /// The number as its tap is to be shown.
 std::string text_of(std::uint64_t number, const wave::Tap& tap) {
-  switch (tap.show) {
-    case wave::Show::bits: return fmt::format("{:0{}b}", number, tap.width);
-    case wave::Show::hexadecimal: return fmt::format("{:0{}x}", number, (tap.width + 3) / 4);
-    default: return std::to_string(number);
-  }
+  if (tap.show == wave::Show::bits) return fmt::format("{:0{}b}", number, tap.width);
+  if (tap.show == wave::Show::hexadecimal) return fmt::format("{:0{}x}", number, (tap.width + 3) / 4);
+  return std::to_string(number);
 }
 
 /// What the tap shows in a clock, as text.
