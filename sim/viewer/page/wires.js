@@ -59,6 +59,7 @@ const saveWave = lastOf(async () => {
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   tellWires(link.download + ' is saved: gtkwave or Surfer shows it. The same by ' + now.drawn.command.replace(/^csgsim render/, 'csgsim wave') + ' --pixel ' + asked.pixel + ' --window ' + asked.window + ' -o wave.vcd');
   window.savedWave = answer.wave;
+  window.savedWaves = (window.savedWaves || 0) + 1;
 });
 
 export const setUpWires = () => {
