@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -28,8 +29,8 @@
 #include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
 #include "sim/waves/foreknowledge.h"
-#include "sim/waves/gtkwave_view.h"
 #include "sim/waves/record.h"
+#include "sim/waves/view.h"
 #include "sim/waves/wave_file.h"
 #include "sim/waves/window.h"
 
@@ -72,8 +73,8 @@ bool is_of_parts(const Options& options) { return options.parts || ends_in(optio
 /// And numbers of pixels beside them?
 bool has_pixels(const Options& options) { return !options.pixels.empty() || !options.probes.empty(); }
 
-/// Is a save file for GTKWave written beside the file?
-bool has_view(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
+/// Are there files for viewers beside the file?
+bool has_views(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
 
 waves::Format format_of(const Options& options) {
   if (!is_of_parts(options)) return waves::Format::value_changes;
@@ -147,7 +148,7 @@ void refuse_what_pixels_have(const Command& command) {
 std::optional<waves::WindowRequest> checked(const Options& options, const Command& command) {
   if (options.parts && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
     throw UsageError("--parts", "the name of a file of what the parts are at has to end in .json");
-  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_view(options))
+  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
     throw UsageError("--output",
                      "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
   const bool has_parts_alone = is_of_parts(options) && !has_pixels(options);
@@ -167,8 +168,17 @@ std::optional<waves::WindowRequest> checked(const Options& options, const Comman
   return asked;
 }
 
+/// Of the files for viewers.
+std::vector<std::filesystem::path> view_paths(const Options& options) {
+  std::vector<std::filesystem::path> paths;
+  if (!has_views(options)) return paths;
+  for (const waves::View& view : waves::views)
+    paths.push_back(std::filesystem::path(options.output).replace_extension(view.ending));
+  return paths;
+}
+
 void print_summary(const Options& options, const Windows& windows, const wave::Request& request,
-                   std::uint64_t frame_clocks, const std::filesystem::path& view) {
+                   std::uint64_t frame_clocks) {
   std::uint64_t clocks = 0;
   for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
   if (is_of_parts(options)) {
@@ -178,17 +188,16 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
   }
   fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
              grouped(frame_clocks), counted(request.windows.size(), "window"), counted(request.pixels.size(), "pixel"),
-             view.empty() ? "" : "; to look at it: gtkwave " + shell_word(view.native()));
+             has_views(options) ? "; to look at it: gtkwave " + shell_word(view_paths(options).front().native()) : "");
 }
 
 void record(const Options& options, const Command& command) {
   const std::optional<waves::WindowRequest> asked = checked(options, command);
-  const std::filesystem::path view_path =
-      has_view(options) ? std::filesystem::path(options.output).replace_extension(".gtkw") : std::filesystem::path();
-  refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
-  OutputFile file(options.output);
-  std::optional<OutputFile> view;
-  if (has_view(options)) view.emplace(view_path);
+  std::vector<std::filesystem::path> outputs{options.output};
+  for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
+  refuse_clashes(options.model.inputs(), outputs);
+  std::deque<OutputFile> files;
+  for (const std::filesystem::path& path : outputs) files.emplace_back(path);
   const ProgramOnMachine subject = program_of(options.model, command);
   const machines::Machine& machine = subject.machine;
   const isa::Program& program = subject.program;
@@ -202,7 +211,7 @@ void record(const Options& options, const Command& command) {
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
   request.windows = waves::padded(windows.windows, options.padding);
-  waves::WaveFile waveform(file, ends_in(options.output, ".fst"));
+  waves::WaveFile waveform(files.front(), ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
   const auto form =
@@ -219,9 +228,14 @@ void record(const Options& options, const Command& command) {
                     known.result.clocks, known.result.shown_clocks, options.window));
   }
   waveform.finish();
-  if (view) view->write(gtkwave_view(recording, request.windows, windows.marked, options.output, machine));
-  commit_all(std::array{&file, view ? &*view : nullptr});
-  print_summary(options, windows, request, known.result.clocks, view_path);
+  const waves::Shown shown{recording, request.windows, windows.marked, options.output, machine};
+  std::vector<OutputFile*> whole{&files.front()};
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    files[i].write(waves::views.at(i - 1).text(shown));
+    whole.push_back(&files[i]);
+  }
+  commit_all(whole);
+  print_summary(options, windows, request, known.result.clocks);
   if (options.timing) print_timing(functional_seconds, recording_seconds, recording.writing_seconds);
 }
 
