@@ -12,6 +12,11 @@ ARTICLE = re.compile(r'<article role="main">(.*?)</article>', re.DOTALL)
 TAG = re.compile(r"<[a-z][^>]*>")
 ATTRIBUTE = re.compile(r'\b(id|href|src)="([^"]*)"')
 LISTING = re.compile(r"<pre>(.*?)</pre>", re.DOTALL)
+TABLE = re.compile(r"<table[^>]*>(.*?)</table>", re.DOTALL)
+ROW = re.compile(r"<tr[^>]*>(.*?)</tr>", re.DOTALL)
+CELL = re.compile(r"<t[hd][^>]*>(.*?)</t[hd]>", re.DOTALL)
+LINE_LETTERS = 112  # of a table, in a line
+CELL_LETTERS = (6, 48)  # that a column is given room for, of its longest cell
 LINE_POINTS = 476  # width of a line, A4 less its margins
 WIDTH_OF_SIZE = 0.602  # of a character of the listings' font
 SIZES = (5.0, 8.0)  # of listings, points
@@ -47,12 +52,27 @@ class Page:
     def content(self):
         body = ARTICLE.search((self.site / self.path).read_text(encoding="utf-8"))[1]
         body = TAG.sub(lambda tag: ATTRIBUTE.sub(self.attribute, tag[0]), body)
-        return LISTING.sub(fitted, body.replace("<details", "<details open"))
+        return TABLE.sub(divided, LISTING.sub(fitted, body.replace("<details", "<details open")))
+
+
+def plain(text):
+    return html.unescape(re.sub(r"<[^>]*>", "", text)).strip()
+
+
+def divided(table):
+    """A table that is wider than a line, with widths of columns by their longest cells: WeasyPrint squeezes the wrong ones."""
+    rows = [[len(plain(cell)) for cell in CELL.findall(row)] for row in ROW.findall(table[1])]
+    letters = [max(column) for column in zip(*rows)]
+    if "<img" in table[1] or sum(letters) <= LINE_LETTERS:
+        return table[0]
+    letters = [min(CELL_LETTERS[1], max(CELL_LETTERS[0], each)) for each in letters]
+    columns = "".join(f'<col style="width: {100 * each / sum(letters):.1f}%">' for each in letters)
+    return f'<table class="divided"><colgroup>{columns}</colgroup>{re.sub("<colgroup>.*?</colgroup>", "", table[1], flags=re.DOTALL)}</table>'
 
 
 def fitted(listing):
     """A listing in letters so small that its longest line fits, if they can be read."""
-    longest = max(map(len, html.unescape(re.sub(r"<[^>]*>", "", listing[1])).splitlines()), default=1)
+    longest = max(map(len, plain(listing[1]).splitlines()), default=1)
     size = min(SIZES[1], max(SIZES[0], LINE_POINTS / (WIDTH_OF_SIZE * max(longest, 1))))
     return f'<pre style="font-size: {size:.2f}pt">{listing[1]}</pre>'
 
