@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "host/read/node_readers.h"
 #include "host/read/source.h"
@@ -140,8 +141,8 @@ std::string_view near_name(std::string_view name, Names candidates) {
 }  // namespace
 
 const NodeType* find_node(std::string_view name) {
-  const auto* const found = std::ranges::find(node_types, name, &NodeType::name);
-  return found == node_types.end() ? nullptr : found;
+  const auto found = std::ranges::find(std::span(node_types), name, &NodeType::name);
+  return found == std::span(node_types).end() ? nullptr : &*found;
 }
 
 std::string unknown_node(std::string_view name) {

@@ -42,7 +42,7 @@ class Archive {
   Archive(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
   [[nodiscard]] std::string part(const std::string& wanted) const {
-    for (std::size_t at = directory_at(); starts(at, directory_header);) {
+    for (std::uint64_t at = directory_at(); starts(at, directory_header);) {
       const Entry entry = entry_at(at);
       if (wanted.empty() || entry.name == wanted) return unpacked(entry);
     }
@@ -58,11 +58,11 @@ class Archive {
 
   [[nodiscard]] std::string_view piece(std::uint64_t at, std::uint64_t size) const {
     if (at > bytes_.size() || size > bytes_.size() - at) fail_damaged();
-    return bytes_.substr(at, size);
+    return bytes_.substr(static_cast<std::size_t>(at), static_cast<std::size_t>(size));
   }
 
   [[nodiscard]] bool starts(std::uint64_t at, std::string_view header) const {
-    return at <= bytes_.size() && bytes_.substr(at).starts_with(header);
+    return at <= bytes_.size() && bytes_.substr(static_cast<std::size_t>(at)).starts_with(header);
   }
 
   /// A little-endian number.

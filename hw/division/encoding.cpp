@@ -181,7 +181,7 @@ DisplayModel decode(const Bits& bits) {
 }
 
 std::vector<isa::LinkWord> to_link(const Bits& bits, unsigned width) {
-  std::vector<isa::LinkWord> words(link_words(bits.count, width));
+  std::vector<isa::LinkWord> words(static_cast<std::size_t>(link_words(bits.count, width)));
   BitReader in(bits);
   for (isa::LinkWord& word : words) {
     for (unsigned at = 0; at < width && in.left() > 0;) {

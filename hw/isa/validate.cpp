@@ -206,7 +206,8 @@ void validate_ahead(const Segment& segment, std::size_t index) {
   require(instruction.constant <= following.size(),
           "{} {} leaves the segment, which has {} more instructions; skip no more than these", row.name,
           instruction.constant, following.size());
-  require(!has_operand(operands_of(following[instruction.constant - 1].opcode), OperandKind::squares),
+  require(!has_operand(operands_of(following[static_cast<std::size_t>(instruction.constant) - 1].opcode),
+                       OperandKind::squares),
           "{} {} ends between squares and their instruction; skip both or neither", row.name, instruction.constant);
 }
 

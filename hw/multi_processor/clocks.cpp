@@ -259,7 +259,7 @@ class AtPixels {
     std::vector<std::uint64_t> mask(part_.met->row_words);
     for (std::uint64_t column = 0; column < columns; ++column) {
       const std::uint64_t x = own_.first_x + column * nodes_.width;
-      mask[x / word_bits] |= std::uint64_t{1} << x % word_bits;
+      mask[static_cast<std::size_t>(x / word_bits)] |= std::uint64_t{1} << x % word_bits;
     }
     return mask;
   }
@@ -270,7 +270,8 @@ class AtPixels {
     if (words.empty() || end == 0) return 0;
     std::uint64_t sum = 0;
     const auto add_row = [&](std::uint64_t row, const std::vector<std::uint64_t>& mask) {
-      const std::uint64_t* const bits = &words[(own_.first_y + row * nodes_.height) * mask.size()];
+      const std::uint64_t* const bits =
+          &words[static_cast<std::size_t>(own_.first_y + row * nodes_.height) * mask.size()];
       for (std::size_t i = 0; i < mask.size(); ++i) sum += static_cast<std::uint64_t>(std::popcount(bits[i] & mask[i]));
     };
     const std::uint64_t whole_rows = end / own_.columns;

@@ -23,7 +23,7 @@ struct Piece {
 
 /// What its node has to say, from one grant of the bus to its last word.
 struct Message {
-  std::uint64_t node = 0;
+  std::size_t node = 0;
   std::uint64_t divided = 0;   ///< clocks in which the node goes on with its list before it asks for the bus
   std::uint64_t reads = 0;     ///< in these, of half-spaces that it reads over the bus
   std::uint64_t words = 0;     ///< of the bus

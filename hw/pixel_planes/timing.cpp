@@ -29,9 +29,9 @@ struct Task {
   enum class Kind : std::uint8_t { clear, instruction, question, end };
 
   Kind kind = Kind::end;
-  std::uint32_t words = 0;       ///< of the link
-  std::uint64_t clocks = 0;      ///< of the controller, until the next command can begin
-  std::uint64_t jumps_over = 0;  ///< tasks after it that are left out
+  std::uint32_t words = 0;     ///< of the link
+  std::uint64_t clocks = 0;    ///< of the controller, until the next command can begin
+  std::size_t jumps_over = 0;  ///< tasks after it that are left out
 };
 
 std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine& machine,
@@ -49,7 +49,7 @@ std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine&
       task.words = words(instruction);
       task.clocks = machines::clocks(instruction, machine);
       if (skips.empty() || skips.front() != machines::Skip{s, i}) continue;
-      task.jumps_over = instruction.constant;
+      task.jumps_over = static_cast<std::size_t>(instruction.constant);
       skips = skips.subspan(1);
     }
   }
@@ -109,7 +109,7 @@ class FrameModel {
   /// from that edge on, and leave no room before it.
   [[nodiscard]] Moment moment() const {
     machines::LinkTiming link = link_;
-    const std::size_t read = first_word_ + link.words_read();
+    const std::uint64_t read = first_word_ + link.words_read();
     const std::uint64_t left = first_word_ + words_of(first_task_, tasks_.size()) - read;
     std::uint64_t stored = 0;
     while (link.sent() - link.words_read() < left && link.send_before(begun_, stored)) continue;
@@ -120,8 +120,8 @@ class FrameModel {
   }
 
   /// Of the tasks from one on, until another.
-  [[nodiscard]] std::size_t words_of(std::size_t from, std::size_t until) const {
-    std::size_t words = 0;
+  [[nodiscard]] std::uint64_t words_of(std::size_t from, std::size_t until) const {
+    std::uint64_t words = 0;
     for (std::size_t task = from; task < until; ++task) words += tasks_[task].words;
     return words;
   }
@@ -235,12 +235,12 @@ class FrameModel {
   std::vector<machines::ClockSpan>* spans_;
   std::size_t watched_ = std::numeric_limits<std::size_t>::max();  ///< task
   std::optional<Moment> moment_;
-  std::size_t first_task_ = 0;  ///< since the last request
-  std::size_t first_word_ = 0;  ///< its first, of the frame's words
-  std::uint64_t read_ = 0;      ///< edge at which the last word was read
-  std::uint64_t begun_ = 0;     ///< edge at which the last command began
-  std::uint64_t free_ = 0;      ///< edge at which the next can begin
-  bool jumped_ = false;         ///< between the last command and the next
+  std::size_t first_task_ = 0;    ///< since the last request
+  std::uint64_t first_word_ = 0;  ///< its first, of the frame's words
+  std::uint64_t read_ = 0;        ///< edge at which the last word was read
+  std::uint64_t begun_ = 0;       ///< edge at which the last command began
+  std::uint64_t free_ = 0;        ///< edge at which the next can begin
+  bool jumped_ = false;           ///< between the last command and the next
   std::uint64_t instructions_ = 0;
   ControllerAccount account_;
 };

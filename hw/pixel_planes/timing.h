@@ -14,8 +14,8 @@ std::uint32_t or_levels(std::uint64_t lines, std::uint32_t fan_in);
 /// The link at the edge at which the controller begins an instruction. Words are those of the whole frame.
 struct Moment {
   std::uint64_t clock = 0;        ///< of the frame, the instruction's first
-  std::size_t words_read = 0;     ///< the instruction's own are the last
-  std::size_t words_sent = 0;     ///< those and the ones in the FIFO
+  std::uint64_t words_read = 0;   ///< the instruction's own are the last
+  std::uint64_t words_sent = 0;   ///< those and the ones in the FIFO
   std::uint32_t clocks_left = 0;  ///< that the next word has still to be on the link; 0 if it waits for room
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 #include "hw/kinds/load.h"
@@ -183,8 +184,8 @@ std::string file_in(std::string_view name, const std::string& folder) {
 const KnownOption& known_option(std::string_view option) {
   const bool is_of_one_side = option.ends_with("-a") || option.ends_with("-b");
   const std::string_view name = is_of_one_side ? option.substr(0, option.size() - 2) : option;
-  const auto* const found = std::ranges::find(options, name, &KnownOption::name);
-  return found == options.end() ? other : *found;
+  const auto found = std::ranges::find(std::span(options), name, &KnownOption::name);
+  return found == std::span(options).end() ? other : *found;
 }
 
 int place_of_subject(std::string_view subject) {
@@ -192,8 +193,8 @@ int place_of_subject(std::string_view subject) {
 }
 
 std::string_view subject_of_command(std::string_view command) {
-  const auto* const found = std::ranges::find(commands, command, &CommandSubject::command);
-  return found == commands.end() ? studies : found->subject;
+  const auto found = std::ranges::find(std::span(commands), command, &CommandSubject::command);
+  return found == std::span(commands).end() ? studies : found->subject;
 }
 
 std::string in_folder(std::string_view option, const std::string& value, const std::string& folder) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 
 #include "hw/base/nearest.h"
@@ -30,8 +31,8 @@ constexpr std::string_view left_out = "no-";
 
 const NamedPruning& named_by(std::string_view word, bool is_left_out) {
   const std::string_view name = is_left_out ? word.substr(left_out.size()) : word;
-  const auto* const found = std::ranges::find(named, name, &NamedPruning::name);
-  if (found != named.end()) return *found;
+  const auto found = std::ranges::find(std::span(named), name, &NamedPruning::name);
+  if (found != std::span(named).end()) return *found;
   throw UsageError(no_such("pruning", word, pruning_words()) + "; several are joined by +");
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,9 +87,9 @@ Alignment read_alignment(std::string_view text) {
   const std::string_view align = words[0];
   if (align.size() != 8 || align[0] != 'x' || align[4] != 'Y') return {};
   for (int axis = 0; axis < 2; ++axis) {
-    const auto* const name = std::ranges::find(names, align.substr(axis == 0 ? 1 : 5, 3));
-    if (name == names.end()) return {};
-    result.place[axis] = static_cast<double>(name - names.begin()) / 2;
+    const auto name = std::ranges::find(std::span(names), align.substr(axis == 0 ? 1 : 5, 3));
+    if (name == std::span(names).end()) return {};
+    result.place[axis] = static_cast<double>(name - std::span(names).begin()) / 2;
   }
   return result;
 }

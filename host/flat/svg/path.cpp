@@ -183,7 +183,7 @@ std::vector<double> read_operands(Numbers& rest, char command, std::size_t count
   for (std::size_t i = 0; i < count; ++i) {
     rest.skip_separators();
     const bool is_flag = command == 'a' && (i == 3 || i == 4);
-    const std::optional<double> number = is_flag ? rest.flag() : rest.number();
+    const std::optional<double> number = is_flag ? std::optional<double>(rest.flag()) : rest.number();
     if (!number) fail(rest.rest());
     numbers.push_back(*number);
   }
