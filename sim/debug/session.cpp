@@ -113,7 +113,7 @@ std::string Session::does(const Until& command) {
 std::vector<std::uint64_t> Session::carried_out() const {
   const engine::RunState state = run_->save();
   std::vector<std::uint64_t> numbers;
-  numbers.reserve(numbers_.of(state.place));
+  numbers.reserve(static_cast<std::size_t>(numbers_.of(state.place)));
   auto skip = state.skips.begin();
   for (std::uint64_t number = 0; number < numbers_.of(state.place); ++number) {
     numbers.push_back(number);
@@ -127,7 +127,8 @@ std::vector<std::uint64_t> Session::carried_out() const {
 
 std::string Session::does(const Back& command) {
   const std::vector<std::uint64_t> done = carried_out();
-  const std::uint64_t target = command.count < done.size() ? done[done.size() - command.count] : 0;
+  const std::uint64_t target =
+      command.count < done.size() ? done[done.size() - static_cast<std::size_t>(command.count)] : 0;
   if (command.count == 0) return place();
   restore(history_.before(target));
   if (number() < target) advance(target);

@@ -42,7 +42,7 @@ void ProgressObserver::after_instruction(const engine::Step& step, const engine:
   done_ += step.clocks;
   if (const std::uint64_t skipped = isa::skipped_after(step.instruction, step.enabled_pixels); skipped > 0) {
     const std::span<const isa::Instruction> all = program_.segments[step.segment].instructions;
-    total_ -= machines::clocks(all.subspan(step.index + 1, skipped), machine_);
+    total_ -= machines::clocks(all.subspan(step.index + 1, static_cast<std::size_t>(skipped)), machine_);
   }
   if (++instructions_ % look_every != 0) return;
   if (work_ != nullptr && work_->elapsed() >= 1.0) work_->at(static_cast<double>(done_) / static_cast<double>(total_));

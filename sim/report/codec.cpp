@@ -88,7 +88,7 @@ void change(std::string_view changes, std::span<std::uint32_t> states) {
     at += take_varint(changes);
     const std::uint64_t count = take_varint(changes);
     const auto difference = static_cast<std::uint32_t>(take_varint(changes));
-    for (const std::size_t end = at + count; at < end; ++at) states[at] ^= difference;
+    for (const std::uint64_t end = at + count; at < end; ++at) states[at] ^= difference;
   }
 }
 

@@ -18,7 +18,8 @@ namespace {
 machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
                               const std::vector<machines::ClockSpan>& clocks) {
   if (event.what == What::skip) return {};
-  return {clocks[event.first - first_number].begin, clocks[event.last - first_number].end};
+  return {clocks[static_cast<std::size_t>(event.first - first_number)].begin,
+          clocks[static_cast<std::size_t>(event.last - first_number)].end};
 }
 
 }  // namespace

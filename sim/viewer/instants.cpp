@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -51,9 +52,9 @@ class Instants::Finished : public engine::Observer {
     std::vector<std::uint32_t> values(std::size_t{region.width} * region.height);
     state.read_field(program_.colour, values);
     for (std::uint32_t y = 0; y < region.height; ++y) {
-      const auto row = values.begin() + std::ptrdiff_t{y} * region.width;
-      std::copy(row, row + region.width,
-                picture.begin() + std::ptrdiff_t{region.y + y} * program_.shape.width + region.x);
+      const auto row = std::span(values).subspan(std::size_t{y} * region.width, region.width);
+      const std::size_t place = std::size_t{region.y + y} * program_.shape.width + region.x;
+      std::ranges::copy(row, std::span(picture).subspan(place).begin());
     }
   }
 
