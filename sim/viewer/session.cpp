@@ -134,6 +134,10 @@ struct Session::Drawing {
   double compiling = 0;  ///< seconds
   std::optional<shell::Drawn> drawn;
   std::unique_ptr<Instants> instants;
+
+  [[nodiscard]] view::View view() const {
+    return view::make_view(model.scene, model.tree, model.camera, shell::sampling_of(options, machine));
+  }
 };
 
 Session::Session(Beginning beginning) : beginning_(std::move(beginning)) {
@@ -235,8 +239,7 @@ Json Session::explain(const Json& wish) {
   const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
   return shell::with_memory_for_picture(drawing.machine.array, [&] {
     const story::Story told = story::Teller(program, drawing.machine).story_of(pixel.x, pixel.y);
-    const view::View view = view::make_view(drawing.model.scene, drawing.model.tree, drawing.model.camera,
-                                            shell::sampling_of(drawing.options, drawing.machine));
+    const view::View view = drawing.view();
     const story::HalfspaceFinder finder(drawing.model.tree, drawing.model.scene, view);
     const story::Subject of{program, &finder};
     Json answer{{"text", story::text_of(of, told)}, {"story", story::to_json(of, told)}};
@@ -268,10 +271,10 @@ Json Session::two(const Json& wish) {
   const auto side = [&](const char* name) {
     const Json& asked = member(wish, name, Json::value_t::object, "an object");
     const Drawing& drawing = drawn(asked.is_null() ? Json::object() : asked);
-    return DrawnProgram{drawing.model.program, drawing.drawn->frame};
+    return report::DrawnProgram{drawing.model.program, drawing.drawn->frame};
   };
-  const DrawnProgram a = side("a");
-  const DrawnProgram b = side("b");
+  const report::DrawnProgram a = side("a");
+  const report::DrawnProgram b = side("b");
   return two_at_once(a, b);
 }
 
@@ -279,8 +282,11 @@ std::string Session::report() const {
   if (kept_.empty() || !kept_.front()->drawn) throw WishError("nothing has been drawn yet");
   const Drawing& drawing = *kept_.front();
   const isa::Program& program = drawing.model.program;
+  const view::View view = drawing.view();
+  const story::HalfspaceFinder finder(drawing.model.tree, drawing.model.scene, view);
   return report::to_html(report::run_page(stats_of(drawing.model, drawing.machine, *drawing.drawn),
-                                          drawing.drawn->frame, program, drawing.machine, {drawing.command, {}}));
+                                          drawing.drawn->frame, program, drawing.machine, {drawing.command, {}},
+                                          &finder));
 }
 
 Json Session::about() const {
