@@ -169,6 +169,7 @@
         else this.ask(Number(x), Number(y));
       });
       document.addEventListener('pixel', event => this.ask(...event.detail));
+      if (!document.getElementById('why')) this.why.element.id = 'why';
       this.right.append(this.why.element);
       this.name();
     }

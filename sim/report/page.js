@@ -221,6 +221,7 @@ const page = (() => {
         if (!found) return;
         choose(found[2], true);
         document.dispatchEvent(new CustomEvent('pixel', {detail: found.slice(0, 2)}));
+        if (document.querySelector('.why')) price.append(make('p', {}, make('a', {href: '#why'}, `Why pixel ${found[0]},${found[1]} shows it`)));
       });
     });
     choose(-1);

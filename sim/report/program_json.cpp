@@ -101,6 +101,20 @@ class Stream {
   std::int64_t next_ = 0;  ///< of what was named last, one more
 };
 
+/// Of each piece the columns and rows beside which it is nowhere, none if there are none, and the first of those that
+/// may be drawn as one solid with it.
+Json places_json(const isa::Program& program, const story::HalfspaceFinder* model) {
+  Json places = Json::array();
+  if (model == nullptr) return places;
+  for (std::uint32_t piece = 0; piece < isa::piece_count(program.facts); ++piece) {
+    const view::PixelRect& pixels = model->rectangle_of(piece);
+    Json place{{"front", model->set_of(piece).front()}};
+    if (!pixels.empty()) place["pixels"] = {pixels.x0, pixels.y0, pixels.x1, pixels.y1};
+    places.push_back(std::move(place));
+  }
+  return places;
+}
+
 }  // namespace
 
 nlohmann::ordered_json program_json(const isa::Program& program, std::span<const std::uint64_t> skips,
@@ -121,6 +135,7 @@ nlohmann::ordered_json program_json(const isa::Program& program, std::span<const
               {"near", facts.depth_scale.near},
               {"far", facts.depth_scale.far}}},
             {"opcodes", opcodes_json()},
+            {"places", places_json(program, model)},
             {"segments", Json::array()},
             {"skips", skips}};
   for (std::uint32_t i = 0; i < facts.primitives.size(); ++i) {

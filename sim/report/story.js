@@ -427,6 +427,8 @@ const pixelStory = (() => {
     const isDrawn = piece => find(({origin}) => origin.purpose === 'render' && origin.primitive === piece) !== undefined;
     const drawnAs = piece => {
       if (isDrawn(piece)) return piece;
+      const place = program.places[piece];
+      if (place && isDrawn(place.front)) return place.front;
       const shading = find(({origin}) => origin.purpose === 'shade' && origin.primitive === piece && origin.node !== nobody);
       return shading ? shading.origin.node : piece;
     };

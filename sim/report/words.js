@@ -247,8 +247,22 @@ const storyWords = (() => {
       return lines;
     }
 
+    // Where it is instead, if the page knows that it is not here.
+    outOfSight({x, y}, {first, count}, name) {
+      const {places} = this.program;
+      if (places.length === 0) return '';
+      const seen = places.slice(first, first + count).map(place => place.pixels).filter(pixels => pixels);
+      if (seen.length === 0) return `${name} is nowhere in the picture`;
+      const [x0, y0] = [0, 1].map(i => Math.min(...seen.map(pixels => pixels[i])));
+      const [x1, y1] = [2, 3].map(i => Math.max(...seen.map(pixels => pixels[i])));
+      if (x >= x0 && x <= x1 && y >= y0 && y <= y1) return '';
+      return `${name} is beside this pixel: it is within columns ${x0} to ${x1} and rows ${y0} to ${y1}`;
+    }
+
     nowhere(story, answer, name) {
       if (answer.isBroadcast) return `the instructions that draw ${name} meet this pixel disabled, or are skipped`;
+      const beside = this.outOfSight(story, answer, name);
+      if (beside) return beside;
       const where = story.segments.length === 0 ? 'any segment' : 'segment ' + story.segments[story.segments.length - 1];
       return `no instruction of ${where} draws ${name}: it is beside the segment's pixels, or pruning found that it cannot be seen there (csgsim render --pruning none draws it)`;
     }

@@ -186,10 +186,10 @@ std::vector<std::string> told_of(const lockstep::Comparison& comparison, const S
   told.push_back(
       fmt::format("What stands in pixel memory is equal after {}.", counted(comparison.compared, "instruction")));
   if (const auto& found = comparison.picture) {
-    told.push_back(fmt::format("The pictures differ at {}, the first of them {},{}.", counted(found->pixels, "pixel"),
-                               found->x, found->y));
+    told.push_back(fmt::format("Colour, primitive or depth differ at {}, the first of them {},{}.",
+                               counted(found->pixels, "pixel"), found->x, found->y));
   } else {
-    told.emplace_back("The pictures are equal.");
+    told.emplace_back("The pictures are equal, with their depths.");
   }
   return told;
 }
