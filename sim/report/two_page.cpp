@@ -1,8 +1,7 @@
 #include "sim/report/two_page.h"
 
-#include <fmt/format.h>
-
-#include <string_view>
+#include <cstddef>
+#include <filesystem>
 #include <utility>
 
 #include "hw/base/text.h"
@@ -64,6 +63,13 @@ Section pictures_section(const ShownRun& a, const ShownRun& b, Difference differ
   return section;
 }
 
+std::string title(const isa::Program& a, const isa::Program& b) {
+  const auto file = [](const isa::Program& program) {
+    return std::filesystem::path(program.facts.model.file).filename().native();
+  };
+  return file(a) == file(b) ? "Two runs of " + file(a) : "Runs of " + file(a) + " and " + file(b);
+}
+
 }  // namespace
 
 Page two_page(const ShownRun& a, const ShownRun& b, const std::vector<std::string>& told, const Context& context) {
@@ -76,7 +82,7 @@ Page two_page(const ShownRun& a, const ShownRun& b, const std::vector<std::strin
   const std::size_t width = a.drawn.frame.width;
   if (difference.pixels > 0) page.data["difference"]["first"] = {difference.first % width, difference.first / width};
   page.command = context.command;
-  page.title = fmt::format("A and B: {}, {}", a.name, b.name);
+  page.title = title(a.drawn.program, b.drawn.program);
   page.sections.push_back(pictures_section(a, b, std::move(difference), told));
   page.sections.push_back({"Counts", {counts(page.data)}});
   page.sections.push_back({"Where the clocks go",

@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -178,7 +179,7 @@ lockstep::Comparison swapped(lockstep::Comparison comparison) {
 std::vector<std::string> told_of(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
   std::vector<std::string> told;
   if (const auto number = comparison.other_instruction) {
-    told.push_back(fmt::format("The first instruction that differs is i{}: {} in A, {} in B.", grouped(*number),
+    told.push_back(fmt::format("The first instruction that differs is i{}: {} in A, {} in B.", *number,
                                instruction_text(a.program, *number), instruction_text(b.program, *number)));
   } else {
     told.emplace_back("All instructions are the same.");
@@ -196,7 +197,10 @@ std::vector<std::string> told_of(const lockstep::Comparison& comparison, const S
 
 report::ShownRun shown(const Subject& side, const Drawn& drawn) {
   const observe::Report told{side.program, side.machine, "functional", drawn.result, drawn.stats, drawn.seconds};
-  return {side.name + " on " + side.machine.name, {side.program, drawn.frame}, side.machine, observe::to_json(told)};
+  const std::string& strategy = side.program.facts.compile.strategy;
+  std::string name = side.name + " on " + side.machine.name;
+  if (!strategy.empty()) name += ", strategy " + printable(strategy);
+  return {std::move(name), {side.program, drawn.frame}, side.machine, observe::to_json(told)};
 }
 
 /// Both are run once more, for their counts.
@@ -206,7 +210,9 @@ void write_page(ReportFile& page, const lockstep::Comparison& comparison, const 
   const Drawn of_a = draw(a.program, a.machine);
   const Drawn of_b = draw(b.program, b.machine);
   const machines::Machine machines[] = {a.machine, b.machine};
-  page.write(report::two_page(shown(a, of_a), shown(b, of_b), told_of(comparison, a, b), option.context(machines)));
+  const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
+  page.write(
+      report::two_page(shown(a, of_a), shown(b, of_b), told_of(comparison, a, b), option.context(shown_machines)));
 }
 
 lockstep::Comparison compare(const Subject& a, const Subject& b) {
