@@ -65,7 +65,7 @@ const storyWords = (() => {
 
     colour(packed) {
       const bits = this.program.colour.width;
-      if (bits < 3 || bits > 24) return packed === 0 ? '0' : '0x' + packed.toString(16);
+      if (bits < 3 || bits > 24) return '0x' + packed.toString(16);
       return '#' + channelsOf(packed, bits).map(channel => channel.toString(16).padStart(2, '0')).join('');
     }
 

@@ -14,6 +14,7 @@ import time
 
 import browser
 import pages_test
+import random_program
 import stories
 
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
@@ -26,7 +27,7 @@ THESIS = ["tests/models/thesis_fig_2_3.csg"]
 CASES = [[*CARBURETTOR, "--size", "48x48"],
          [*CARBURETTOR, "--size", "48x48", "--machine", "pixel-square"],
          [*THESIS, "--size", "64x48"],
-         [*THESIS, "--size", "64x48", "--machine", "pixel-planes-5", "--projection", "perspective"]]
+         [*THESIS, "--size", "64x48", "--machine", "pixel-planes-5", "--projection", "perspective", "--colour-bits", "13"]]
 PIXELS = 8  # of each kind and case: at random, and at edges
 
 # Pixels whose left neighbour shows another colour, of the last step.
@@ -216,6 +217,24 @@ def check_run(page, csgsim, words, folder, failures):
         server.stop()
 
 
+def check_instructions(page, csgsim, folder, failures):
+    """Programs of all instructions at random, which a page of two runs holds."""
+    path, subject = os.path.join(folder, "two.html"), os.path.join(folder, "random.csgt")
+    machine = ["--set", "evaluator.degree=2", "--set", "array.memory_bits=96"]
+    names = set()
+    for seed in range(3):
+        failures.where = f"instructions {seed}"
+        pathlib.Path(subject).write_text(random_program.text_of(seed), encoding="utf-8")
+        subprocess.run([csgsim, "diff", subject, subject, *machine, "--report", path], check=True, stdout=subprocess.DEVNULL)
+        page.open(path)
+        until(page, "document.querySelectorAll('.why').length === 2")
+        for pixel in ((0, 0), (7, 5), (2, 3), (5, 1)):
+            told = check_story(page, csgsim, [subject, *machine], pixel, failures)
+            failures.check(len(told["events"]) > 20, "there are few events")
+        names |= set(page.evaluate("csgsimDrawings[0].program.segments[0].instructions.map(instruction => instruction.opcode)"))
+    failures.check(names == set(page.evaluate("Object.keys(csgsimDrawings[0].program.opcodes)")), f"instructions are missing, there are {names}")
+
+
 def check_two(page, csgsim, folder, failures):
     """The page of two machines: the counts are those of each alone, and one click asks both."""
     failures.where = "two"
@@ -260,6 +279,7 @@ def main():
             check_keys(page, csgsim, CASES[-1], failures)
             check_pointer(page, failures)
             check_looks(page, failures)
+            check_instructions(page, csgsim, folder, failures)
             check_two(page, csgsim, folder, failures)
             elsewhere = [url for url in page.requests if not url.startswith(("file:", "data:"))]
             failures.check(not elsewhere, f"a page asks for {elsewhere}")
