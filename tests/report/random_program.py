@@ -5,14 +5,14 @@ import random
 
 COLUMNS, ROWS = 8, 6
 BITS = ("m", "n")  # single ones
-NUMBERS = ("a", "b", "c")  # of four bits
+NUMBERS = ("a", "b", "c")  # of two bits
 WIDE = ("d", "w", "[40+:37]")
 HEADER = f"""# csgsim program
 .array width={COLUMNS} height={ROWS} memory_bits=96
 .frame colour_base=0 colour_bits=0 background=0
-.field a [0+:4] effect
-.field b [4+:4] effect
-.field c [8+:4] effect
+.field a [0+:2] effect
+.field b [4+:2] effect
+.field c [8+:2] effect
 .field m [12] effect
 .field n [13] effect
 .field w [20+:7] effect
@@ -63,7 +63,7 @@ class Writer:
             return self.any_linear()
         if kinds == "two":
             return ", ".join(rng.sample(NUMBERS, 2))
-        one = {"bit": lambda: rng.choice(BITS), "number": lambda: rng.choice(NUMBERS), "linear": self.linear, "constant": lambda: str(rng.randrange(16)),
+        one = {"bit": lambda: rng.choice(BITS), "number": lambda: rng.choice(NUMBERS), "linear": self.linear, "constant": lambda: str(rng.randrange(4)),
                "wide": lambda: rng.choice(WIDE), "count": lambda: str(rng.randint(1, 3)), "squares": self.squares}
         return ", ".join(one[kind]() for kind in kinds.split())
 
@@ -72,16 +72,18 @@ class Writer:
 
     def lines(self, count):
         names = sorted(self.kinds)
-        while count > 0:
-            name = self.rng.choice(names) if self.rng.random() < 0.75 else "enable_all"
+        for _ in range(count):
+            name = self.rng.choice(names)
             yield self.line(name)
             if name == "squares":
                 yield self.line("keep_max")
-            count -= 1
+            yield "enable_store " + self.rng.choice(BITS)  # so that E is told
+            if self.rng.random() < 0.7:
+                yield "enable_all"
         for _ in range(4):  # that a skip may leave out
             yield "enable_all"
 
 
-def text_of(seed, count=150):
+def text_of(seed, count=80):
     # Purposes take turns, so that each instruction is an event of its own.
     return HEADER + "".join(f"  {line}  ; {('setup', 'effect')[i % 2]}\n" for i, line in enumerate(Writer(seed).lines(count)))

@@ -222,13 +222,13 @@ def check_instructions(page, csgsim, folder, failures):
     path, subject = os.path.join(folder, "two.html"), os.path.join(folder, "random.csgt")
     machine = ["--set", "evaluator.degree=2", "--set", "array.memory_bits=96"]
     names = set()
-    for seed in range(3):
+    for seed in range(4):
         failures.where = f"instructions {seed}"
         pathlib.Path(subject).write_text(random_program.text_of(seed), encoding="utf-8")
         subprocess.run([csgsim, "diff", subject, subject, *machine, "--report", path], check=True, stdout=subprocess.DEVNULL)
         page.open(path)
         until(page, "document.querySelectorAll('.why').length === 2")
-        for pixel in ((0, 0), (7, 5), (2, 3), (5, 1)):
+        for pixel in ((0, 0), (7, 5), (2, 3), (5, 1), (4, 4)):
             told = check_story(page, csgsim, [subject, *machine], pixel, failures)
             failures.check(len(told["events"]) > 20, "there are few events")
         names |= set(page.evaluate("csgsimDrawings[0].program.segments[0].instructions.map(instruction => instruction.opcode)"))
