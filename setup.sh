@@ -27,6 +27,7 @@ Usage: ./setup.sh COMMAND
   docs [OPTIONS...]
          make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
+  site   make the pages a book: build/site/index.html, which can be searched, and build/csgsim.pdf
   reproduce
          make every table of the thesis again, ours beside its own, and show what changed: docs/reproduction.md
   screenshots
@@ -200,6 +201,14 @@ docs() {
   return "${failed:-0}"
 }
 
+# The site takes a quarter of a minute, the PDF two minutes.
+site() {
+  need python3 python3-sphinx furo python3-myst-parser weasyprint fonts-dejavu-core fonts-dejavu-extra
+  /usr/bin/python3 docs/book/book.py site build/site
+  /usr/bin/python3 docs/book/book.py pdf build/site
+  ls build/site/index.html build/csgsim.pdf
+}
+
 package() {
   # shellcheck disable=SC2086
   need $build_packages dpkg-dev file
@@ -227,6 +236,7 @@ case "${1:-}" in
     shift
     docs "$@"
     ;;
+  site) site ;;
   reproduce) docs --page docs/reproduction.md --exact ;;
   performance) performance ;;
   build)

@@ -21,7 +21,7 @@ install(FILES ${CSGSIM_DESCRIPTION}/csgsim.fish DESTINATION ${CMAKE_INSTALL_DATA
 
 install(FILES README.md LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
-install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE)
+install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} PATTERN manifest EXCLUDE PATTERN book EXCLUDE)
 # The machines and processors are in the program; these files are to be read, and to begin one's own with.
 install(DIRECTORY hw/machines/ DESTINATION ${data_dir}/machines FILES_MATCHING PATTERN "*.toml")
 install(DIRECTORY hw/process/ DESTINATION ${data_dir}/processes FILES_MATCHING PATTERN "*.toml")

@@ -26,14 +26,9 @@ constexpr std::size_t max_length = 10'000;
 constexpr std::size_t max_corners = 1'000'000;
 
 const lettering::Module& opened_module() {
-  static const std::filesystem::path file = find_module(lettering::module_file);
-  constexpr std::string_view mend = "; install csgsim whole (cmake --install), or name its folder in LD_LIBRARY_PATH";
-  const std::string what =
-      "text() takes " + std::string(lettering::module_file) + ", the part of csgsim that sets text, ";
-  if (file.empty()) throw InputError(what + "which is in no folder where libraries are looked for" + std::string(mend));
-  static const OpenedModule opened = open_module(file, lettering::module_symbol);
-  if (opened.symbol == nullptr) throw InputError(what + "which cannot be opened: " + opened.error + std::string(mend));
-  return *static_cast<const lettering::Module*>(opened.symbol);
+  static const void* const symbol = module_symbol_of(
+      {.file = lettering::module_file, .symbol = lettering::module_symbol, .does = "sets the letters of text()"});
+  return *static_cast<const lettering::Module*>(symbol);
 }
 
 void check_alignment(const char* name, const std::string& value, std::span<const std::string_view> known) {

@@ -14,7 +14,24 @@ std::string range_text(const Key& key, std::string_view what) {
   return fmt::format("{}, {:g} to {:g}", what, key.least, key.most);
 }
 
-std::string value_text(const Key& key) {
+struct ShowValue {
+  const Key& key;
+
+  std::string operator()(bool value) const { return value ? "true" : "false"; }
+  std::string operator()(double value) const { return fmt::format("{:g}", value); }
+  std::string operator()(std::int64_t value) const {
+    return key.kind == ValueKind::choice ? std::string(key.names[static_cast<std::size_t>(value)])
+                                         : fmt::format("{}", value);
+  }
+  std::string operator()(const ColourTable& /*value*/) const { return ""; }
+  std::string operator()(const glm::dvec3& value) const {
+    return fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z);
+  }
+};
+
+}  // namespace
+
+std::string allowed_text(const Key& key) {
   switch (key.kind) {
     case ValueKind::boolean: return "`true`, `false`";
     case ValueKind::integer: return range_text(key, "integer");
@@ -27,31 +44,18 @@ std::string value_text(const Key& key) {
   return {};
 }
 
-struct ShowValue {
-  const Key& key;
-
-  std::string operator()(bool value) const { return value ? "true" : "false"; }
-  std::string operator()(double value) const { return fmt::format("{:g}", value); }
-  std::string operator()(std::int64_t value) const {
-    return key.kind == ValueKind::choice ? std::string(key.names[static_cast<std::size_t>(value)])
-                                         : fmt::format("{}", value);
-  }
-  std::string operator()(const ColourTable& value) const { return value.empty() ? "" : "a table"; }
-  std::string operator()(const glm::dvec3& value) const {
-    return fmt::format("[{:g}, {:g}, {:g}]", value.x, value.y, value.z);
-  }
-};
-
-}  // namespace
+std::string value_text(const KeyValue& value) {
+  return value.value ? std::visit(ShowValue{value.key}, *value.value) : "";
+}
 
 std::string keys_table(const Section& section) {
   const Values blank = section.blank();
   if (blank.empty()) return "";
   std::string table = "| key | value | default | meaning |\n|---|---|---|---|\n";
-  for (const auto& [key, value] : blank) {
-    const std::string unit = key.unit.empty() ? "" : fmt::format(" ({})", key.unit);
-    table += fmt::format("| `{}` | {}{} | {} | {} |\n", key.name, value_text(key), unit,
-                         value ? std::visit(ShowValue{key}, *value) : "", key.meaning);
+  for (const KeyValue& one : blank) {
+    const std::string unit = one.key.unit.empty() ? "" : fmt::format(" ({})", one.key.unit);
+    table += fmt::format("| `{}` | {}{} | {} | {} |\n", one.key.name, allowed_text(one.key), unit, value_text(one),
+                         one.key.meaning);
   }
   return table;
 }

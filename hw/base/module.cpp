@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/error.h"
+
 namespace csgsim {
 
 namespace {
@@ -45,6 +47,25 @@ std::filesystem::path find_module(const char* file) {
     if (std::filesystem::exists(folder / file, unused)) return folder / file;
   }
   return {};
+}
+
+std::string no_module(const ModuleRole& role) {
+  return std::string(role.file) + ", the part of csgsim that " + role.does +
+         ", is in no folder where libraries are looked for; install csgsim whole (cmake --install)" + role.instead +
+         ", or name its folder in LD_LIBRARY_PATH";
+}
+
+std::string unusable_module(const ModuleRole& role, const std::filesystem::path& file, const std::string& error) {
+  return file.native() + ", the part of csgsim that " + role.does + ", cannot be opened: " + error +
+         "; install csgsim whole (cmake --install)" + role.instead;
+}
+
+const void* module_symbol_of(const ModuleRole& role) {
+  const std::filesystem::path file = find_module(role.file);
+  if (file.empty()) throw InputError(no_module(role));
+  const OpenedModule opened = open_module(file, role.symbol);
+  if (opened.symbol == nullptr) throw InputError(unusable_module(role, file, opened.error));
+  return opened.symbol;
 }
 
 OpenedModule open_module(const std::filesystem::path& file, const char* symbol) {

@@ -307,6 +307,7 @@ std::vector<wave::Tap> PixelPlanes::scan_out_taps() const {
     return scan_out_.is_showing() ? wave::Number(value) : std::nullopt;
   };
   return {
+      wave::text("scan_out.state", [this] { return std::string(scan_out_.is_showing() ? "showing" : ""); }),
       wave::number("scan_out.refreshes_asked", 2,
                    [this] { return wave::Number(static_cast<std::uint64_t>(refreshes_.num_available())); }),
       wave::bit("scan_out.picture_finished", [this] { return wave::Number(pictures_.num_available() > 0 ? 1 : 0); }),

@@ -82,10 +82,11 @@ std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<Roo
   const auto tap = [&](const char* name, std::uint32_t array::RootBits::*member) {
     return wave::bits(part + name, trees.bits, reading([member](const array::RootBits& bits) { return bits.*member; }));
   };
-  std::vector<Tap> taps{tap(".a", &array::RootBits::a), tap(".b", &array::RootBits::b), tap(".c", &array::RootBits::c),
-                        wave::number(part + ".bit", 8, reading([](const array::RootBits& bits) {
-                                       return static_cast<std::uint64_t>(bits.token.bit);
-                                     }))};
+  std::vector<Tap> taps{
+      wave::text(part + ".state", [&root] { return std::string(root.read().bits.token.active() ? "streaming" : ""); }),
+      tap(".a", &array::RootBits::a), tap(".b", &array::RootBits::b), tap(".c", &array::RootBits::c),
+      wave::number(part + ".bit", 8,
+                   reading([](const array::RootBits& bits) { return static_cast<std::uint64_t>(bits.token.bit); }))};
   if (trees.bits > 1)
     taps.push_back(wave::number(part + ".bits", 6,
                                 reading([](const array::RootBits& bits) { return std::uint64_t{bits.token.bits}; })));

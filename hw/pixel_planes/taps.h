@@ -17,8 +17,8 @@
 /// What waves show of an array of pixel processors below its trees, on whatever machine it is.
 namespace csgsim::pixel_planes {
 
-/// Bits of the coefficients as they enter the trees: `PART.a`, `.b`, `.c`, and the number of the first, `.bit`; of
-/// degree 2 also `.xx`, `.xy`, `.yy`; where several are side by side also how many, `.bits`.
+/// Whether coefficients enter the trees, `PART.state`; their bits: `PART.a`, `.b`, `.c`, and the number of the first,
+/// `.bit`; of degree 2 also `.xx`, `.xy`, `.yy`; where several are side by side also how many, `.bits`.
 std::vector<wave::Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root,
                                  array::TreeForm trees);
 

@@ -258,6 +258,7 @@ std::vector<wave::Tap> PixelSquareMachine::processor_taps(const isa::Program& pr
     wave::add(sender_taps(part, front_.processors->status(i), program), taps);
     taps.push_back(fill_tap(part + ".ring_fill", ring_->words[i]));
   }
+  taps.push_back(wave::text("ring.state", [this] { return std::string(ring_->ring.is_carrying() ? "working" : ""); }));
   taps.push_back(wave::number("ring.words", 32, [this] { return wave::Number(ring_->ring.words()); }));
   return taps;
 }

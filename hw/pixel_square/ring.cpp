@@ -35,6 +35,7 @@ void Ring::begin() {
   turn_ = 0;
   clocks_ = {};
   words_ = 0;
+  busy_until_ = 0;
   full_clocks_ = 0;
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
@@ -76,7 +77,10 @@ void Ring::carry() {
     turn_ = (source + 1) % sources;
   }
   words_ += carried;
-  if (carried > 0) clocks_.add(SquareActivity::working, word_clocks_);
+  if (carried > 0) {
+    clocks_.add(SquareActivity::working, word_clocks_);
+    busy_until_ = edges() + word_clocks_;
+  }
   if (carried == channels_ || frame_buffer_left_ == 0) full_clocks_ += word_clocks_;
 }
 

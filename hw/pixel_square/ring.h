@@ -37,8 +37,9 @@ class Ring final : public systemc::ClockedModule {
   [[nodiscard]] RingAccount account(std::uint64_t clocks) const {
     return {whole(clocks_, SquareActivity::waiting_for_divider, clocks), words_, full_clocks_};
   }
-  /// For waves: words that have been carried in the frame.
+  /// For waves: words that have been carried in the frame; whether some channel carries one.
   [[nodiscard]] std::uint64_t words() const { return words_; }
+  [[nodiscard]] bool is_carrying() const { return edges() < busy_until_; }
 
  private:
   void end_of_elaboration() override;
@@ -62,6 +63,7 @@ class Ring final : public systemc::ClockedModule {
   SquareClocks clocks_;
   std::uint64_t words_ = 0;
   std::uint64_t full_clocks_ = 0;
+  std::uint64_t busy_until_ = 0;             ///< edge
   sc_core::sc_event_or_list words_written_;  ///< at any source, or a frame has begun
   sc_core::sc_event begun_;
 };

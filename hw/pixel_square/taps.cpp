@@ -52,7 +52,12 @@ std::vector<Tap> sender_taps(const std::string& part, const SenderStatus& status
 
 std::vector<Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,
                                    const systemc::SegmentNames& names) {
-  return {wave::number("frame_buffer.port", renderer_bits, [&buffer] { return Number(buffer.served()); }),
+  return {wave::text("frame_buffer.state",
+                     [&buffer] {
+                       if (buffer.served()) return std::string(name_of(SquareActivity::working));
+                       return std::string(buffer.refreshed() ? name_of(SquareActivity::refreshing) : "");
+                     }),
+          wave::number("frame_buffer.port", renderer_bits, [&buffer] { return Number(buffer.served()); }),
           wave::text("frame_buffer.square",
                      [&buffer, &program, &names] {
                        const isa::Region& region = buffer.served_square();

@@ -21,8 +21,8 @@ std::vector<wave::Tap> divider_taps(const std::string& part, const CornerDivider
 /// Of what sends squares: `PART.state`, `.square` at hand, `.renderer` that gets it.
 std::vector<wave::Tap> sender_taps(const std::string& part, const SenderStatus& status, const isa::Program& program);
 
-/// `frame_buffer.port` that is served, a renderer's number or behind these that of who has it clear; `.square` that
-/// comes through it;
+/// `frame_buffer.state`, `.port` that is served, a renderer's number or behind these that of who has it clear;
+/// `.square` that comes through it;
 /// `.squares` that are whole.
 std::vector<wave::Tap> frame_buffer_taps(const FrameBuffer& buffer, const isa::Program& program,
                                          const systemc::SegmentNames& names);

@@ -103,6 +103,8 @@ std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, 
   const auto shown = [parts](auto read) {
     return [parts, read]() -> Number { return parts.refresh.read().valid ? Number(read()) : std::nullopt; };
   };
+  taps.push_back(
+      wave::text(refresh + ".state", [parts] { return std::string(parts.refresh.read().valid ? "showing" : ""); }));
   taps.push_back(wave::number(refresh + ".line", row_bits, shown([parts, &program] {
                                 return row_of(parts.collector.line_of(parts.number), program);
                               })));

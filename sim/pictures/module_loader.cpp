@@ -1,7 +1,5 @@
 #include "sim/pictures/module_loader.h"
 
-#include <fmt/format.h>
-
 #include <atomic>
 #include <future>
 #include <mutex>
@@ -45,25 +43,20 @@ Loader& loader() {
   return only;
 }
 
-constexpr const char* mend = "install csgsim whole (cmake --install), or write .png";
+constexpr ModuleRole role{
+    .file = module_file, .symbol = module_symbol, .does = "writes this format", .instead = ", or write .png"};
 
 }  // namespace
 
 void begin_to_open_module(const std::filesystem::path& picture) {
-  if (loader().begin()) return;
-  throw InputError(
-      fmt::format("{}: {}, the part of csgsim that writes this format, is in no folder where libraries are looked for; "
-                  "{}, or name its folder in LD_LIBRARY_PATH",
-                  picture.native(), module_file, mend));
+  if (!loader().begin()) throw InputError(picture.native() + ": " + no_module(role));
 }
 
 const Module& opened_module(const std::filesystem::path& picture) {
   begin_to_open_module(picture);
   const OpenedModule& opened = loader().opened();
-  if (opened.symbol == nullptr) {
-    throw InputError(fmt::format("{}: {}, the part of csgsim that writes this format, cannot be opened: {}; {}",
-                                 picture.native(), loader().file().native(), opened.error, mend));
-  }
+  if (opened.symbol == nullptr)
+    throw InputError(picture.native() + ": " + unusable_module(role, loader().file(), opened.error));
   return *static_cast<const Module*>(opened.symbol);
 }
 

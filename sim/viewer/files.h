@@ -1,12 +1,16 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace csgsim::viewer {
 
-/// Files of this folder, which are part of the program.
-extern const std::string_view page_html;
-extern const std::string_view view_style;
-extern const std::string_view view_script;
+/// A file of `page/`, which is part of the program.
+struct PageFile {
+  std::string_view name;
+  std::string_view text;
+};
+
+std::span<const PageFile> page_files();
 
 }  // namespace csgsim::viewer

@@ -149,7 +149,14 @@ nlohmann::ordered_json Instants::told_of(std::uint64_t number) const {
                               {"serves", report::served_by(instruction, program_.facts)}};
   const std::uint32_t piece = instruction.origin.primitive;
   if (piece != isa::no_primitive) told["primitive"] = isa::primitive_of(program_.facts, piece);
+  const std::uint32_t against = instruction.origin.node;
+  if (against != isa::no_primitive) told["against"] = isa::primitive_of(program_.facts, against);
   return told;
+}
+
+std::uint64_t Instants::number_of(const InstantWish& wish) {
+  if (wish.primitive) return first_of(*wish.primitive);
+  return wish.clock ? clocks_.first_after(*wish.clock, 0) : std::min(wish.number, numbers_.count());
 }
 
 /// Nothing of a kind of machine that does not tell.
@@ -164,7 +171,7 @@ void Instants::put_clocks(engine::Place place, nlohmann::ordered_json& instant) 
 
 nlohmann::ordered_json Instants::at(const InstantWish& wish) {
   const isa::Field field = field_named(wish.field);
-  go_to(wish.primitive ? first_of(*wish.primitive) : std::min(wish.number, numbers_.count()));
+  go_to(number_of(wish));
   const std::uint64_t number = numbers_.of(run_->place());
   std::string scale;
   std::vector<std::uint8_t> pixels = pixels_of(field, scale);
@@ -178,7 +185,12 @@ nlohmann::ordered_json Instants::at(const InstantWish& wish) {
   const std::uint64_t first = number < listed_before ? 0 : number - listed_before;
   for (std::uint64_t i = first; i < std::min(number + listed_after, numbers_.count()); ++i)
     instant["instructions"].push_back(told_of(i));
-  if (number < numbers_.count()) put_clocks(numbers_.place(number), instant);
+  if (number == numbers_.count()) return instant;
+  const engine::Place place = numbers_.place(number);
+  put_clocks(place, instant);
+  instant["segment"] = place.segment;
+  const std::uint32_t piece = program_.segments[place.segment].instructions[place.index].origin.primitive;
+  if (piece != isa::no_primitive) instant["piece"] = piece;
   return instant;
 }
 

@@ -18,8 +18,10 @@ struct InstantWish {
   std::uint64_t number = 0;  ///< instructions that come before it
   std::string field;         ///< name of a field, or `E`; empty: the colour
   bool is_tinted = false;    ///< enabled pixels are
-  /// In place of a number: before the first instruction that serves it.
+  // In place of a number: before the first instruction that serves the primitive, or of which something is still to be
+  // issued when the clock begins.
   std::optional<std::uint64_t> primitive{};
+  std::optional<std::uint64_t> clock{};
 };
 
 /// A run that is looked at before any of its instructions, at the functional level.
@@ -30,8 +32,8 @@ class Instants {
   ~Instants();
 
   /// What stands in pixel memory there, as a picture; which instruction comes next, whom it serves, in which clocks it
-  /// is issued; and the instructions around it. A skip may pass the number: `number` tells where it is. Throws
-  /// InputError for a field that there is not.
+  /// is issued, in which segment it is and which piece it draws; and the instructions around it. A skip may pass the
+  /// number: `number` tells where it is. Throws InputError for a field that there is not.
   nlohmann::ordered_json at(const InstantWish& wish);
 
   /// Names of fields that can be asked for.
@@ -41,6 +43,7 @@ class Instants {
   class Finished;
 
   void go_to(std::uint64_t number);
+  [[nodiscard]] std::uint64_t number_of(const InstantWish& wish);
   [[nodiscard]] std::uint64_t first_of(std::uint64_t primitive) const;
   [[nodiscard]] isa::Field field_named(const std::string& name) const;
   [[nodiscard]] std::vector<std::uint8_t> pixels_of(isa::Field field, std::string& scale) const;

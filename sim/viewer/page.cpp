@@ -11,23 +11,29 @@ namespace csgsim::viewer {
 
 namespace {
 
-struct File {
-  std::string_view path;
+struct Type {
+  std::string_view ending;
   std::string_view type;
-  const std::string_view* text;
 };
 
-constexpr auto files = std::to_array<File>({{"", "text/html; charset=utf-8", &page_html},
-                                            {"page.css", "text/css; charset=utf-8", &report::page_style},
-                                            {"view.css", "text/css; charset=utf-8", &view_style},
-                                            {"view.js", "text/javascript; charset=utf-8", &view_script}});
+constexpr auto types = std::to_array<Type>({{".html", "text/html; charset=utf-8"},
+                                            {".css", "text/css; charset=utf-8"},
+                                            {".js", "text/javascript; charset=utf-8"}});
+
+Reply reply(std::string_view name, std::string_view text) {
+  const auto* const type = std::ranges::find_if(types, [&](const Type& one) { return name.ends_with(one.ending); });
+  return {.type = std::string(type->type), .body = std::string(text)};
+}
 
 }  // namespace
 
 std::optional<Reply> page_file(std::string_view path) {
-  const auto* const file = std::ranges::find(files, path, &File::path);
+  const std::string_view name = path.empty() ? "page.html" : path;
+  if (name == "page.css") return reply(name, report::page_style);
+  const auto files = page_files();
+  const auto file = std::ranges::find(files, name, &PageFile::name);
   if (file == files.end()) return std::nullopt;
-  return Reply{.type = std::string(file->type), .body = std::string(*file->text)};
+  return reply(name, file->text);
 }
 
 }  // namespace csgsim::viewer

@@ -1,5 +1,3 @@
-#include "sim/waves/gtkwave_view.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +5,9 @@
 #include <cmath>
 #include <iterator>
 #include <string_view>
-#include <vector>
 
 #include "hw/base/text.h"
+#include "sim/waves/view.h"
 
 namespace csgsim::waves {
 
@@ -26,23 +24,16 @@ std::string_view flags_of(wave::Show show) {
   return flags.at(static_cast<std::size_t>(show));
 }
 
-/// Picoseconds a clock, rounded as SystemC does.
-std::uint64_t period_of(const machines::Machine& machine) {
-  return static_cast<std::uint64_t>(std::llround(1.0 / static_cast<double>(machine.clock_hz) * 1e12));
-}
-
 /// GTKWave shows 2^-zoom units of time in 200 pixels of the screen.
 double zoom_of(std::uint64_t clocks, std::uint64_t period) {
   const auto shown = static_cast<double>(std::min(clocks, most_clocks_in_view) * period);
   return -std::log2(shown * 200.0 / (window_width - names_width));
 }
 
-std::string_view part_of(std::string_view name) { return name.substr(0, name.rfind('.')); }
-
 }  // namespace
 
-std::string gtkwave_view(const Recording& recording, std::span<const wave::Window> windows, std::uint64_t marked,
-                         const std::string& waveform, const machines::Machine& machine) {
+std::string gtkwave_view(const Shown& shown) {
+  const auto& [recording, windows, marked, waveform, machine] = shown;
   const std::uint64_t period = period_of(machine);
   const wave::Window& first = windows.front();
   std::string view;
@@ -57,13 +48,10 @@ std::string gtkwave_view(const Recording& recording, std::span<const wave::Windo
   fmt::format_to(out, "@200\n-{}\n", machine.name);
   fmt::format_to(out, "{}{}.clock\n", flags_of(wave::Show::bits), recording.top);
   fmt::format_to(out, "{}{}.clock_number[63:0]\n", flags_of(wave::Show::number), recording.top);
-  std::vector<const wave::Tap*> taps;
-  for (const wave::Tap& tap : recording.taps) taps.push_back(&tap);
-  std::stable_partition(taps.begin(), taps.end(), [](const wave::Tap* tap) { return tap->name.starts_with("pixel_"); });
   std::string_view part;
-  for (const wave::Tap* tap : taps) {
-    if (part_of(tap->name) != part) {
-      part = part_of(tap->name);
+  for (const wave::Tap* const tap : listed(recording)) {
+    if (part_of(*tap) != part) {
+      part = part_of(*tap);
       fmt::format_to(out, "@200\n-{}\n", part);
     }
     fmt::format_to(out, "{}{}.{}", flags_of(tap->show), recording.top, tap->name);

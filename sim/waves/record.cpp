@@ -42,8 +42,10 @@ bool can_be_probed(const isa::Program& program, const machines::Machine& machine
 
 std::unique_ptr<wave::Writer> writer_of(const Recording& recording, std::uint64_t period_ps,
                                         const wave::Request& request, Format format) {
-  if (format == Format::trace_events) return std::make_unique<TraceEvents>(recording.taps, period_ps, request.write);
-  return std::make_unique<wave::VcdWriter>(recording.top, recording.taps, period_ps, request.write);
+  if (format == Format::value_changes)
+    return std::make_unique<wave::VcdWriter>(recording.top, recording.taps, period_ps, request.write);
+  const auto shown = format == Format::trace_events ? TraceEvents::Shown::texts : TraceEvents::Shown::all;
+  return std::make_unique<TraceEvents>(recording.taps, shown, period_ps, request.write);
 }
 
 }  // namespace

@@ -24,8 +24,9 @@ systemc::EvaluatorForm evaluator_for(const machines::Machine& machine, const wav
 
 /// What a file is.
 enum class Format : std::uint8_t {
-  value_changes,  ///< a value change dump
-  trace_events,   ///< what parts are at: TraceEvents
+  value_changes,     ///< a value change dump
+  trace_events,      ///< what parts are at: TraceEvents of the texts
+  all_trace_events,  ///< TraceEvents of texts and numbers
 };
 
 /// What a file has been written of.

@@ -20,15 +20,31 @@ std::string name_event(std::string_view kind, unsigned part, unsigned lane, std:
                      json_string(name));
 }
 
+/// The number as its tap is to be shown.
+std::string text_of(std::uint64_t number, const wave::Tap& tap) {
+  if (tap.show == wave::Show::bits) return fmt::format("{:0{}b}", number, tap.width);
+  if (tap.show == wave::Show::hexadecimal) return fmt::format("{:0{}x}", number, (tap.width + 3) / 4);
+  return std::to_string(number);
+}
+
+/// What the tap shows in a clock, as text.
+std::function<std::string()> reader_of(const wave::Tap& tap) {
+  if (tap.show == wave::Show::text) return tap.text;
+  return [tap] {
+    const wave::Number number = tap.number();
+    return number ? text_of(*number, tap) : std::string();
+  };
+}
+
 }  // namespace
 
-TraceEvents::TraceEvents(const std::vector<wave::Tap>& taps, std::uint64_t period_ps,
+TraceEvents::TraceEvents(const std::vector<wave::Tap>& taps, Shown shown, std::uint64_t period_ps,
                          std::function<void(std::string_view)> write)
     : period_(period_ps), out_(std::move(write)) {
   out_.text = "{\"displayTimeUnit\":\"ns\",\"traceEvents\":[";
   std::vector<std::string_view> parts;
   for (const wave::Tap& tap : taps) {
-    if (tap.show != wave::Show::text) continue;
+    if (shown == Shown::texts && tap.show != wave::Show::text) continue;
     const std::string_view name = tap.name;
     const std::size_t dot = std::min(name.find('.'), name.size());
     const std::string_view part = name.substr(0, dot);
@@ -37,7 +53,7 @@ TraceEvents::TraceEvents(const std::vector<wave::Tap>& taps, std::uint64_t perio
       found = parts.insert(parts.end(), part);
       put(name_event("process_name", static_cast<unsigned>(parts.size()), 0, part));
     }
-    Lane lane{.text = tap.text,
+    Lane lane{.text = reader_of(tap),
               .part = static_cast<unsigned>(found - parts.begin()) + 1,
               .number = static_cast<unsigned>(lanes_.size()) + 1,
               .shown = {}};

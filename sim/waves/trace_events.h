@@ -13,13 +13,16 @@
 namespace csgsim::waves {
 
 /// Writes what the parts of a machine are at over a run as trace events of Chrome ("Trace Event Format", Google, 2016),
-/// which Perfetto shows as lanes. A part is a process, each of its taps of texts is a thread, and a stretch of clocks
-/// in which it shows the same text is a complete event (`"ph": "X"`), of which `args` has the first clock and how many
-/// there are. Times are in microseconds from the rising edge of clock 0 on.
+/// which Perfetto shows as lanes. A part is a process, each of its taps is a thread, and a stretch of clocks in which
+/// it shows the same is a complete event (`"ph": "X"`), of which `args` has the first clock and how many there are.
+/// Times are in microseconds from the rising edge of clock 0 on.
 class TraceEvents final : public wave::Writer {
  public:
-  /// Taps of numbers are left out. `write` takes the text, piece by piece.
-  TraceEvents(const std::vector<wave::Tap>& taps, std::uint64_t period_ps, std::function<void(std::string_view)> write);
+  enum class Shown : std::uint8_t { texts, all };
+
+  /// `write` takes the text, piece by piece.
+  TraceEvents(const std::vector<wave::Tap>& taps, Shown shown, std::uint64_t period_ps,
+              std::function<void(std::string_view)> write);
 
   void sample(std::uint64_t clock) override;
   void finish() override;

@@ -152,7 +152,7 @@ TEST_CASE("wave records the window of clocks that was asked for, and a view for 
   CHECK(view.find("frame_buffer.pixel_8_8.Z1[19:0]") != std::string::npos);
   // What was probed is seen without scrolling.
   CHECK(view.rfind("frame_buffer.pixel_") < view.find("frame_buffer.host."));
-  CHECK(folder.files() == 2);
+  CHECK(folder.files() == 3);
 }
 
 TEST_CASE("a wave of no pixel, of no clock or under another name is refused and leaves no file") {

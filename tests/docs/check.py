@@ -13,6 +13,9 @@ import markdown
 import pages
 from runs import ROOT
 
+sys.path.insert(0, str(ROOT / "docs/book"))
+import order  # pylint: disable=wrong-import-position
+
 TASKS = "docs/tasks.md"
 MOST_COMMANDS = 3
 MOST_WORDS = 25
@@ -109,12 +112,16 @@ def command_names():
 
 
 def lists():
-    """README's table of pages has each page of docs once, and that of commands each command of csgsim once."""
+    """README's table of pages is the order of the book, which has each page of docs once; its table of commands has each command once."""
     rows = [row for _, row in markdown.rows(markdown.read("README.md"))]
-    linked = collections.Counter(to for row in rows for to in re.findall(r"\]\((docs/[^)#]*)\)", " ".join(row)))
-    for path in sorted(str(page.relative_to(ROOT)) for page in (ROOT / "docs").glob("*.md")):
-        if linked[path] != 1:
-            yield f"README.md: its tables have {path} {linked[path]} times"
+    linked = [to for row in rows for to in re.findall(r"\]\((docs/[^)#]*)\)", " ".join(row))]
+    listed = [path for _, rows_of_part in order.parts() for path, _, _ in rows_of_part]
+    counted = collections.Counter(listed)
+    for path in sorted({str(page.relative_to(ROOT)) for page in (ROOT / "docs").rglob("*.md")} | set(listed)):
+        if counted[path] != 1 or not (ROOT / path).exists():
+            yield f"docs/book/order.toml: it has {path} {counted[path]} times, and the page is {'' if (ROOT / path).exists() else 'not '}there"
+    if linked != listed:
+        yield "README.md: its list of pages is not docs/book/order.toml: tests/docs/make.py build/release --page README.md makes it"
     named = collections.Counter(name for row in rows for name in re.findall(r"`([a-z]+)`", row[0]))
     for name in command_names():
         if named[name] != 1:

@@ -111,9 +111,22 @@ class Figures:
 
         return one_pixel.followed(self)
 
+    def one_instruction(self):
+        """What an instruction of One pixel does on the wires, and when."""
+        from tables import one_instruction  # pylint: disable=import-outside-toplevel
+
+        return one_instruction.said(self)
+
+    def one_seam(self):
+        """Where the seam of docs/one-seam.md opens."""
+        from tables import one_seam  # pylint: disable=import-outside-toplevel
+
+        return one_seam.seam(self)
+
     def names(self):
         """The names of expressions."""
-        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "explore", "mesh", "effects", "shown", "advise", "curved", "examples", "one_pixel")
+        own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "explore", "mesh", "effects", "shown", "advise", "curved", "examples", "one_pixel",
+               "one_seam", "one_instruction")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

@@ -3,9 +3,7 @@
 
 Usage: page_test.py CSGSIM SOURCE_FOLDER [PICTURE]. With PICTURE the page is photographed for docs/view.md. Exit code 77 where there is no Chromium."""
 
-import json
 import pathlib
-import subprocess
 import sys
 import time
 
@@ -14,47 +12,21 @@ sys.path.insert(0, str(SOURCE / "tests/report"))
 
 import browser  # noqa: E402
 from server import Server  # noqa: E402
+from viewed import Viewed  # noqa: E402
 
 TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
   const box = element.getBoundingClientRect();
   return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told');
 }).map(element => element.outerHTML.slice(0, 120))"""
-failures = 0
 
 
-def check(holds, what):
-    global failures
-    if not holds:
-        failures += 1
-        print("FAILED:", what)
-
-
-def until(page, expression, seconds=30):
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if page.evaluate(expression):
-            return
-        time.sleep(0.02)
-    raise RuntimeError(f"never came: {expression}; {page.problems}")
-
-
-def settled(page):
-    """Waits until all that was wished is shown."""
-    until(page, "window.isAtRest()")
-
-
-def stats_of(csgsim, command):
-    words = command.replace("csgsim", str(csgsim), 1) + " --stats - --progress none"
-    return json.loads(subprocess.run(["bash", "-c", words], cwd=SOURCE, check=True, text=True, capture_output=True).stdout)
-
-
-def check_same(page, csgsim, what):
-    stats = stats_of(csgsim, page.evaluate("document.getElementById('command').textContent"))
-    rows = dict(page.evaluate("[...document.querySelectorAll('#counts tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"))
-    check(rows["clocks until it is drawn"] == f"{stats['clocks']:,}", f"{what}: clocks {rows} {stats['clocks']}")
-    check(rows["instructions"] == f"{stats['instructions']['total']:,}", f"{what}: instructions")
-    for name, clocks in page.evaluate("[...document.querySelectorAll('#bill tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"):
-        check(clocks == f"{stats['by_purpose'][name.replace(' ', '_')]['clocks']:,}", f"{what}: {name}")
+def photograph(seen, name, selector):
+    """For docs/view.md, if that was asked for."""
+    if len(sys.argv) < 4:
+        return
+    seen.evaluate(f"document.querySelector('{selector}').scrollIntoView({{behavior: 'instant'}})")
+    seen.page.screenshot(sys.argv[3].replace(".png", f"_{name}.png"), full=False)
+    seen.evaluate("window.scrollTo({top: 0, behavior: 'instant'})")
 
 
 def drag(page, x, y, dx, dy, steps):
@@ -65,138 +37,189 @@ def drag(page, x, y, dx, dy, steps):
     page.send("Input.dispatchMouseEvent", type="mouseReleased", x=x + dx, y=y + dy, button="left", clickCount=1)
 
 
-def set_value(page, name, value, event="input"):
-    page.evaluate(f"(() => {{ const e = document.getElementById({name!r}); e.value = {json.dumps(value)}; e.dispatchEvent(new Event({event!r}, {{bubbles: true}})); }})()")
+def box_of_picture(seen):
+    return seen.evaluate("(() => { const b = document.getElementById('picture').getBoundingClientRect(); return [b.left, b.top, b.width]; })()")
 
 
-def move(page, number):
-    """To an instant."""
-    page.evaluate("document.getElementById('tinted').checked = false")
-    set_value(page, "instant", str(number))
-    settled(page)
-
-
-def use(page, csgsim, server):
-    page.window(1280, 900)
-    page.send("Page.navigate", url=server.address)
-    until(page, "window.drawnPictures > 0 && document.getElementById('picture').naturalWidth > 0")
-    check(page.evaluate("document.getElementById('picture').naturalWidth") == 512, "the picture is 512 wide")
-    check_same(page, csgsim, "as it begins")
-    first = page.evaluate("document.getElementById('command').textContent")
-
-    # Twenty pictures under the pointer, however slow a build beside sanitizers is: speed.py measures the rate.
-    box = page.evaluate("(() => { const b = document.getElementById('picture').getBoundingClientRect(); return [b.left, b.top, b.width]; })()")
-    count = page.evaluate("window.drawnPictures")
+def turns_under_the_pointer(seen):
+    """Twenty pictures, however slow a build beside sanitizers is: speed.py measures the rate."""
+    first = seen.text("command")
+    left, top, _ = box_of_picture(seen)
+    count = seen.evaluate("window.drawnPictures")
     begin = time.monotonic()
     turn = 0
-    while page.evaluate("window.drawnPictures") < count + 20 and time.monotonic() < begin + 60:
-        drag(page, box[0] + 100, box[1] + 200, 80 if turn % 2 else 40, 20, 6)
+    while seen.evaluate("window.drawnPictures") < count + 20 and time.monotonic() < begin + 60:
+        drag(seen.page, left + 100, top + 200, 80 if turn % 2 else 40, 20, 6)
         turn += 1
-    rate = (page.evaluate("window.drawnPictures") - count) / (time.monotonic() - begin)
-    check(page.evaluate("window.drawnPictures") >= count + 20, "twenty pictures are drawn under the pointer")
+    rate = (seen.evaluate("window.drawnPictures") - count) / (time.monotonic() - begin)
+    seen.check(seen.evaluate("window.drawnPictures") >= count + 20, "twenty pictures are drawn under the pointer")
     print(f"{rate:.1f} pictures a second under a pointer that moves ten times a second")
-    settled(page)
-    check(page.evaluate("document.getElementById('command').textContent") != first, "the camera has been turned")
-    check_same(page, csgsim, "turned")
+    seen.settled()
+    seen.check(seen.text("command") != first, "the camera has been turned")
+    seen.check_same("turned")
 
-    # By keys.
-    page.evaluate("document.getElementById('stage').focus()")
+
+def turns_by_keys(seen):
+    seen.evaluate("document.getElementById('stage').focus()")
     for key in ("ArrowLeft", "ArrowUp"):
-        page.press(key)
-    page.send("Input.dispatchKeyEvent", type="char", text="+")
-    settled(page)
-    check_same(page, csgsim, "turned by keys")
-    page.send("Input.dispatchKeyEvent", type="keyDown", key="0", code="Digit0", windowsVirtualKeyCode=48)
-    settled(page)
+        seen.page.press(key)
+    seen.page.send("Input.dispatchKeyEvent", type="char", text="+")
+    seen.settled()
+    seen.check_same("turned by keys")
+    seen.page.send("Input.dispatchKeyEvent", type="keyDown", key="0", code="Digit0", windowsVirtualKeyCode=48)
+    seen.settled()
 
-    # Knobs.
-    set_value(page, "machine", "pixel-planes-5")
-    settled(page)
-    check("--machine pixel-planes-5" in page.evaluate("document.getElementById('command').textContent"), "the machine is another")
-    check_same(page, csgsim, "on another machine")
-    set_value(page, "machine", "pixel-planes-6")
-    until(page, "!document.getElementById('error').hidden")
-    check("pixel-planes-" in page.evaluate("document.getElementById('error').textContent"), "a wrong machine is told")
-    set_value(page, "machine", "")
-    until(page, "document.getElementById('error').hidden")
 
-    # Why.
-    page.point(box[0] + box[2] / 2, box[1] + box[2] / 2, click=True)
-    until(page, "document.getElementById('story').textContent.length > 100")
-    story = page.evaluate("document.getElementById('story').textContent")
-    check("pixel" in story, "the pixel's story is told")
-    off = page.evaluate("(() => { const m = document.getElementById('mark').getBoundingClientRect(); return [m.left + m.width / 2, m.top + m.height / 2]; })()")
-    check(abs(off[0] - box[0] - box[2] / 2) < 3 and abs(off[1] - box[1] - box[2] / 2) < 3, f"the mark is where the click was: {off} {box}")
-    set_value(page, "why-not", "p1")
-    page.evaluate("document.querySelector('#why button').click()")
-    until(page, f"document.getElementById('story').textContent.length > {len(story)}")
+def turns_knobs(seen):
+    seen.set("machine", "pixel-planes-5")
+    seen.settled()
+    seen.check("--machine pixel-planes-5" in seen.text("command"), "the machine is another")
+    seen.check_same("on another machine")
+    seen.set("machine", "pixel-planes-6")
+    seen.until("!document.getElementById('error').hidden")
+    seen.check("pixel-planes-" in seen.text("error"), "a wrong machine is told")
+    seen.set("machine", "")
+    seen.until("document.getElementById('error').hidden")
 
-    # Time: the slider, a field, an event of the story, an instruction of the listing, a line of the source.
-    settled(page)
-    count = int(page.evaluate("document.getElementById('instant').max"))
-    move(page, count)
-    check(page.evaluate("document.getElementById('then').src === document.getElementById('picture').src"), "the last instant is the picture")
-    set_value(page, "field", "Z1", "change")
-    move(page, count // 3)
-    number = int(page.evaluate("document.getElementById('instant').value"))
-    check(f"before i{number} of" in page.evaluate("document.getElementById('at').textContent"), "it tells where it is: " + page.evaluate("document.getElementById('at').textContent"))
-    check("white" in page.evaluate("document.getElementById('scale').textContent"), "the scale of Z1 is told")
-    shown = page.evaluate("window.shownInstants")
-    page.evaluate("document.querySelectorAll('#events button')[1].click()")
-    until(page, f"window.shownInstants > {shown}")
-    event = page.evaluate("document.querySelectorAll('#events button')[1].textContent")
+
+def calls_for_effects(seen):
+    on = "[data-key=\"effects.depth_cue.on\"]"
+    seen.evaluate(f"(() => {{ const e = document.querySelector('{on}'); e.value = 'true'; e.dispatchEvent(new Event('change')); }})()")
+    seen.settled()
+    seen.check("--set effects.depth_cue.on=true" in seen.text("command"), "the form writes what csgsim reads: " + seen.text("command"))
+    seen.check_same("with an effect")
+    seen.set("set", "effects.depth_cue.on=false")
+    seen.settled()
+    seen.check(seen.evaluate(f"document.querySelector('{on}').value") == "false", "the form shows what is written")
+    seen.set("set", "")
+    seen.settled()
+
+
+def asks_why(seen):
+    left, top, width = box_of_picture(seen)
+    seen.page.point(left + width / 2, top + width / 2, click=True)
+    seen.until("document.getElementById('story').textContent.length > 100")
+    story = seen.text("story")
+    seen.check("pixel" in story, "the pixel's story is told")
+    off = seen.evaluate("(() => { const m = document.getElementById('mark').getBoundingClientRect(); return [m.left + m.width / 2, m.top + m.height / 2]; })()")
+    seen.check(abs(off[0] - left - width / 2) < 3 and abs(off[1] - top - width / 2) < 3, f"the mark is where the click was: {off}")
+    seen.set("why-not", "p1")
+    seen.click("#why button")
+    seen.until(f"document.getElementById('story').textContent.length > {len(story)}")
+
+
+def move(seen, number):
+    """To an instant."""
+    seen.evaluate("document.getElementById('tinted').checked = false")
+    seen.set("instant", str(number))
+    seen.settled()
+
+
+def goes_through_time(seen):
+    """By the slider, a field, an event of the story, an instruction of the listing, a line of the source, the tree."""
+    seen.settled()
+    count = int(seen.evaluate("document.getElementById('instant').max"))
+    move(seen, count)
+    seen.check(seen.evaluate("document.getElementById('then').src === document.getElementById('picture').src"), "the last instant is the picture")
+    seen.set("field", "Z1", "change")
+    move(seen, count // 3)
+    number = int(seen.evaluate("document.getElementById('instant').value"))
+    seen.check(f"before i{number} of" in seen.text("at"), "it tells where it is: " + seen.text("at"))
+    seen.check("white" in seen.text("scale"), "the scale of Z1 is told")
+    seen.after("shownInstants", lambda: seen.evaluate("document.querySelectorAll('#events button')[1].click()"))
+    event = seen.evaluate("document.querySelectorAll('#events button')[1].textContent")
     last = int(event.split()[0].split("i")[-1])
-    check(int(page.evaluate("document.getElementById('instant').value")) == last + 1, f"an event leads behind its last instruction: {event}")
-    shown = page.evaluate("window.shownInstants")
-    page.evaluate("document.querySelector('#listing button').click()")
-    until(page, f"window.shownInstants > {shown}")
-    check(page.evaluate("document.querySelector('#listing [aria-current=true]').textContent.startsWith('i' + document.getElementById('instant').value + ' ')"),
-          "the listing shows where it is")
-    lines = page.evaluate("document.getElementById('source').value").split("\n")
+    seen.check(int(seen.evaluate("document.getElementById('instant').value")) == last + 1, f"an event leads behind its last instruction: {event}")
+    seen.after("shownInstants", lambda: seen.click("#listing button"))
+    seen.check(seen.evaluate("document.querySelector('#listing [aria-current=true]').textContent.startsWith('i' + document.getElementById('instant').value + ' ')"),
+               "the listing shows where it is")
+    lines = seen.evaluate("document.getElementById('source').value").split("\n")
     line = next(number for number, text in enumerate(lines) if "cylinder" in text)
-    shown = page.evaluate("window.shownInstants")
     at = len("\n".join(lines[:line])) + 2
-    page.evaluate(f"(() => {{ const s = document.getElementById('source'); s.setSelectionRange({at}, {at}); s.click(); }})()")
-    until(page, f"window.shownInstants > {shown}")
-    check(f"@{line + 1}:" in page.evaluate("document.getElementById('at').textContent"), "a line of the source leads to its primitive")
-    if len(sys.argv) > 3:
-        page.evaluate("document.getElementById('tinted').checked = true")
-        set_value(page, "instant", str(count // 5))
-        settled(page)
-        page.evaluate("document.querySelector('.time').scrollIntoView({behavior: 'instant'})")
-        page.screenshot(sys.argv[3].replace(".png", "_time.png"), full=False)
-        page.evaluate("window.scrollTo({top: 0, behavior: 'instant'})")
+    seen.after("shownInstants", lambda: seen.evaluate(f"(() => {{ const s = document.getElementById('source'); s.setSelectionRange({at}, {at}); s.click(); }})()"))
+    seen.check(f"@{line + 1}:" in seen.text("at"), "a line of the source leads to its primitive")
+    seen.check(f"@{line + 1}:" in seen.evaluate("document.querySelector('#tree [aria-current=true]').textContent"), "the tree shows it")
+    seen.after("shownInstants", lambda: seen.click("#tree [data-primitive='3'] button"))
+    seen.check("render p3 " in seen.text("at"), "the tree leads to it: " + seen.text("at"))
+    seen.check("Active tree of p3 " in seen.text("active-of"), "what is left of the tree is told: " + seen.text("active-of"))
+    seen.evaluate("document.getElementById('tinted').checked = true")
+    seen.set("instant", str(count // 5))
+    seen.settled()
+    photograph(seen, "time", ".time")
 
-    # Two at once.
-    page.evaluate("document.getElementById('keep').click()")
-    until(page, "window.comparedTwo > 0")
-    check("pictures are equal" in page.evaluate("document.getElementById('differs').textContent"), "A is itself")
-    compared = page.evaluate("window.comparedTwo")
-    set_value(page, "z-bits", "8")
-    until(page, f"window.comparedTwo > {compared}")
-    told = page.evaluate("document.getElementById('differs').textContent")
-    check("pixels differ" in told and "other instruction is i" in told, f"what differs is told: {told}")
-    check(page.evaluate("document.querySelectorAll('#counts tr:first-child td').length") == 2, "counts stand side by side")
-    if len(sys.argv) > 3:
-        page.evaluate("document.getElementById('keep').scrollIntoView({behavior: 'instant'})")
-        page.screenshot(sys.argv[3].replace(".png", "_two.png"), full=False)
-        page.evaluate("window.scrollTo({top: 0, behavior: 'instant'})")
-    set_value(page, "z-bits", "")
-    settled(page)
 
-    # Source.
-    source = page.evaluate("document.getElementById('source').value")
-    set_value(page, "source", "cube(size=[20,20,20],center=true);")
-    settled(page)
-    rows = dict(page.evaluate("[...document.querySelectorAll('#counts tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"))
-    check(rows["primitives, half-spaces"] == "1, 6", f"the edited source is drawn: {rows}")
-    set_value(page, "source", "cube(size=[20,20,20],center=true);\nsphere(r=;")
-    until(page, "!document.getElementById('error').hidden")
-    check(page.evaluate("document.getElementById('source').selectionStart") > 35, "the line of the error is selected")
-    set_value(page, "source", source)
-    until(page, "document.getElementById('error').hidden")
-    settled(page)
-    check_same(page, csgsim, "with the source as it was")
+def goes_down_to_the_wires(seen):
+    begin, end = seen.evaluate("document.getElementById('clocks').textContent").replace(",", "").split("clocks ")[1].split(":")[0].split(" to ")
+    seen.after("shownLanes", lambda: seen.click("#clocks"))
+    told = seen.text("lanes-told")
+    seen.check(told.startswith(f"Clock {int(begin):,} of ") and "controller issuing" in told, f"the clock is told: {told}")
+    seen.check(seen.evaluate("document.querySelectorAll('#lane-names li').length") > 4, "parts have lanes")
+    canvas = "const c = document.getElementById('lanes').getContext('2d').getImageData(2, 2, 400, 60).data; return new Set(c.filter((_, i) => i % 4 < 3)).size;"
+    seen.check(seen.evaluate("(() => { " + canvas + " })()") > 5, "lanes are painted")
+    photograph(seen, "wires", "#wires")
+    number = seen.evaluate("document.getElementById('instant').value")
+    seen.evaluate("document.getElementById('lanes').focus()")
+    for _ in range(2):
+        seen.page.send("Input.dispatchKeyEvent", type="char", text="+")
+        seen.page.send("Input.dispatchKeyEvent", type="keyDown", key="-", text="-")
+    for _ in range(40):
+        seen.page.press("ArrowRight")
+    seen.check(seen.text("lanes-told") != told, "the arrow keys point at other clocks")
+    seen.after("shownInstants", lambda: seen.page.press("Enter"))
+    seen.check(seen.evaluate("document.getElementById('instant').value") != number, "a clock leads to its instant")
+    seen.after("shownLanes", lambda: seen.click("#frame"))
+    seen.check(f"of 0 to {seen.stats_of_command()['shown_clocks']:,}:" in seen.text("lanes-told"), "the whole frame: " + seen.text("lanes-told"))
+    seen.after("shownLanes", lambda: seen.click("#nearer"))
+
+
+def compares_two(seen):
+    seen.after("comparedTwo", lambda: seen.click("#keep"))
+    seen.check("pictures are equal" in seen.text("differs"), "A is itself")
+    seen.after("comparedTwo", lambda: seen.set("z-bits", "8"))
+    told = seen.text("differs")
+    seen.check("pixels differ" in told and "other instruction is i" in told, f"what differs is told: {told}")
+    seen.check(seen.evaluate("document.querySelectorAll('#counts tr:first-child td').length") == 2, "counts stand side by side")
+    seen.check(seen.evaluate("document.getElementById('timeline').hidden"), "lanes of another drawing are gone")
+    photograph(seen, "two", "#keep")
+    seen.set("z-bits", "")
+    seen.settled()
+
+
+def edits_the_source(seen):
+    source = seen.evaluate("document.getElementById('source').value")
+    seen.set("source", "cube(size=[20,20,20],center=true);")
+    seen.settled()
+    seen.check(seen.counts()["primitives, half-spaces"] == "1, 6", f"the edited source is drawn: {seen.counts()}")
+    seen.set("source", "cube(size=[20,20,20],center=true);\nsphere(r=;")
+    seen.until("!document.getElementById('error').hidden")
+    seen.check(seen.evaluate("document.getElementById('source').selectionStart") > 35, "the line of the error is selected")
+    seen.set("source", source)
+    seen.until("document.getElementById('error').hidden")
+    seen.settled()
+    seen.check_same("with the source as it was")
+
+
+def use(seen, server):
+    seen.open(server)
+    seen.check(seen.evaluate("document.getElementById('picture').naturalWidth") == 512, "the picture is 512 wide")
+    seen.check_same("as it begins")
+    for part in (turns_under_the_pointer, turns_by_keys, turns_knobs, calls_for_effects, asks_why, goes_through_time, goes_down_to_the_wires, compares_two,
+                 edits_the_source):
+        part(seen)
+    for width in (390, 1280):
+        for dark in (False, True):
+            seen.page.window(width, 900, dark)
+            seen.evaluate("document.querySelectorAll('details').forEach(each => { each.open = true; })")
+            seen.check(seen.evaluate(TOO_WIDE) == [], f"{width} pixels: {seen.evaluate(TOO_WIDE)}")
+    if len(sys.argv) > 3:
+        seen.evaluate("document.querySelectorAll('details').forEach(each => { each.open = false; })")
+        seen.page.window(1280, 1000)
+        seen.page.screenshot(sys.argv[3], full=False)
+    # What Chromium says of answers that tell of an error is no fault of the page.
+    problems = [each for each in seen.page.problems if "422" not in each]
+    seen.check(problems == [], f"{problems}")
+    own = [url for url in seen.page.requests if not url.startswith((server.address, "data:"))]
+    seen.check(own == [], f"asked for elsewhere: {own}")
 
 
 def main():
@@ -207,23 +230,12 @@ def main():
     server = Server(csgsim, "tests/models/carburettor.csg", "--camera", "220,-255,135,2,0,5", "--size", "512x512", cwd=SOURCE)
     page = browser.Browser(chromium)
     try:
-        use(page, csgsim, server)
-        for width in (390, 1280):
-            for dark in (False, True):
-                page.window(width, 900, dark)
-                check(page.evaluate(TOO_WIDE) == [], f"{width} pixels: {page.evaluate(TOO_WIDE)}")
-        if len(sys.argv) > 3:
-            page.window(1280, 1000)
-            page.screenshot(sys.argv[3], full=False)
-        # What Chromium says of answers that tell of an error is no fault of the page.
-        problems = [each for each in page.problems if "422" not in each]
-        check(problems == [], f"{problems}")
-        own = [url for url in page.requests if not url.startswith((server.address, "data:"))]
-        check(own == [], f"asked for elsewhere: {own}")
+        seen = Viewed(page, csgsim, SOURCE)
+        use(seen, server)
     finally:
         page.close()
         server.stop()
-    return 1 if failures else 0
+    return 1 if seen.failures else 0
 
 
 if __name__ == "__main__":

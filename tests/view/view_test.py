@@ -55,7 +55,7 @@ class Asked(unittest.TestCase):
         cls.folder.cleanup()
 
     def test_the_page_comes_whole_and_may_use_nothing_else(self):
-        for name, kind in (("", "text/html"), ("page.css", "text/css"), ("view.css", "text/css"), ("view.js", "text/javascript")):
+        for name, kind in (("", "text/html"), ("page.css", "text/css"), ("view.css", "text/css"), ("view.js", "text/javascript"), ("lanes.js", "text/javascript")):
             status, headers, body = self.server.get(name)
             self.assertEqual(status, 200)
             self.assertTrue(headers["Content-Type"].startswith(kind))
@@ -101,6 +101,75 @@ class Asked(unittest.TestCase):
         self.assertEqual(answer["story"] | {"why_not": told["why_not"]}, told)
         text = run("explain", MODEL, *words, "--pixel", "32,24", "--why-not", "p1").stdout
         self.assertEqual(answer["why_not"] + "\n" + answer["text"], text)
+
+    def test_lanes_are_those_of_wave(self):
+        file = pathlib.Path(self.folder.name) / "parts.json"
+        for machine in ("pixel-planes-4", "scan-line", "pixel-planes-5+ring.channels=4"):
+            knobs = SMALL | {"machine": machine}
+            words = [word for name, value in knobs.items() for word in (f"--{name}", value)]
+            self.assertEqual(run("wave", MODEL, *words, "-o", str(file)).returncode, 0)
+            recorded, parts, names = {}, {}, {}
+            for event in json.loads(file.read_text())["traceEvents"]:
+                if event["ph"] == "M":
+                    (parts if event["name"] == "process_name" else names)[event["pid" if event["name"] == "process_name" else "tid"]] = event["args"]["name"]
+                else:
+                    recorded.setdefault((parts[event["pid"]], names[event["tid"]]), []).append((event["args"]["clock"], event["args"]["clocks"], event["name"]))
+            status, whole = self.server.post("lanes", {"knobs": knobs})
+            self.assertEqual(status, 200, whole)
+            self.assertEqual((whole["begin"], whole["end"]), (whole["first"], whole["last"]))
+            middle = whole["last"] // 3
+            status, near = self.server.post("lanes", {"knobs": knobs, "begin": middle, "end": middle + 200})
+            self.assertEqual(status, 200, near)
+            for lane in near["lanes"]:
+                within = [[max(begin, middle), min(begin + clocks, middle + 200) - max(begin, middle), text]
+                          for begin, clocks, text in recorded.get((lane["part"], lane["name"]), []) if begin < middle + 200 and begin + clocks > middle]
+                self.assertEqual(lane["stretches"], within, lane["name"])
+
+    def test_a_wave_is_that_of_wave_and_lanes_of_a_pixel_too(self):
+        knobs = {"size": "8x8", "z-bits": "8", "fraction-bits": "0"}
+        probing = {"pixel": "5,3", "window": "i8:i9", "probes": ["tree.x:0", "tree.y:3"]}
+        words = ["--size", "8x8", "--z-bits", "8", "--fraction-bits", "0", "--pixel", "5,3", "--window", "i8:i9", "--probe", "tree.x:0", "--probe", "tree.y:3"]
+        status, answer = self.server.post("wave", {"knobs": knobs, **probing})
+        self.assertEqual(status, 200, answer)
+        self.assertEqual(answer["wave"], run("wave", MODEL, *words, "-o", "-").stdout)
+        status, answer = self.server.post("lanes", {"knobs": knobs, **probing})
+        self.assertEqual(status, 200, answer)
+        lanes = {lane["name"]: lane["stretches"] for lane in answer["lanes"] if lane["part"] == "pixel_5_3"}
+        self.assertTrue(lanes["tree_x_0"] and lanes["tree_y_3"] and lanes["enable"])
+
+    def test_probing_takes_no_other_words(self):
+        for probing in ({"pixel": "5,3 -o x", "window": "i8"}, {"pixel": "--help", "window": "i8"}, {"pixel": "5,3", "window": "i8", "probes": ["--output=x"]},
+                        {"pixel": "999,3", "window": "i8"}, {"pixel": "5,3", "window": "i999999"}):
+            status, answer = self.server.post("wave", {"knobs": SMALL, **probing})
+            self.assertEqual(status, 422, answer)
+            self.assertNotIn("$date", answer["error"])
+        for probing in ({"pixel": 5}, {"pixel": "5,3", "window": ["i8"]}, {"pixel": "5,3", "probes": "tree.x:1"}, {"begin": "x"}, {"begin": -1}):
+            self.assertEqual(self.server.post("lanes", {"knobs": SMALL, **probing})[0], 400)
+
+    def test_verdict_and_advice_are_those_of_render(self):
+        knobs = SMALL | {"z-bits": "8"}
+        stats, _ = of_render(self.folder.name, MODEL, *[word for name, value in knobs.items() for word in (f"--{name}", value)], "--check", "--advice")
+        status, answer = self.server.post("verdict", {"knobs": knobs})
+        self.assertEqual((status, answer.get("accuracy")), (200, stats["accuracy"]), answer)
+        status, answer = self.server.post("advice", {"knobs": knobs})
+        self.assertEqual((status, answer.get("knobs")), (200, stats["knobs"]), answer)
+        self.assertTrue(answer["knobs"])
+
+    def test_an_effect_of_the_form_is_one_of_a_scene(self):
+        _, _, body = self.server.get("about")
+        for effect in json.loads(body)["effects"]:
+            if effect["is_list"]:
+                continue
+            knobs = SMALL | {"set": [effect["key"] + ".on=true"], "memory-bits": "160"}
+            status, answer = self.server.post("draw", {"knobs": knobs})
+            self.assertEqual(status, 200, (effect["name"], answer))
+
+    def test_an_instant_is_found_by_its_clock(self):
+        _, at = self.server.post("instant", {"knobs": SMALL, "number": 9})
+        begin, end = at["clocks"]
+        for clock in (begin, end - 1):
+            _, found = self.server.post("instant", {"knobs": SMALL, "clock": clock})
+            self.assertEqual(found["number"], 9)
 
     def test_an_edited_source_is_drawn_and_not_written(self):
         before = (SOURCE / MODEL).read_text()

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/cli/cli.h"
+#include "tests/waves/vcd.h"
 
 namespace {
 
@@ -101,6 +102,47 @@ TEST_CASE("what the parts of a pixel-square machine wait for over a frame is wha
   CHECK(sender.at("waiting_for_renderer") == counted.at("waiting_for_renderer"));
   CHECK(clocks_of(frame.lanes.at("host.state")).at("sending") == frame.counted.at("host").at("working"));
 }
+TEST_CASE("ring and frame buffer work in the clocks that a run counts, the screen's turns besides") {
+  const Frame frame("pixel-planes-5", "", 25e3);
+  // The edge that ends the frame takes its last word.
+  const auto all_but_the_last = [](std::uint64_t clocks) { return clocks - 1; };
+  CHECK(clocks_of(frame.lanes.at("ring.state")).at("working") ==
+        all_but_the_last(frame.counted.at("ring").at("working")));
+  const Clocks buffer = clocks_of(frame.lanes.at("frame_buffer.state"));
+  const Clocks& counted = frame.counted.at("frame buffer");
+  CHECK(buffer.at("working") == all_but_the_last(counted.at("working")));
+  CHECK(buffer.contains("refreshing") == counted.contains("refreshing"));
+  if (counted.contains("refreshing")) CHECK(buffer.at("refreshing") == counted.at("refreshing"));
+}
+TEST_CASE("trees stream, and the picture is shown, in lanes of their own") {
+  const Frame frame("pixel-planes-4");
+  const Clocks root = clocks_of(frame.lanes.at("root.state"));
+  CHECK(root.at("streaming") > 0);
+  CHECK(root.at("streaming") <= clocks_of(frame.lanes.at("controller.state")).at("issuing"));
+  const std::vector<Stretch>& shown = frame.lanes.at("scan_out.state");
+  CHECK(shown.back().begin + shown.back().clocks == frame.shown_clocks);
+}
+TEST_CASE("lanes of a pixel and its trees have, clock for clock, what a wave of them has") {
+  const Folder folder;
+  const std::string words = "wave " + model("thesis_fig_2_3") +
+                            " --size 8x8 --z-bits 8 --fraction-bits 0 --window i8:i10" +
+                            " --pixel 5,3 --probe tree.x:3 -o ";
+  for (const char* const name : {"w.json", "w.vcd"}) {
+    const Outcome outcome = run(words + (folder / name));
+    REQUIRE_MESSAGE(outcome.code == 0, outcome.err);
+  }
+  const auto lanes = lanes_of(json(folder / "w.json"), 100e3);
+  const csgsim::test::Vcd vcd(content(folder / "w.vcd"));
+  for (const char* const name : {"pixel_5_3.tree_x_3", "pixel_5_3.enable", "root.bit", "controller.bit"}) {
+    CAPTURE(name);
+    std::size_t compared = 0;
+    for (const Stretch& one : lanes.at(name)) {
+      for (std::uint64_t clock = one.begin; clock < one.begin + one.clocks; ++clock, ++compared)
+        CHECK(vcd.number_at("frame_buffer." + std::string(name), (clock + 1) * 100'000) == std::stoull(one.shown));
+    }
+    CHECK(compared > 5);
+  }
+}
 TEST_CASE("a lane's stretches follow each other, and what follows is something else") {
   const Frame frame("pixel-planes-5", " --window 300:900", 25e3);
   CHECK(frame.lanes.size() > 20);
@@ -118,8 +160,8 @@ TEST_CASE("a lane's stretches follow each other, and what follows is something e
     }
   }
 }
-TEST_CASE("of what the parts are at there are no pixels, and only clocks") {
-  misused("wave traces/x.csgt --pixel 1,1 -o parts.json", "has no pixels");
-  misused("wave traces/x.csgt --at owner -o parts.json", "has no pixels");
+TEST_CASE("of what the parts are at without a pixel there are only clocks, and to a file only by its name") {
+  misused("wave traces/x.csgt --at owner -o parts.json", "say which, as in --pixel 100,20");
   misused("wave traces/x.csgt --window i3 -o parts.json", "FIRST:END");
+  misused("wave traces/x.csgt --parts -o parts.vcd", "has to end in .json");
 }

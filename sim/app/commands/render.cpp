@@ -6,9 +6,6 @@
 
 #include "hw/base/error.h"
 #include "sim/app/commands/commands.h"
-#include "sim/judges/errors.h"
-#include "sim/judges/explain.h"
-#include "sim/judges/truth.h"
 #include "sim/shell/advice.h"
 #include "sim/shell/frames.h"
 #include "sim/shell/model_options.h"
@@ -18,6 +15,7 @@
 #include "sim/shell/run_outputs.h"
 #include "sim/shell/settings/configuration.h"
 #include "sim/shell/usage.h"
+#include "sim/shell/verdict.h"
 #include "sim/story/halfspaces.h"
 #include "sim/studies/accuracy/measure.h"
 
@@ -32,27 +30,6 @@ struct Options {
   std::optional<std::uint64_t> max_wrong_pixels;
   Turntable turntable;
 };
-
-/// Holds the picture against the exact one of the same half-spaces.
-std::string verdict(const CompiledModel& compiled, const observe::Frame& frame, nlohmann::ordered_json& json) {
-  const isa::Program& program = compiled.program;
-  const judges::Truth truth = judges::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width,
-                                                  program.shape.height, program.facts.depth_scale);
-  const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
-  const judges::Errors errors = judges::judge(truth, frame, program, explainer);
-  json = {{"wrong", errors.wrong()},
-          {"wrong_silhouette", errors.silhouette},
-          {"wrong_owner", errors.owner},
-          {"wrong_depth", errors.depth},
-          {"explained", errors.explained},
-          {"unexplained", errors.unexplained},
-          {"covered", errors.covered},
-          {"depth_max", errors.model_units.max},
-          {"depth_p999", errors.model_units.p999},
-          {"depth_max_steps", errors.steps.max},
-          {"depth_p999_steps", errors.steps.p999}};
-  return fmt::format("{:<18}{}\n", "accuracy", judges::to_text(errors));
-}
 
 /// Takes the cheapest z bits and fraction bits whose picture has at most so many wrong pixels, and says which.
 void choose_settings(Options& options, const machines::Machine& machine) {
@@ -103,8 +80,8 @@ void run(Options& options, const Command& command) {
   Judge judge;
   if (options.check) {
     refuse_see_through(options.model, compiled.tree, compiled.camera);
-    judge = [&compiled](const observe::Frame& frame, nlohmann::ordered_json& json) {
-      return verdict(compiled, frame, json);
+    judge = [&](const observe::Frame& frame, nlohmann::ordered_json& json) {
+      return verdict(compiled, options.model, frame, json);
     };
   }
   std::vector<std::filesystem::path> inputs = options.model.inputs();

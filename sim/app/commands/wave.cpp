@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -28,8 +29,8 @@
 #include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
 #include "sim/waves/foreknowledge.h"
-#include "sim/waves/gtkwave_view.h"
 #include "sim/waves/record.h"
+#include "sim/waves/view.h"
 #include "sim/waves/wave_file.h"
 #include "sim/waves/window.h"
 
@@ -47,6 +48,7 @@ struct Options {
   std::string evaluator;
   bool whole = false;
   bool timing = false;
+  bool parts = false;
   std::string output;
 };
 
@@ -65,11 +67,19 @@ wave::TreeLevel tree_level_of(const std::string& text) {
   return {is_x ? Axis::x : Axis::y, level.front()};
 }
 
-/// Does the file have what parts are at, and no pixels?
-bool is_of_parts(const Options& options) { return ends_in(options.output, ".json"); }
+/// Does the file have what parts are at, as lanes?
+bool is_of_parts(const Options& options) { return options.parts || ends_in(options.output, ".json"); }
 
-/// Is a save file for GTKWave written beside the file?
-bool has_view(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
+/// And numbers of pixels beside them?
+bool has_pixels(const Options& options) { return !options.pixels.empty() || !options.probes.empty(); }
+
+/// Are there files for viewers beside the file?
+bool has_views(const Options& options) { return !is_unnamed_stream(options.output) && !is_of_parts(options); }
+
+waves::Format format_of(const Options& options) {
+  if (!is_of_parts(options)) return waves::Format::value_changes;
+  return has_pixels(options) ? waves::Format::all_trace_events : waves::Format::trace_events;
+}
 
 /// Without its windows and its file.
 wave::Request request_of(const Options& options, const isa::Program& program) {
@@ -84,7 +94,7 @@ wave::Request request_of(const Options& options, const isa::Program& program) {
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> seen;
   std::erase_if(request.pixels, [&](wave::Pixel pixel) { return !seen.insert({pixel.x, pixel.y}).second; });
-  if (request.pixels.empty() && !is_of_parts(options))
+  if (request.pixels.empty() && (!is_of_parts(options) || has_pixels(options)))
     throw UsageError("--pixel", "say which pixel to look into, as in --pixel 100,20");
   return request;
 }
@@ -126,34 +136,49 @@ Windows whole_frame(const waves::Foreknowledge& known) {
   return {{{0, std::max(known.result.clocks, known.result.shown_clocks)}}, 0, "the whole frame"};
 }
 
-void refuse_pixels(const Command& command) {
-  for (const char* const option : {"pixel", "probe", "at", "evaluator"}) {
-    if (!is_given(command, option)) continue;
-    throw UsageError("--" + std::string(option),
-                     "a file of what the parts are at, .json, has no pixels; choose a name that ends in .vcd or .fst");
+/// Of a file of what the parts are at without a pixel.
+void refuse_what_pixels_have(const Command& command) {
+  for (const char* const option : {"at", "evaluator"}) {
+    if (is_given(command, option))
+      throw UsageError("--" + std::string(option), "is of a pixel; say which, as in --pixel 100,20");
   }
 }
 
 /// Refuses words that do not go together; returns the window that is asked for, if --at does not stand in its place.
 std::optional<waves::WindowRequest> checked(const Options& options, const Command& command) {
-  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_view(options))
+  if (options.parts && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
+    throw UsageError("--parts", "the name of a file of what the parts are at has to end in .json");
+  if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
     throw UsageError("--output",
                      "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
-  if (is_of_parts(options)) refuse_pixels(command);
+  const bool has_parts_alone = is_of_parts(options) && !has_pixels(options);
+  if (has_parts_alone) refuse_what_pixels_have(command);
   if (!is_model(options.model.model))
     refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "padding", "at", "evaluator", "whole",
-                                   "timing", "output"});
+                                   "timing", "parts", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   if (!options.at.empty()) return std::nullopt;
   const waves::WindowRequest asked = for_option("--window", [&] { return waves::parse_window(options.window); });
-  if (is_of_parts(options) && asked.kind != waves::WindowRequest::Kind::clocks)
-    throw UsageError("--window", "what the parts are at is told of clocks FIRST:END, or without it of the whole frame");
+  if (has_parts_alone && asked.kind != waves::WindowRequest::Kind::clocks) {
+    throw UsageError("--window",
+                     "without a --pixel, what the parts are at is told of clocks FIRST:END, or without it of the whole "
+                     "frame");
+  }
   return asked;
 }
 
+/// Of the files for viewers.
+std::vector<std::filesystem::path> view_paths(const Options& options) {
+  std::vector<std::filesystem::path> paths;
+  if (!has_views(options)) return paths;
+  for (const waves::View& view : waves::views)
+    paths.push_back(std::filesystem::path(options.output).replace_extension(view.ending));
+  return paths;
+}
+
 void print_summary(const Options& options, const Windows& windows, const wave::Request& request,
-                   std::uint64_t frame_clocks, const std::filesystem::path& view) {
+                   std::uint64_t frame_clocks) {
   std::uint64_t clocks = 0;
   for (const wave::Window& window : request.windows) clocks += window.end - window.begin;
   if (is_of_parts(options)) {
@@ -163,17 +188,16 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
   }
   fmt::print("{}: {}; {} clocks of {} in {}, {}{}\n", printable(options.output), windows.shown, grouped(clocks),
              grouped(frame_clocks), counted(request.windows.size(), "window"), counted(request.pixels.size(), "pixel"),
-             view.empty() ? "" : "; to look at it: gtkwave " + shell_word(view.native()));
+             has_views(options) ? "; to look at it: gtkwave " + shell_word(view_paths(options).front().native()) : "");
 }
 
 void record(const Options& options, const Command& command) {
   const std::optional<waves::WindowRequest> asked = checked(options, command);
-  const std::filesystem::path view_path =
-      has_view(options) ? std::filesystem::path(options.output).replace_extension(".gtkw") : std::filesystem::path();
-  refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.output, view_path}));
-  OutputFile file(options.output);
-  std::optional<OutputFile> view;
-  if (has_view(options)) view.emplace(view_path);
+  std::vector<std::filesystem::path> outputs{options.output};
+  for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
+  refuse_clashes(options.model.inputs(), outputs);
+  std::deque<OutputFile> files;
+  for (const std::filesystem::path& path : outputs) files.emplace_back(path);
   const ProgramOnMachine subject = program_of(options.model, command);
   const machines::Machine& machine = subject.machine;
   const isa::Program& program = subject.program;
@@ -183,18 +207,17 @@ void record(const Options& options, const Command& command) {
       with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
-  const bool is_whole = is_of_parts(options) && !is_given(command, "window");
+  const bool is_whole = is_of_parts(options) && !is_given(command, "window") && options.at.empty();
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
   request.windows = waves::padded(windows.windows, options.padding);
-  waves::WaveFile waveform(file, ends_in(options.output, ".fst"));
+  waves::WaveFile waveform(files.front(), ends_in(options.output, ".fst"));
   request.write = [&](std::string_view text) { waveform.write(text); };
   const auto fidelity = options.whole ? waves::Fidelity::whole : waves::Fidelity::probed;
   const auto form =
       options.evaluator.empty() ? waves::evaluator_for(machine, request) : evaluator_form(options.evaluator);
-  const auto format = is_of_parts(options) ? waves::Format::trace_events : waves::Format::value_changes;
   const waves::Recording recording = with_memory_for_run({&program, 1}, machine.array, [&] {
-    return waves::record(program, machine, known, request, fidelity, form, format);
+    return waves::record(program, machine, known, request, fidelity, form, format_of(options));
   });
   const double recording_seconds = seconds_since(begin) - functional_seconds;
   if (!recording.reached) {
@@ -205,9 +228,14 @@ void record(const Options& options, const Command& command) {
                     known.result.clocks, known.result.shown_clocks, options.window));
   }
   waveform.finish();
-  if (view) view->write(gtkwave_view(recording, request.windows, windows.marked, options.output, machine));
-  commit_all(std::array{&file, view ? &*view : nullptr});
-  print_summary(options, windows, request, known.result.clocks, view_path);
+  const waves::Shown shown{recording, request.windows, windows.marked, options.output, machine};
+  std::vector<OutputFile*> whole{&files.front()};
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    files[i].write(waves::views.at(i - 1).text(shown));
+    whole.push_back(&files[i]);
+  }
+  commit_all(whole);
+  print_summary(options, windows, request, known.result.clocks);
   if (options.timing) print_timing(functional_seconds, recording_seconds, recording.writing_seconds);
 }
 
@@ -240,10 +268,11 @@ void add_wave(CommandLine& line) {
   command.flag("--whole", options->whole,
                "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
   command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
+  command.flag("--parts", options->parts, "Write what a .json would have to an output without a name, -");
   command
       .option("-o,--output", options->output,
               "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it; .json: what the parts "
-              "are at over the frame, as trace events, which Perfetto shows")
+              "are at over the frame, and with --pixel all that a wave shows, as trace events, which Perfetto shows")
       .required();
   command.prints_summary();
   command.runs([options, command] { record(*options, command); });

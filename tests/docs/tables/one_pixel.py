@@ -21,6 +21,7 @@ def pictures(figures):
         "notch_in_a": art.classified(told_by, "N in A", place, ("in A: kept", "not in A")),
         "notch_in_b": art.classified(told_by, "N in B", place, ("in B: kept", "not in B")),
         "depth": art.kept(told_by, "N in B shade", place),
+        "enabled": art.enabled(told_by, place), "stream": art.stream(told_by),
     }
     folder = figures.runs.run("true # the pictures of docs/one-pixel.md").folder
     for name, drawing in drawn.items():

@@ -139,3 +139,51 @@ def ray(story, followed):
                   box(left + front * scale, top, (back - front) * scale, 26, TINTS.get(name, "#c9e9cf"), INK),
                   text(left + front * scale - 4, top + 9, front, 12, anchor="end"), text(left + back * scale + 4, top + 9, back, 12, anchor="start")]
     return picture(430, 216, f"The ray of pixel {x},{y}: depths of the boxes, and what is left of them", parts)
+
+
+SMALL, SPACE = 7, 22  # a pixel of a small grid, and the room between grids
+
+
+def enabled(story, followed):
+    """E of all pixels at some instants: where it is 1, dark."""
+    def after(name):
+        return {place: now.enabled for place, now in story.step(name).after.items()}
+
+    first, last = {name: story.step(name).first for name in ("A render", "B render")}, {each.name: each.last for each in story.steps}
+    fenced = {(x, y): story.hand.covers("A", x, y) for x in range(SIDE) for y in range(SIDE)}
+    shown = [(f"i{first['A render'] + 4}", "in A's rectangle", fenced, "A"), (f"i{last['A render']}", "A has a front", after("A render"), "A"),
+             (f"i{last['A classify']}", "Z1 is in N", after("A classify"), "A"), (f"i{last['A mask']}", "A's front is left", after("A mask"), "A"),
+             (f"i{last['B test']}", "B is nearer", after("B test"), "B"), (f"i{last['B mask']}", "B's front is left", after("B mask"), "B"),
+             (f"i{last['N in A classify']}", "N's back is in A", after("N in A classify"), "N"),
+             (f"i{last['N in B classify']}", "N's back is in B", after("N in B classify"), "N")]
+    parts, pitch = [], SMALL * SIDE + SPACE
+    for n, (instruction, words, pixels, owner) in enumerate(shown):
+        left, top = SPACE + pitch * (n % 4), 24 + (pitch + 28) * (n // 4)
+        parts += [box(left + SMALL * x, top + SMALL * y, SMALL, SMALL, BOX_INK[owner] if on else PAPER, "#dcdcdc", 0.6)
+                  for (x, y), on in sorted(pixels.items())]
+        parts += [box(left + SMALL * followed[0], top + SMALL * followed[1], SMALL, SMALL, "none", OUTLINE, 2),
+                  text(left, top - 8, f"after {instruction}", 12, anchor="start", weight="bold"),
+                  text(left, top + SMALL * SIDE + 16, f"{words}: {sum(pixels.values())}", 11.5, anchor="start")]
+    return picture(SPACE + 4 * pitch, 2 * (pitch + 28), "Enabled pixels at eight instants", parts)
+
+
+PURPOSES = {"setup": "#9a9a9a", "render": "#5b8fd0", "classify": "#e0a030", "stack": "#444444", "merge": "#4aa564", "shade": "#a678c8"}
+
+
+def stream(story):
+    """The instructions as they follow each other, a clock a step to the right, a row a surface."""
+    rows = [("", "setup", "setup"), ("A", "A render", "A shade"), ("B", "B render", "B shade"), ("N, in A", "N render", "N in A shade"),
+            ("in B", "N in B test", "N in B shade")]
+    left, scale, high, parts = 66, 620 / sum(each.clocks for each in story.stream), 34, []
+    clock = 0
+    for n, (name, begin, end) in enumerate(rows):
+        top, first, last = 14 + high * n, story.step(begin).first, story.step(end).last
+        parts += [text(left - 8, top + 16, name or "setup", 12.5, anchor="end", weight="bold")]
+        for each in story.stream[first : last + 1]:
+            parts.append(box(left + clock * scale, top, each.clocks * scale, 22, PURPOSES[each.purpose], PAPER, 0.6))
+            clock += each.clocks
+        parts.append(text(left + clock * scale + 4, top + 16, f"i{last}, clock {clock:,}", 11, anchor="start"))
+    below = 24 + high * len(rows)
+    for n, (purpose, fill) in enumerate(PURPOSES.items()):
+        parts += [box(left + 112 * n, below, 16, 14, fill, "#808080"), text(left + 112 * n + 22, below + 12, purpose, 12, anchor="start")]
+    return picture(left + 620 + 126, below + 26, "The stream of instructions, clock by clock: each box is one", parts)

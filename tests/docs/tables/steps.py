@@ -5,6 +5,7 @@ from runs import ROOT
 
 NOT_RUN = ("./setup.sh", "export PATH")  # of whoever reads it; a test has a build already
 MOST_LINES = 12
+STAND_IN = ROOT / "tests/docs/stand_in"  # where there is no OpenSCAD
 VARIES = ("simulated in",)
 
 
@@ -30,7 +31,7 @@ class Steps:
     def script(self):
         """A command for bash: what step N prints goes to $OUT/N.txt."""
         links = "".join(f"ln -s {ROOT}/{link} {link}\n" for link in self.links)
-        return f"cd $OUT; {links}" + "\n".join(f"{{\n{text}\n}} > {n}.txt" for n, text in enumerate(self.texts()))
+        return f"cd $OUT; PATH=$PATH:{STAND_IN}\n{links}" + "\n".join(f"{{\n{text}\n}} > {n}.txt" for n, text in enumerate(self.texts()))
 
     def printed(self, figures, number, most=MOST_LINES):
         """What a step prints: its first lines, without what depends on the machine's speed."""

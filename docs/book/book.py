@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Makes the pages of README.md and docs/ a site and a PDF, in the order of docs/book/order.toml.
+
+    docs/book/book.py site OUT    OUT/index.html and all it needs, by Sphinx
+    docs/book/book.py pdf OUT     OUT.pdf of the site in OUT, by WeasyPrint"""
+
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import paper
+from order import parts
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+LINK = re.compile(r"(?P<before>\]\(|src=\")(?P<path>[^)#\s\":]+)(?P<after>[)#\"])")
+FENCE = re.compile(r"^\s*```")
+
+
+def is_page(path):
+    return path == "README.md" or path.startswith("docs/") and path.endswith(".md")
+
+
+def place(path):
+    """Where a file of the repository is in the site's source; of what is no page and no picture, a copy in files/."""
+    if path == "README.md":
+        return "index.md"
+    if is_page(path) or path.startswith("docs/pictures/"):
+        return path.removeprefix("docs/")
+    return f"files/{path}" + (".txt" if path.endswith(".md") else "")
+
+
+class Source:
+    """The site's source: pages with links as the site has them."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def link(self, page, target):
+        """The link from a page to a file of the repository, which is copied if it is no page."""
+        path = os.path.normpath(os.path.join(os.path.dirname(page), target))
+        if not is_page(path) and (ROOT / path).is_file():
+            there = self.folder / place(path)
+            there.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / path, there)
+        return os.path.relpath(place(path), os.path.dirname(place(page)) or ".")
+
+    def text(self, page):
+        """The page with its links to other files put right; code stays as it is."""
+        lines, fenced = [], False
+        for line in (ROOT / page).read_text(encoding="utf-8").splitlines():
+            fenced ^= bool(FENCE.match(line))
+            if not fenced and not line.startswith("    "):
+                line = LINK.sub(lambda found: found["before"] + self.link(page, found["path"]) + found["after"], line)
+            lines.append(line)
+        return "\n".join(lines) + "\n"
+
+    def write(self, page, more=""):
+        there = self.folder / place(page)
+        there.parent.mkdir(parents=True, exist_ok=True)
+        there.write_text(self.text(page) + more, encoding="utf-8")
+
+
+def contents():
+    """The table of contents for Sphinx, which the theme shows beside each page."""
+    text = ""
+    for name, pages in parts():
+        rows = "\n".join(f"{title} <{place(path).removesuffix('.md')}>" for path, title, _ in pages)
+        text += f"\n```{{toctree}}\n:hidden:\n:caption: {name}\n\n{rows}\n```\n"
+    return text
+
+
+def site(out):
+    """Builds the site; a warning of Sphinx is an error."""
+    folder = out.with_name(out.name + "-source")
+    for stale in (folder, out):
+        shutil.rmtree(stale, ignore_errors=True)
+    source = Source(folder)
+    source.write("README.md", contents())
+    for _, pages in parts():
+        for path, _, _ in pages:
+            source.write(path)
+    shutil.copytree(HERE, folder / "book", ignore=shutil.ignore_patterns("__pycache__"))
+    shutil.move(folder / "book/conf.py", folder / "conf.py")
+    subprocess.run(["/usr/bin/python3", "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", folder, out], check=True)
+    shutil.rmtree(out / ".doctrees", ignore_errors=True)
+    mend_theme(out / "_static")
+
+
+def mend_theme(static):
+    """Debian's furo as its authors have it: what it imports is not there under file:// (its script is a module of two files, its
+    style names one of a server), and colours for who prefers dark are missing."""
+    script, style = static / "scripts/furo.js", static / "styles/furo.css"
+    text = (static / "scripts/gumshoe-patched.js").read_text(encoding="utf-8") + script.read_text(encoding="utf-8")
+    script.write_text(re.sub(r"^import .*\n", "", text, flags=re.MULTILINE), encoding="utf-8")
+    text = re.sub(r"@import [^;]*;", "", style.read_text(encoding="utf-8"))
+    dark = re.search(r'body\[data-theme="dark"\] \{([^}]*--color-background-primary[^}]*)\}', text)[1]
+    text += f'@media (prefers-color-scheme: dark) {{ body:not([data-theme="light"]) {{ {dark} }} }}\n'
+    style.write_text(text, encoding="utf-8")
+
+
+def main():
+    if len(sys.argv) != 3 or sys.argv[1] not in ("site", "pdf"):
+        sys.exit(__doc__)
+    out = pathlib.Path(sys.argv[2]).resolve()
+    if sys.argv[1] == "site":
+        site(out)
+    else:
+        paper.make(out, [(name, [(place(path), title) for path, title, _ in pages]) for name, pages in parts()])
+
+
+if __name__ == "__main__":
+    try:
+        main()
+    except subprocess.CalledProcessError as error:
+        sys.exit(f"book.py: Sphinx ended with {error.returncode}")

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "sim/observe/frame.h"
+#include "sim/shell/model_options.h"
+
+namespace csgsim::shell {
+
+/// Holds the picture against the exact one of the same half-spaces: `json` becomes how many pixels are wrong, and in
+/// what, as the stats have it. Returns the same as a line of a summary. Throws InputError where something is
+/// see-through.
+std::string verdict(const CompiledModel& compiled, const ModelOptions& options, const observe::Frame& frame,
+                    nlohmann::ordered_json& json);
+
+}  // namespace csgsim::shell

@@ -1,0 +1,66 @@
+// What the page wishes, and how it asks csgsim for it.
+import {byId} from './dom.js';
+import {selectLine} from './source.js';
+
+// What the page shows. The camera is none until the first picture says where it is.
+export const now = {about: null, camera: null, first: null, drawn: null, edited: false};
+
+export const named = ['machine', 'strategy', 'memory-bits', 'z-bits', 'projection', 'size'];
+export const flags = ['view-all', 'snap'];
+
+export const wish = () => {
+  const knobs = {};
+  for (const name of now.about.names) {
+    if (name === 'camera') {
+      if (now.camera) knobs.camera = [...now.camera.eye, ...now.camera.centre].join(',');
+    } else if (name === 'set') {
+      const sets = byId('set').value.split('\n').map(line => line.trim()).filter(line => line);
+      if (sets.length) knobs.set = sets;
+    } else if (flags.includes(name)) {
+      if (byId(name).checked) knobs[name] = true;
+    } else if (byId(name).value.trim()) {
+      knobs[name] = byId(name).value.trim();
+    }
+  }
+  return now.edited ? {knobs, source: byId('source').value} : {knobs};
+};
+
+export const ask = async (what, body) => {
+  const reply = await fetch(what, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
+  return {isGood: reply.ok, answer: await reply.json()};
+};
+
+// The line of the source that an error names is selected.
+export const showError = answer => {
+  byId('error').textContent = answer.error;
+  byId('error').hidden = false;
+  byId('stage').classList.add('stale');
+  if (answer.line && now.edited) selectLine(answer.line, answer.column);
+};
+
+const works = [];
+
+// Asks one thing at a time, and of what is wished meanwhile the last.
+export const lastOf = work => {
+  let isBusy = false;
+  let isWished = false;
+  const run = async () => {
+    isWished = true;
+    if (isBusy) return;
+    isBusy = true;
+    while (isWished) {
+      isWished = false;
+      try {
+        await work();
+      } catch (error) {
+        showError({error: 'csgsim view does not answer: ' + error.message});
+      }
+    }
+    isBusy = false;
+  };
+  works.push(() => isBusy);
+  return run;
+};
+
+// Whether all that was wished has been shown.
+window.isAtRest = () => now.drawn !== null && !now.changed && !now.later && !works.some(isBusy => isBusy());

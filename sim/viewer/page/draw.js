@@ -1,0 +1,73 @@
+// Draws, and shows what the picture took.
+import {byId, grouped, make} from './dom.js';
+import {ask, lastOf, now, showError, wish} from './asking.js';
+import {cameraOf} from './camera.js';
+import {lookAtInstant} from './time.js';
+import {compareTwo} from './two.js';
+import {forgetAnswers} from './judged.js';
+import {showTree} from './trees.js';
+import {forgetLanes} from './wires.js';
+
+const row = (name, ...values) => make('tr', {}, make('th', {scope: 'row'}, name), ...values.map(value => make('td', {class: 'n'}, value)));
+
+const countsOf = stats => {
+  const rate = stats.frames_per_second;
+  return [
+    ['clocks until it is drawn', grouped(stats.clocks)],
+    ['clocks until it is shown', grouped(stats.shown_clocks)],
+    ['clocks from one frame to the next', grouped(stats.interval_clocks)],
+    ['frames a second', rate === undefined || rate === null ? '' : Number(rate).toPrecision(4)],
+    ['instructions', grouped(stats.instructions.total)],
+    ['pixel operations', grouped(stats.pixel_operations.total)],
+    ['memory bits a pixel', stats.memory.used_bits + ' of ' + stats.memory.memory_bits],
+    ['primitives, half-spaces', grouped(stats.model.primitives) + ', ' + grouped(stats.model.halfspaces)],
+  ];
+};
+
+export const showCounts = stats => {
+  const ofA = now.kept ? countsOf(now.kept.drawn.stats) : [];
+  byId('counts').replaceChildren(...countsOf(stats).map((each, index) => row(...each, ...(now.kept ? [ofA[index][1]] : []))));
+  byId('sides').hidden = !now.kept;
+  byId('bound').textContent = stats.bound_by ? stats.bound_by.sentence ?? stats.bound_by : '';
+  const purposes = Object.entries(stats.by_purpose).filter(([, cost]) => cost.instructions > 0);
+  const whole = purposes.reduce((sum, [, cost]) => sum + cost.clocks, 0) || 1;
+  byId('bill').replaceChildren(...purposes.map(([name, cost]) => make('tr', {}, make('th', {scope: 'row'}, name.replace(/_/g, ' ')),
+    make('td', {class: 'n'}, grouped(cost.clocks)), make('td', {class: 'n'}, (100 * cost.clocks / whole).toFixed(1) + ' %'),
+    make('td', {class: 'n'}, grouped(cost.instructions)))));
+};
+
+const show = (answer, asked) => {
+  const as = answer.command + (asked.source ?? '');
+  if (!now.drawn || now.drawn.as !== as) {
+    forgetAnswers();
+    forgetLanes();
+  }
+  now.drawn = {...answer, as};
+  byId('picture').src = answer.picture;
+  byId('error').hidden = true;
+  byId('stage').classList.remove('stale');
+  byId('command').textContent = answer.command;
+  byId('warnings').replaceChildren(...answer.warnings.map(line => make('li', {}, line)));
+  byId('warnings').hidden = answer.warnings.length === 0;
+  if (!now.camera) {
+    now.camera = cameraOf(answer.camera);
+    now.first = now.first || structuredClone(now.camera);
+  }
+  showCounts(answer.stats);
+};
+
+export const draw = lastOf(async () => {
+  const asked = wish();
+  const {isGood, answer} = await ask('draw', asked);
+  if (isGood) show(answer, asked);
+  else showError(answer);
+  window.drawnPictures = (window.drawnPictures || 0) + 1;
+  // Not while the model is turned.
+  clearTimeout(now.later);
+  now.later = setTimeout(() => {
+    now.later = 0;
+    lookAtInstant();
+    compareTwo();
+    showTree();
+  }, 250);
+});

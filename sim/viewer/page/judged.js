@@ -1,0 +1,38 @@
+// What takes longer than a picture, and is worked out where somebody asks for it.
+import {byId, grouped, make} from './dom.js';
+import {ask, lastOf, now, wish} from './asking.js';
+
+const knobText = knob => {
+  const change = 100 * (1 - knob.clocks_after / knob.clocks_before);
+  return grouped(knob.clocks_after) + ' clocks from one frame to the next instead of ' + grouped(knob.clocks_before) + ', ' + change.toFixed(1) + ' % fewer';
+};
+
+const advise = lastOf(async () => {
+  byId('advice').replaceChildren(make('li', {}, 'trying what could be turned …'));
+  const {as} = now.drawn;
+  const {isGood, answer} = await ask('advice', wish());
+  if (as !== now.drawn.as) return;
+  const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knobText(knob))) : [make('li', {}, answer.error)];
+  byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'nothing that can be turned helps')]));
+  window.advice = isGood ? answer.knobs : null;
+});
+
+const judge = lastOf(async () => {
+  byId('verdict').textContent = 'working the picture out exactly …';
+  const {as} = now.drawn;
+  const {isGood, answer} = await ask('verdict', wish());
+  if (as !== now.drawn.as) return;
+  byId('verdict').textContent = isGood ? answer.text.replace(/^accuracy +/, '') : answer.error;
+  byId('verdict').dataset.wrong = isGood ? answer.accuracy.wrong : '';
+});
+
+// They were of another picture.
+export const forgetAnswers = () => {
+  byId('advice').replaceChildren();
+  byId('verdict').textContent = '';
+};
+
+export const setUpJudged = () => {
+  byId('advise').addEventListener('click', advise);
+  byId('judge').addEventListener('click', judge);
+};

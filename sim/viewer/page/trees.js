@@ -1,0 +1,44 @@
+// The model's tree, and of it what a surface is compared with.
+import {button, byId, make} from './dom.js';
+import {ask, lastOf, now, wish} from './asking.js';
+import {goToPrimitive} from './time.js';
+
+const rowOf = row => {
+  const text = (row.complemented ? 'not ' : '') + row.text + (row.others ? ' and ' + row.others.map(each => 'p' + each).join(', ') : '');
+  const item = make('li', {class: row.complemented ? 'out' : ''}, row.primitive === undefined ? text : button(text, () => goToPrimitive(row.primitive)));
+  if (row.primitive !== undefined) item.dataset.primitive = row.primitive;
+  // Not as an attribute, which the page's policy forbids.
+  item.style.setProperty('--depth', Math.min(row.depth, 24));
+  return item;
+};
+
+export const showTree = lastOf(async () => {
+  // Turning the model changes nothing of it.
+  const {knobs, source} = wish();
+  const asked = JSON.stringify([source, knobs.set, knobs.snap]);
+  if (asked === now.treeOf) return;
+  const {isGood, answer} = await ask('tree', wish());
+  if (!isGood) return;
+  now.treeOf = asked;
+  byId('tree').replaceChildren(...answer.tree.map(rowOf));
+  markTree(now.next, now.active);
+});
+
+// Of the instruction: whose surface it draws, and what that is compared with.
+export const markTree = (next, active) => {
+  now.active = active;
+  for (const row of document.querySelectorAll('#tree [data-primitive], #active [data-primitive]')) row.removeAttribute('aria-current');
+  byId('active-of').textContent = next && active ? 'Active tree of ' + next.serves.replace(/^[a-z ]+ /, '') + (active.length ? '' : ': nothing, it is seen wherever it is drawn') : '';
+  byId('active').replaceChildren(...(active || []).map(rowOf));
+  if (!next) return;
+  const mark = (list, primitive, what) => {
+    const row = primitive === undefined ? null : byId(list).querySelector('[data-primitive="' + primitive + '"]');
+    if (!row) return;
+    row.setAttribute('aria-current', what);
+    const box = byId(list);
+    if (row.offsetTop < box.scrollTop || row.offsetTop > box.scrollTop + box.clientHeight - 30) box.scrollTop = row.offsetTop - 60;
+  };
+  mark('tree', next.against, 'location');
+  mark('tree', next.primitive, 'true');
+  mark('active', next.against, 'location');
+};

@@ -1,0 +1,31 @@
+// The page of csgsim view.
+import {byId} from './dom.js';
+import {now} from './asking.js';
+import {draw} from './draw.js';
+import {setUpJudged} from './judged.js';
+import {setUpKnobs} from './knobs.js';
+import {setUpStage} from './stage.js';
+import {setUpTime} from './time.js';
+import {setUpTwo} from './two.js';
+import {setUpWhy} from './why.js';
+import {setUpWires} from './wires.js';
+
+const begin = async () => {
+  const about = await (await fetch('about')).json();
+  now.about = about;
+  document.title = about.model + ' - csgsim view';
+  byId('title').textContent = about.model;
+  byId('where').textContent = 'What you change here is drawn and not written: ' + about.model + ' stays as it is.';
+  byId('source').value = about.source;
+  setUpKnobs(about);
+  setUpStage();
+  setUpTime();
+  setUpTwo();
+  setUpWhy();
+  setUpJudged();
+  setUpWires();
+  draw();
+  // Open as long as the page is: csgsim view ends with its last page.
+  new EventSource('alive');
+};
+begin();

@@ -1,0 +1,45 @@
+#include "sim/viewer/recorded.h"
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "hw/base/child_process.h"
+#include "hw/base/error.h"
+#include "hw/isa/binary.h"
+
+namespace csgsim::viewer {
+
+namespace {
+
+const ChildLimits limits{.time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
+
+/// The program that this process runs.
+std::string own_program() {
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (error) throw InputError("csgsim: its own file cannot be found: " + error.message());
+  return program.native();
+}
+
+}  // namespace
+
+std::string recorded(const isa::Program& program, std::span<const std::string> options) {
+  std::vector<std::string> words{own_program(), "wave", "/dev/stdin"};
+  words.insert(words.end(), options.begin(), options.end());
+  words.insert(words.end(), {"--output", "-"});
+  const std::vector<std::byte> bytes = isa::encode(program);
+  MemoryFile input("the Program of a wave");
+  input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+  std::optional<ChildEnd> end = run_child(words, input, limits);
+  if (!end) throw InputError("csgsim wave cannot be run: its program has been moved");
+  if (is_done(*end)) return std::move(end->output);
+  const std::string why = why_failed(*end, limits);
+  if (end->exceeded == Exceeded::nothing) throw InputError(why);
+  throw InputError("csgsim wave: " + why + "; make the picture smaller, or record it with csgsim wave and a --window");
+}
+
+}  // namespace csgsim::viewer

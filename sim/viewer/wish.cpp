@@ -1,0 +1,44 @@
+#include "sim/viewer/wish.h"
+
+#include <fmt/format.h>
+
+namespace csgsim::viewer {
+
+const Json& member_in(const Json& wish, const char* key, Json::value_t type, const char* type_name) {
+  static const Json nothing;
+  const auto found = wish.find(key);
+  if (found == wish.end() || found->is_null()) return nothing;
+  if (found->type() != type) throw WishError(fmt::format("{} is to be {}", key, type_name));
+  return *found;
+}
+
+std::string text_in(const Json& wish, const char* key) {
+  const Json& text = member_in(wish, key, Json::value_t::string, "a text");
+  return text.is_null() ? "" : text.get<std::string>();
+}
+
+std::vector<std::string> texts_in(const Json& wish, const char* key) {
+  std::vector<std::string> texts;
+  for (const Json& one : member_in(wish, key, Json::value_t::array, "an array of texts")) {
+    if (!one.is_string()) throw WishError(fmt::format("{} is to be an array of texts", key));
+    texts.push_back(one.get<std::string>());
+  }
+  return texts;
+}
+
+std::optional<std::uint64_t> number_in(const Json& wish, const char* key) {
+  const Json& number = member_in(wish, key, Json::value_t::number_unsigned, "a number");
+  return number.is_null() ? std::nullopt : std::optional(number.get<std::uint64_t>());
+}
+
+bool flag_in(const Json& wish, const char* key) {
+  const Json& flag = member_in(wish, key, Json::value_t::boolean, "true or false");
+  return flag.is_boolean() && flag.get<bool>();
+}
+
+Json object_in(const Json& wish, const char* key) {
+  const Json& object = member_in(wish, key, Json::value_t::object, "an object");
+  return object.is_null() ? Json::object() : object;
+}
+
+}  // namespace csgsim::viewer

@@ -1,0 +1,107 @@
+#include "sim/viewer/lanes.h"
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace csgsim;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// A lane by its text in each clock, from clock `first` on; empty for nothing.
+struct Clocks {
+  std::uint64_t first = 0;
+  std::vector<std::string> texts;
+
+  [[nodiscard]] std::uint64_t end() const { return first + texts.size(); }
+};
+
+std::string trace_of(const Clocks& lane) {
+  std::string events = R"({"ph":"M","name":"process_name","pid":1,"tid":0,"args":{"name":"host"}},
+{"ph":"M","name":"thread_name","pid":1,"tid":1,"args":{"name":"state"}})";
+  for (std::size_t i = 0; i < lane.texts.size();) {
+    std::size_t end = i + 1;
+    while (end < lane.texts.size() && lane.texts[end] == lane.texts[i]) ++end;
+    if (!lane.texts[i].empty()) {
+      events +=
+          fmt::format(R"(,{{"ph":"X","name":"{}","pid":1,"tid":1,"ts":0,"dur":0,"args":{{"clock":{},"clocks":{}}}}})",
+                      lane.texts[i], lane.first + i, end - i);
+    }
+    i = end;
+  }
+  return R"({"displayTimeUnit":"ns","traceEvents":[)" + events + "]}";
+}
+
+/// Clocks from `begin` to `end` in which it shows something.
+std::uint64_t busy_clocks(const Clocks& lane, std::uint64_t begin, std::uint64_t end) {
+  std::uint64_t count = 0;
+  for (std::size_t i = 0; i < lane.texts.size(); ++i) {
+    const std::uint64_t clock = lane.first + i;
+    count += clock >= begin && clock < end && !lane.texts[i].empty() ? 1U : 0U;
+  }
+  return count;
+}
+
+std::uint64_t busy_clocks(const Json& stretch) { return stretch.at(stretch.size() == 5 ? 4 : 1).get<std::uint64_t>(); }
+
+}  // namespace
+
+TEST_CASE("from near a lane's stretches are what they were") {
+  const viewer::Lanes lanes(trace_of({10, {"a", "a", "", "b", "a"}}));
+  CHECK(lanes.begin() == 10);
+  CHECK(lanes.end() == 15);
+  const Json all = lanes.between(0, 100);
+  REQUIRE(all.size() == 1);
+  CHECK(all[0].at("part") == "host");
+  CHECK(all[0].at("name") == "state");
+  CHECK(all[0].at("stretches") == Json::parse(R"([[10,2,"a"],[13,1,"b"],[14,1,"a"]])"));
+  CHECK(lanes.between(11, 14)[0].at("stretches") == Json::parse(R"([[11,1,"a"],[13,1,"b"]])"));
+  CHECK(lanes.between(12, 13)[0].at("stretches").empty());
+  CHECK(lanes.between(14, 12)[0].at("stretches").empty());
+}
+
+TEST_CASE("from afar short stretches are put together, and no clock is lost or counted twice") {
+  const bool holds = rc::check("lanes", [] {
+    const auto runs = *rc::gen::container<std::vector<std::pair<int, int>>>(
+        400, rc::gen::pair(rc::gen::inRange(0, 4), rc::gen::inRange(1, 12)));
+    Clocks lane{*rc::gen::inRange<std::uint64_t>(0, 1000), {}};
+    for (const auto& [text, clocks] : runs)
+      lane.texts.insert(lane.texts.end(), static_cast<std::size_t>(clocks),
+                        std::string(static_cast<std::size_t>(text), 'x'));
+    const auto begin = *rc::gen::inRange<std::uint64_t>(lane.first, lane.end());
+    const auto end = *rc::gen::inRange<std::uint64_t>(begin + 1, lane.end() + 50);
+    const Json stretches = viewer::Lanes(trace_of(lane)).between(begin, end)[0].at("stretches");
+    std::uint64_t busy = 0;
+    std::uint64_t next = begin;
+    for (const Json& one : stretches) {
+      RC_ASSERT(one[0].get<std::uint64_t>() >= next);
+      next = one[0].get<std::uint64_t>() + one[1].get<std::uint64_t>();
+      RC_ASSERT(busy_clocks(one) == busy_clocks(lane, one[0], next));
+      busy += busy_clocks(one);
+    }
+    RC_ASSERT(next <= end);
+    RC_ASSERT(busy == busy_clocks(lane, begin, end));
+    RC_ASSERT(stretches.size() <= 1700U);
+  });
+  CHECK(holds);
+}
+
+TEST_CASE("of many stretches few are sent, with what the most of them show") {
+  Clocks lane{0, std::vector<std::string>(100'000, "a")};
+  for (std::size_t i = 0; i < lane.texts.size(); i += 5) lane.texts[i] = "b";
+  const Json stretches = viewer::Lanes(trace_of(lane)).between(0, 100'000)[0].at("stretches");
+  CHECK(stretches.size() <= 401);
+  CHECK(stretches.size() >= 200);
+  for (const Json& one : stretches) {
+    REQUIRE(one.size() == 5);
+    CHECK(one[2] == "a");
+    CHECK(one[3].get<std::uint64_t>() > 50);
+  }
+}

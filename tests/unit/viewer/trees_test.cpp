@@ -1,0 +1,117 @@
+#include "sim/viewer/trees.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hw/isa/pieces.h"
+#include "places.h"
+#include "sim/shell/model_options.h"
+
+using namespace csgsim;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+struct Compiled {
+  explicit Compiled(std::vector<std::string> words)
+      : options(shell::model_options_in(words)),
+        machine(shell::machine_of(options)),
+        model(shell::compile_model(options, machine)) {}
+
+  shell::ModelOptions options;
+  machines::Machine machine;
+  shell::CompiledModel model;
+};
+
+Compiled compiled(const std::string& model, std::vector<std::string> words) {
+  words.insert(words.begin(), CSGSIM_SOURCE_DIR "/tests/models/" + model + ".csg");
+  return Compiled(std::move(words));
+}
+
+using Primitives = std::set<std::uint32_t>;
+
+/// Of rows of a tree.
+Primitives primitives_in(const Json& rows) {
+  Primitives primitives;
+  for (const Json& row : rows) {
+    if (row.contains("primitive")) primitives.insert(row.at("primitive").get<std::uint32_t>());
+    for (const Json& other : row.value("others", Json::array())) primitives.insert(other.get<std::uint32_t>());
+  }
+  return primitives;
+}
+
+/// By the piece that is drawn, what the segment's instructions compare it with.
+std::map<std::uint32_t, Primitives> compared_in(const isa::Segment& segment, const isa::Facts& facts) {
+  std::map<std::uint32_t, Primitives> compared;
+  for (const isa::Instruction& one : segment.instructions) {
+    const isa::Origin& origin = one.origin;
+    if (origin.primitive == isa::no_primitive) continue;
+    Primitives& with = compared[origin.primitive];
+    if (origin.purpose == isa::Purpose::classify && origin.node != isa::no_primitive)
+      with.insert(isa::primitive_of(facts, origin.node));
+  }
+  return compared;
+}
+
+/// The primitives of a leaf are compared one after another, under the name of each or of the first.
+bool covers(const Json& active, const Primitives& compared) {
+  const Primitives known = primitives_in(active);
+  if (!std::ranges::includes(known, compared)) return false;
+  return std::ranges::all_of(active, [&](const Json& row) {
+    return !row.contains("primitive") || compared.contains(row.at("primitive").get<std::uint32_t>());
+  });
+}
+
+}  // namespace
+
+TEST_CASE("the active tree of a surface has what the Program compares it with, on each kind of machine") {
+  std::size_t surfaces = 0;
+  for (const char* const model : {"thesis_fig_2_3", "basics_csg", "carburettor"}) {
+    for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5"}) {
+      CAPTURE(model);
+      CAPTURE(machine);
+      const Compiled one = compiled(model, {"--machine", machine, "--size", "64x48", "--view-all"});
+      viewer::ActiveTrees trees(one.model, one.options, one.machine);
+      const isa::Program& program = one.model.program;
+      for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
+        for (const auto& [piece, compared] : compared_in(program.segments[segment], program.facts)) {
+          CAPTURE(segment);
+          CAPTURE(piece);
+          const auto active = trees.of(piece, segment);
+          REQUIRE(active);
+          CHECK_MESSAGE(covers(*active, compared), active->dump());
+          ++surfaces;
+        }
+      }
+    }
+  }
+  CHECK(surfaces > 300);
+}
+
+TEST_CASE("the model's tree has each node of the file once, operands behind their operator") {
+  const Compiled one = compiled("carburettor", {"--size", "32x32", "--view-all"});
+  const Json rows = viewer::tree_of(one.model.tree, one.model.program.facts);
+  std::vector<std::uint32_t> primitives;
+  std::size_t deepest = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto depth = rows[i].at("depth").get<std::size_t>();
+    CHECK(depth <=
+          (i == 0 ? 0 : rows[i - 1].at("depth").get<std::size_t>() + (rows[i - 1].contains("primitive") ? 0U : 1U)));
+    deepest = std::max(deepest, depth);
+    if (rows[i].contains("primitive")) primitives.push_back(rows[i].at("primitive"));
+  }
+  CHECK(deepest > 2);
+  REQUIRE(primitives.size() == model::count(one.model.tree).primitives);
+  for (std::uint32_t i = 0; i < primitives.size(); ++i) CHECK(primitives[i] == i);
+}
+
+TEST_CASE("what is not drawn has no active tree") {
+  const Compiled one = compiled("thesis_fig_2_3", {"--size", "64x48", "--view-all"});
+  viewer::ActiveTrees trees(one.model, one.options, one.machine);
+  CHECK_FALSE(trees.of(1000, 0));
+}

@@ -1,0 +1,77 @@
+"""The page of csgsim view as a test uses it in a headless Chromium."""
+
+import json
+import subprocess
+import time
+
+
+class Viewed:
+    """A page that is open, and what has been found wrong with it."""
+
+    def __init__(self, page, csgsim, folder):
+        self.page = page
+        self.csgsim = csgsim
+        self.folder = folder
+        self.failures = 0
+
+    def open(self, server):
+        self.page.window(1280, 900)
+        self.page.send("Page.navigate", url=server.address)
+        self.until("window.drawnPictures > 0 && document.getElementById('picture').naturalWidth > 0")
+        self.settled()
+
+    def check(self, holds, what):
+        if not holds:
+            self.failures += 1
+            print("FAILED:", what)
+
+    def evaluate(self, expression):
+        return self.page.evaluate(expression)
+
+    def until(self, expression, seconds=60):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.page.evaluate(expression):
+                return
+            time.sleep(0.02)
+        raise RuntimeError(f"never came: {expression}; {self.page.problems}")
+
+    def settled(self):
+        """Waits until all that was wished is shown."""
+        self.until("window.isAtRest()")
+
+    def text(self, name):
+        return self.page.evaluate(f"document.getElementById('{name}').textContent")
+
+    def set(self, name, value, event="input"):
+        self.page.evaluate(f"(() => {{ const e = document.getElementById('{name}'); e.value = {json.dumps(value)};"
+                           f" e.dispatchEvent(new Event('{event}', {{bubbles: true}})); }})()")
+
+    def click(self, selector):
+        self.page.evaluate(f"document.querySelector({json.dumps(selector)}).click()")
+
+    def after(self, counter, act):
+        """Does something, and waits until what counts on has counted."""
+        before = self.page.evaluate(f"window.{counter} || 0")
+        act()
+        self.until(f"(window.{counter} || 0) > {before}")
+        self.settled()
+
+    def counts(self):
+        return dict(self.page.evaluate("[...document.querySelectorAll('#counts tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"))
+
+    def run(self, *words, **options):
+        return subprocess.run([self.csgsim, *words], cwd=self.folder, check=True, text=True, capture_output=True, **options).stdout
+
+    def stats_of_command(self):
+        """Those of the command that the page names."""
+        words = self.text("command").replace("csgsim", str(self.csgsim), 1) + " --stats - --progress none"
+        return json.loads(subprocess.run(["bash", "-c", words], cwd=self.folder, check=True, text=True, capture_output=True).stdout)
+
+    def check_same(self, what):
+        stats = self.stats_of_command()
+        rows = self.counts()
+        self.check(rows["clocks until it is drawn"] == f"{stats['clocks']:,}", f"{what}: clocks {rows} {stats['clocks']}")
+        self.check(rows["instructions"] == f"{stats['instructions']['total']:,}", f"{what}: instructions")
+        for name, clocks in self.page.evaluate("[...document.querySelectorAll('#bill tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"):
+            self.check(clocks == f"{stats['by_purpose'][name.replace(' ', '_')]['clocks']:,}", f"{what}: {name}")
