@@ -220,7 +220,7 @@ def check_run(page, csgsim, words, folder, failures):
 def check_instructions(page, csgsim, folder, failures):
     """Programs of all instructions at random, which a page of two runs holds."""
     path, subject = os.path.join(folder, "two.html"), os.path.join(folder, "random.csgt")
-    machine = ["--set", "evaluator.degree=2", "--set", "array.memory_bits=96"]
+    machine = ["--machine", "pixel-planes-4", "--set", "evaluator.degree=2", "--set", "array.memory_bits=96"]
     names = set()
     for seed in range(4):
         failures.where = f"instructions {seed}"
