@@ -288,6 +288,7 @@ case "${1:-}" in
     need $build_packages python3 chromium
     build release
     python3 tests/report/pages_test.py build/release/csgsim .
+    python3 tests/report/story_test.py build/release/csgsim .
     python3 tests/view/page_test.py build/release/csgsim .
     ;;
   cluster)

@@ -7,6 +7,7 @@
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "sim/story/halfspaces.h"
 
 namespace csgsim::report {
 
@@ -29,13 +30,18 @@ struct Drawing {
   std::uint32_t every = 1;   ///< pixel of a row, and row, is shown
   std::string told;          ///< in a sentence or two: at which boundaries there are steps, and why no more
   std::vector<DrawingStep> steps;
+  std::vector<std::uint64_t> skips;  ///< numbers of the questions that skipped what follows them
+  /// The Program, from which the page's script works out fields and stories of pixels: program_json, deflated. Empty
+  /// where it is too large for the page, which `told` says.
+  std::string program;
 };
 
 struct DrawingLimits {
   std::uint64_t instructions = 2000;  ///< a step each in Programs that are no longer
   std::size_t steps = 2000;
-  std::size_t bytes = 700'000;  ///< of all steps, in the page
-  std::uint32_t side = 512;     ///< pixels shown in a row and in a column
+  std::size_t bytes = 700'000;    ///< of all steps, in the page
+  std::uint32_t side = 512;       ///< pixels shown in a row and in a column
+  std::size_t program = 600'000;  ///< bytes of the Program, packed
 };
 
 /// Whom an instruction serves: its purpose, and pieces of primitives.
@@ -43,7 +49,8 @@ std::string served_by(const isa::Instruction& instruction, const isa::Facts& fac
 
 /// Runs the Program at the functional level and takes down what it draws. Where steps fill more than the limits allow,
 /// every second is left out until they do not, and `told` tells it. The first step and the last stay, whatever they
-/// fill.
-Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {});
+/// fill. With a model, stories of pixels name the half-spaces that decided.
+Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {},
+                       const story::HalfspaceFinder* model = nullptr);
 
 }  // namespace csgsim::report

@@ -1,5 +1,7 @@
 'use strict';
-(() => {
+
+// What parts of a page have in common, its plots, and the picture of its owners.
+const page = (() => {
   const byId = id => document.getElementById(id);
   const read = id => byId(id) && JSON.parse(byId(id).textContent);
   const grouped = number => String(number).replace(/\B(?=(\d{3})+$)/g, ',');
@@ -216,101 +218,17 @@
       canvas.addEventListener('pointerleave', hideTip);
       canvas.addEventListener('click', event => {
         const found = at(event);
-        if (found) choose(found[2], true);
+        if (!found) return;
+        choose(found[2], true);
+        document.dispatchEvent(new CustomEvent('pixel', {detail: found.slice(0, 2)}));
+        if (document.querySelector('.why')) price.append(make('p', {}, make('a', {href: '#why'}, `Why pixel ${found[0]},${found[1]} shows it`)));
       });
     });
     choose(-1);
   };
 
-  const setUpDrawing = (box, data) => {
-    const {width, height, steps} = data;
-    const states = new Uint32Array(width * height);
-    const canvas = make('canvas', {width, height, role: 'img', 'aria-label': 'The colours in pixel memory at the chosen step'});
-    const image = new ImageData(width, height);
-    const slider = make('input', {type: 'range', min: 0, max: steps.length - 1, value: 0, 'aria-label': 'Step of the drawing'});
-    const state = make('div', {class: 'state'});
-    const enabled = make('input', {type: 'checkbox', checked: ''});
-    const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
-    const controls = make('div', {class: 'controls'});
-    let now = 0;
-    let timer = 0;
-
-    const apply = index => {
-      let at = 0;
-      eachRun(bytesOf(steps[index][5]), 3, (same, count, difference) => {
-        at += same;
-        for (const end = at + count; at < end; ++at) states[at] ^= difference;
-      });
-    };
-
-    const paint = () => {
-      const shown = image.data;
-      for (let i = 0, at = 0; i < states.length; ++i, at += 4) {
-        const value = states[i];
-        const hatch = enabled.checked && value & 1 ? 0.55 : 0;
-        shown[at] = (value >> 17 & 255) * (1 - hatch) + 255 * hatch;
-        shown[at + 1] = (value >> 9 & 255) * (1 - hatch) + 150 * hatch;
-        shown[at + 2] = (value >> 1 & 255) * (1 - hatch);
-        shown[at + 3] = 255;
-      }
-      canvas.getContext('2d').putImageData(image, 0, 0);
-      const [number, text, serves, clocks, pixels] = steps[now];
-      const line = `Step ${grouped(now)} of ${grouped(steps.length - 1)}: ${grouped(number)} instructions, ${grouped(clocks)} clocks; ${grouped(pixels)} pixels enabled`;
-      state.replaceChildren(make('p', {}, line), make('p', {}, serves));
-      if (text) state.append(make('p', {}, 'last: ', make('code', {}, text)));
-      slider.setAttribute('aria-valuetext', line + ', ' + serves);
-    };
-
-    const goTo = index => {
-      const to = Math.max(0, Math.min(steps.length - 1, index));
-      while (now < to) apply(++now);
-      while (now > to) apply(now--);
-      slider.value = now;
-      paint();
-    };
-
-    const stop = () => {
-      clearInterval(timer);
-      timer = 0;
-      if (play) play.textContent = 'Play';
-    };
-    const button = (text, action) => {
-      const one = make('button', {type: 'button'}, text);
-      one.addEventListener('click', action);
-      controls.append(one);
-      return one;
-    };
-    const part = name => name.split(' against ')[0];
-    const nextPart = by => {
-      let to = now;
-      while (to + by >= 0 && to + by < steps.length && part(steps[to + by][2]) === part(steps[now][2])) to += by;
-      goTo(to + by);
-    };
-
-    controls.append(slider);
-    button('Start', () => { stop(); goTo(0); });
-    button('Part back', () => { stop(); nextPart(-1); });
-    button('Step back', () => { stop(); goTo(now - 1); });
-    const play = still ? null : button('Play', () => {
-      if (timer) return stop();
-      if (now === steps.length - 1) goTo(0);
-      play.textContent = 'Pause';
-      timer = setInterval(() => now < steps.length - 1 ? goTo(now + 1) : stop(), 60);
-    });
-    button('Step', () => { stop(); goTo(now + 1); });
-    button('Next part', () => { stop(); nextPart(1); });
-    button('End', () => { stop(); goTo(steps.length - 1); });
-    controls.append(make('label', {}, enabled, 'tint the enabled pixels'));
-    enabled.addEventListener('change', paint);
-    slider.addEventListener('input', () => { stop(); goTo(Number(slider.value)); });
-    box.replaceChildren(canvas, make('div', {}, controls, state));
-    apply(0);
-    goTo(steps.length - 1);
-  };
-
   document.querySelectorAll('svg.plot').forEach(setUpPlot);
   const owners = read('owners-data');
   if (owners) setUpOwners(byId('owners-box'), owners, read('data'));
-  const drawing = read('drawing-data');
-  if (drawing) setUpDrawing(byId('drawing-box'), drawing);
+  return {read, grouped, tell, make, bytesOf, eachRun, showTip, hideTip};
 })();

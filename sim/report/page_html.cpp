@@ -54,14 +54,18 @@ class Writer {
     return owners_html(owners);
   }
   std::string operator()(const Drawing& drawing) {
-    scripts_ += json_script("drawing-data", drawing_json(drawing));
-    return drawing_html(drawing);
+    const std::string id = fmt::format("drawing-{}", drawings_++);
+    scripts_ += json_script(id, drawing_json(drawing));
+    return drawing_html(drawing, id);
   }
 
+  /// What they need, after page.js.
   [[nodiscard]] const std::string& scripts() const { return scripts_; }
+  [[nodiscard]] bool has_drawings() const { return drawings_ > 0; }
 
  private:
   std::string scripts_;
+  unsigned drawings_ = 0;
 };
 
 std::string contents_html(const Page& page) {
@@ -116,7 +120,9 @@ std::string to_html(const Page& page) {
   }
   html += "</main>\n<div id=told class=told role=status aria-live=polite></div>\n";
   html += json_script("data", page.data) + writer.scripts();
-  return html + fmt::format("<script>\n{}</script>\n</body>\n</html>\n", page_script);
+  html += fmt::format("<script>\n{}</script>\n", page_script);
+  if (writer.has_drawings()) html += fmt::format("<script>\n{}</script>\n", drawing_script);
+  return html + "</body>\n</html>\n";
 }
 
 }  // namespace csgsim::report

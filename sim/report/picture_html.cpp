@@ -38,12 +38,12 @@ Json owners_json(const OwnerPicture& owners) {
       {"width", owners.picture.width}, {"height", owners.picture.height}, {"runs", base64(owner_runs(owners.owner))}};
 }
 
-std::string drawing_html(const Drawing& drawing) {
+std::string drawing_html(const Drawing& drawing, const std::string& id) {
   return fmt::format(
-      "<p>{}</p>\n<div id=drawing-box class=drawing><noscript><p class=note>Scripts are off: the drawing's {} steps "
+      "<p>{}</p>\n<div class=drawing data-of=\"{}\"><noscript><p class=note>Scripts are off: the drawing's {} steps "
       "cannot "
       "be shown.</p></noscript></div>\n",
-      markup_text(drawing.told), drawing.steps.size());
+      markup_text(drawing.told), id, drawing.steps.size());
 }
 
 Json drawing_json(const Drawing& drawing) {
@@ -52,7 +52,11 @@ Json drawing_json(const Drawing& drawing) {
     steps.push_back(Json::array(
         {step.number, printable(step.text), printable(step.serves), step.clocks, step.enabled, base64(step.changes)}));
   }
-  return {{"width", drawing.width}, {"height", drawing.height}, {"steps", std::move(steps)}};
+  return {{"width", drawing.width},
+          {"height", drawing.height},
+          {"every", drawing.every},
+          {"steps", std::move(steps)},
+          {"program", base64(drawing.program)}};
 }
 
 }  // namespace csgsim::report

@@ -10,6 +10,7 @@
 #include "sim/observe/dearest.h"
 #include "sim/observe/pictures.h"
 #include "sim/report/pictures.h"
+#include "sim/report/run_counts.h"
 
 namespace csgsim::report {
 
@@ -27,28 +28,8 @@ double whole_clocks(const Json& data) {
 
 /// Whole counts of keys of the data that are there, a row each.
 Table summary(const Json& data) {
-  constexpr std::pair<const char*, const char*> rows[] = {
-      {"primitives", "/model/primitives"},
-      {"half-spaces", "/model/halfspaces"},
-      {"clocks until it is drawn", "/clocks"},
-      {"clocks until it is shown", "/shown_clocks"},
-      {"clocks from one frame to the next", "/interval_clocks"},
-      {"seconds until it is drawn", "/simulated_seconds"},
-      {"seconds until it is shown", "/frame_seconds"},
-      {"frames a second", "/frames_per_second"},
-      {"instructions carried out", "/instructions/total"},
-      {"instructions skipped", "/instructions/skipped"},
-      {"scan-conversions, rendered", "/scan_conversions/rendered"},
-      {"scan-conversions, classified", "/scan_conversions/classified"},
-      {"depth tests", "/depth_tests"},
-      {"pixel operations", "/pixel_operations/total"},
-      {"of these, at enabled pixels", "/pixel_operations/enabled"},
-      {"memory bits a pixel, used", "/memory/used_bits"},
-      {"memory bits a pixel, of the machine", "/memory/memory_bits"},
-      {"wrong pixels", "/accuracy/wrong"},
-  };
   Table table{"Counts of the frame", {"count", "value"}, {}};
-  for (const auto& [name, at] : rows) {
+  for (const auto& [name, at] : run_counts) {
     if (const Cell value = cell(data, at); !value.at.empty()) table.rows.push_back({{name}, value});
   }
   return table;
@@ -160,7 +141,7 @@ Table dearest(const Json& data) {
 }  // namespace
 
 Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program& program,
-              const machines::Machine& machine, const Context& context) {
+              const machines::Machine& machine, const Context& context, const story::HalfspaceFinder* model) {
   Page page;
   page.data = without_wall_times(stats);
   const Json& data = page.data;
@@ -169,7 +150,7 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   Section picture{"Picture", in_words(data)};
   picture.parts.emplace_back(owner_picture(data, frame, program));
   page.sections.push_back(std::move(picture));
-  page.sections.push_back({"Drawing", {record_drawing(program, machine)}});
+  page.sections.push_back({"Drawing", {record_drawing(program, machine, {}, model)}});
   page.sections.push_back({"Counts", {summary(data)}});
   page.sections.push_back(clocks_section(data));
   if (data.contains("dearest") && data["dearest"].is_array()) page.sections.back().parts.emplace_back(dearest(data));

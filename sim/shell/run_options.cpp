@@ -183,7 +183,8 @@ void simulate(const Command& command, const RunSubject& subject, const RunOption
   outputs.write_pictures(picture, program);
   outputs.write_stats(stats_file.dump(2) + "\n");
   if (options.report.asked())
-    outputs.write_report(report::run_page(stats_file, picture, program, machine, options.report.context()));
+    outputs.write_report(
+        report::run_page(stats_file, picture, program, machine, options.report.context(), subject.halfspaces));
   outputs.commit();
   print_summary(report);
   fmt::print("{}", verdict);

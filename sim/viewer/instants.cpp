@@ -14,6 +14,7 @@
 #include "hw/isa/text.h"
 #include "sim/debug/field_picture.h"
 #include "sim/report/drawing.h"
+#include "sim/report/pictures.h"
 #include "sim/viewer/png.h"
 
 namespace csgsim::viewer {
@@ -136,7 +137,7 @@ void Instants::tint(std::vector<std::uint8_t>& pixels) const {
       if ((enabled[y * words + x / 64U] >> (x % 64U) & 1U) == 0) continue;
       const std::size_t at = 3 * (std::size_t{region.y + y} * program_.shape.width + region.x + x);
       for (std::size_t i = 0; i < 3; ++i)
-        pixels[at + i] = static_cast<std::uint8_t>((pixels[at + i] + mark_colour[i]) / 2);
+        pixels[at + i] = static_cast<std::uint8_t>((pixels[at + i] + report::mark_colour[i]) / 2);
     }
   }
 }

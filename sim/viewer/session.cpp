@@ -117,8 +117,7 @@ Json Session::explain(const Json& wish, Lock& /*lock*/) {
   const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
   return shell::with_memory_for_picture(drawing.machine.array, [&] {
     const story::Story told = story::Teller(program, drawing.machine).story_of(pixel.x, pixel.y);
-    const view::View view = view::make_view(drawing.model.scene, drawing.model.tree, drawing.model.camera,
-                                            shell::sampling_of(drawing.options, drawing.machine));
+    const view::View view = drawing.view();
     const story::HalfspaceFinder finder(drawing.model.tree, drawing.model.scene, view);
     const story::Subject of{program, &finder};
     Json answer{{"text", story::text_of(of, told)}, {"story", story::to_json(of, told)}};
@@ -208,9 +207,11 @@ Json Session::two(const Json& wish, Lock& /*lock*/) {
 std::string Session::report() const {
   const Drawing* const drawing = drawings_.latest();
   if (drawing == nullptr || !drawing->drawn) throw WishError("nothing has been drawn yet");
+  const view::View view = drawing->view();
+  const story::HalfspaceFinder finder(drawing->model.tree, drawing->model.scene, view);
   return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->drawn),
                                           drawing->drawn->frame, drawing->model.program, drawing->machine,
-                                          {drawing->command, {}}));
+                                          {drawing->command, {}}, &finder));
 }
 
 Json Session::about() const {

@@ -2,20 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "hw/isa/program.h"
-#include "sim/observe/frame.h"
+#include "sim/report/pictures.h"
 
 namespace csgsim::viewer {
-
-/// A Program and the picture that it draws.
-struct DrawnProgram {
-  const isa::Program& program;
-  const observe::Frame& frame;
-};
 
 /// How two drawings compare: `pixels` that show another colour or another primitive, the `first` of them; a `picture`
 /// of A in grey in which these stand out; and `instruction`, the number of the first that is another one, with both
 /// texts, or nothing. Throws InputError where the pictures are not equally large.
-nlohmann::ordered_json two_at_once(const DrawnProgram& a, const DrawnProgram& b);
+nlohmann::ordered_json two_at_once(const report::DrawnProgram& a, const report::DrawnProgram& b);
 
 }  // namespace csgsim::viewer

@@ -81,7 +81,7 @@ TEST_CASE("the page of a render has the numbers of its stats, and the same run g
   asks_for_nothing(html);
   CHECK(html.find("csgsim render ") != std::string::npos);
   CHECK(html.find("--size 64x48") != std::string::npos);
-  CHECK(html.find("id=\"drawing-data\"") != std::string::npos);
+  CHECK(html.find("id=\"drawing-0\"") != std::string::npos);
   CHECK(html.find("id=\"owners-data\"") != std::string::npos);
   REQUIRE(run(command).code == 0);
   CHECK(content(folder / "r.html") == html);

@@ -19,6 +19,19 @@ STEP = """(() => {
   slider.dispatchEvent(new Event('input'));
 })()"""
 
+# The story of a pixel, and Z2 at its last merge.
+WHY = ["""(async () => {
+  while (!document.querySelector('.why')) await new Promise(done => setTimeout(done, 20));
+  document.dispatchEvent(new CustomEvent('pixel', {detail: [310, 250]}));
+  const [drawing] = csgsimDrawings;
+  drawing.field.value = drawing.fields.findIndex(field => field.name === 'Z2');
+  const item = [...document.querySelectorAll('.events li')].filter(one => one.querySelector('.what')?.textContent === 'merge').pop();
+  item.querySelector('button').click();
+  item.parentElement.scrollTop = item.offsetTop - item.parentElement.offsetTop - 180;
+  while (drawing.box.hasAttribute('aria-busy')) await new Promise(done => setTimeout(done, 20));
+  drawing.box.scrollIntoView({behavior: 'instant'});
+})()"""]
+
 
 def shot(csgsim, page, words, name, folder, width, height, dark, act=()):
     with tempfile.TemporaryDirectory() as scratch:
@@ -41,6 +54,7 @@ def main():
     os.makedirs(folder, exist_ok=True)
     page = browser.Browser(browser.find() or sys.exit("there is no Chromium here"))
     shot(csgsim, page, ["render", MODEL, *CAMERA], "render.png", folder, 1280, 1340, False, (CHOOSE, STEP, "document.activeElement.blur()"))
+    shot(csgsim, page, ["render", MODEL, *CAMERA], "why.png", folder, 1280, 1000, False, WHY)
     shot(csgsim, page, ["accuracy", MODEL, *CAMERA, "--size", "128x128", "--views", "1", "--no-plots"], "accuracy.png", folder, 390, 1500, True)
     page.close()
 

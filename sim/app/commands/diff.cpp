@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
+#include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,12 +16,15 @@
 #include "hw/isa/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/lockstep/comparison.h"
+#include "sim/observe/stats_json.h"
+#include "sim/report/two_page.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/program_of.h"
 #include "sim/shell/prunings.h"
 #include "sim/shell/read_by.h"
+#include "sim/shell/report_option.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/subject.h"
@@ -45,6 +52,7 @@ struct Options {
   SideOptions a;
   SideOptions b;
   bool no_stories = false;
+  ReportOption report;
 };
 
 /// A side that is ready to run.
@@ -86,8 +94,8 @@ void refuse_misuse(const Options& options, const Command& command) {
     refuse_scene_sets(side->sets, fmt::format("--set-{}", letter));
   }
   if (!is_model_a && !is_model_b)
-    refuse_model_options(
-        command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories", "set", "set-a", "set-b"});
+    refuse_model_options(command, {"machine", "machine-a", "machine-b", "level-a", "level-b", "no-stories", "report",
+                                   "set", "set-a", "set-b"});
   if (options.a.level == "cycle" && options.b.level == "cycle") {
     throw UsageError("--level-b",
                      "SystemC clocks one machine a process; hold each side against the functional level, whose bits "
@@ -167,6 +175,46 @@ lockstep::Comparison swapped(lockstep::Comparison comparison) {
   return comparison;
 }
 
+/// Sentences of a page on where the two first differ.
+std::vector<std::string> told_of(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
+  std::vector<std::string> told;
+  if (const auto number = comparison.other_instruction) {
+    told.push_back(fmt::format("The first instruction that differs is i{}: {} in A, {} in B.", *number,
+                               instruction_text(a.program, *number), instruction_text(b.program, *number)));
+  } else {
+    told.emplace_back("All instructions are the same.");
+  }
+  told.push_back(
+      fmt::format("What stands in pixel memory is equal after {}.", counted(comparison.compared, "instruction")));
+  if (const auto& found = comparison.picture) {
+    told.push_back(fmt::format("Colour, primitive or depth differ at {}, the first of them {},{}.",
+                               counted(found->pixels, "pixel"), found->x, found->y));
+  } else {
+    told.emplace_back("The pictures are equal, with their depths.");
+  }
+  return told;
+}
+
+report::ShownRun shown(const Subject& side, const Drawn& drawn) {
+  const observe::Report told{side.program, side.machine, "functional", drawn.result, drawn.stats, drawn.seconds};
+  const std::string& strategy = side.program.facts.compile.strategy;
+  std::string name = side.name + " on " + side.machine.name;
+  if (!strategy.empty()) name += ", strategy " + printable(strategy);
+  return {std::move(name), {side.program, drawn.frame}, side.machine, observe::to_json(told)};
+}
+
+/// Both are run once more, for their counts.
+void write_page(ReportFile& page, const lockstep::Comparison& comparison, const Subject& a, const Subject& b,
+                const ReportOption& option) {
+  if (!page.asked()) return;
+  const Drawn of_a = draw(a.program, a.machine);
+  const Drawn of_b = draw(b.program, b.machine);
+  const machines::Machine machines[] = {a.machine, b.machine};
+  const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
+  page.write(
+      report::two_page(shown(a, of_a), shown(b, of_b), told_of(comparison, a, b), option.context(shown_machines)));
+}
+
 lockstep::Comparison compare(const Subject& a, const Subject& b) {
   const std::unique_ptr<engine::Engine> a_engine = make_engine(a.machine, a.level, 1);
   const std::unique_ptr<engine::Engine> b_engine = make_engine(b.machine, b.level, 1);
@@ -192,6 +240,7 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
 
 void diff(const Options& options, const Command& command) {
   refuse_misuse(options, command);
+  ReportFile page(options.report, std::to_array<std::filesystem::path>({options.a.subject, options.b.subject}));
   const bool asked = is_given(command, "machine");
   const Subject a = subject_of(options.both, options.a, asked);
   const Subject b = subject_of(options.both, options.b, asked);
@@ -205,6 +254,7 @@ void diff(const Options& options, const Command& command) {
   refuse_overflow(comparison.a.result);
   refuse_overflow(comparison.b.result);
   print_comparison(comparison, a, b);
+  write_page(page, comparison, a, b, options.report);
   const bool same_clocks = comparison.a.result.clocks == comparison.b.result.clocks;
   const bool has_other_clocks =
       !same_clocks && !comparison.other_instruction && machines::same_hardware(a.machine, b.machine);
@@ -242,6 +292,7 @@ void add_diff(CommandLine& line) {
   add_side(command, options->a, "a");
   add_side(command, options->b, "b");
   command.flag("--no-stories", options->no_stories, "Leave out what happened at the pixel on both sides");
+  options->report.add_to(command);
   command.prints_summary();
   command.runs([options, command] {
     if (options->b.subject.empty()) options->b.subject = options->a.subject;

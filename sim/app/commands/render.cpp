@@ -16,6 +16,7 @@
 #include "sim/shell/settings/configuration.h"
 #include "sim/shell/usage.h"
 #include "sim/shell/verdict.h"
+#include "sim/story/halfspaces.h"
 #include "sim/studies/accuracy/measure.h"
 
 namespace csgsim::app {
@@ -85,10 +86,15 @@ void run(Options& options, const Command& command) {
   }
   std::vector<std::filesystem::path> inputs = options.model.inputs();
   inputs.insert(inputs.end(), compiled.tree.imports.begin(), compiled.tree.imports.end());
-  run_program(
-      command,
-      {machine, compiled.program, std::move(inputs), compiled.hash, &compiled.camera, &options.model.scene_values()},
-      options.run, outputs, advice_of(options, compiled, machine), judge);
+  RunSubject subject{machine,       compiled.program, std::move(inputs),
+                     compiled.hash, &compiled.camera, &options.model.scene_values()};
+  std::optional<view::View> view;
+  std::optional<story::HalfspaceFinder> halfspaces;
+  if (options.run.report.asked()) {
+    view = view::make_view(compiled.scene, compiled.tree, compiled.camera, sampling_of(options.model, machine));
+    subject.halfspaces = &halfspaces.emplace(compiled.tree, compiled.scene, *view);
+  }
+  run_program(command, subject, options.run, outputs, advice_of(options, compiled, machine), judge);
 }
 
 }  // namespace

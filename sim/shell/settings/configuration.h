@@ -9,6 +9,10 @@
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
 
+namespace csgsim::story {
+class HalfspaceFinder;
+}
+
 /// The `configuration` of a stats file: all that a run follows from. docs/stats.md describes every key.
 namespace csgsim::shell {
 
@@ -20,6 +24,7 @@ struct RunSubject {
   std::string hash;                           ///< of what was compiled or run; if empty, of the subject's file
   const view::Camera* camera = nullptr;       ///< none of a Program
   const std::vector<scene::SectionValues>* scene = nullptr;
+  const story::HalfspaceFinder* halfspaces = nullptr;  ///< of the model, for the page of a run
 };
 
 nlohmann::ordered_json configuration_of(const Command& command, const RunSubject& subject);

@@ -1,0 +1,97 @@
+#include "sim/report/two_page.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <utility>
+
+#include "hw/base/text.h"
+#include "sim/report/drawing.h"
+#include "sim/report/run_counts.h"
+
+namespace csgsim::report {
+
+namespace {
+
+/// How B's number is to A's, if both are there and A's is not 0.
+Cell ratio(const Cell& a, const Cell& b) {
+  if (!a.value.is_number() || !b.value.is_number() || a.value.get<double>() == 0) return {};
+  return {b.value.get<double>() / a.value.get<double>()};
+}
+
+Row row_of(const std::string& name, const Json& data, const std::string& at) {
+  Cell a = cell(data, "/a" + at);
+  Cell b = cell(data, "/b" + at);
+  Cell of_both = ratio(a, b);
+  return {{name}, std::move(a), std::move(b), std::move(of_both)};
+}
+
+Table counts(const Json& data) {
+  Table table{"Counts of both frames", {"count", "A", "B", "B of A"}, {}};
+  for (const auto& [name, at] : run_counts) {
+    Row row = row_of(name, data, at);
+    if (!row[1].value.is_null() || !row[2].value.is_null()) table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// A row for each key of the accounts, of A and then of those that B alone has.
+Table account(const Json& data, const std::string& at, const char* caption, const char* what) {
+  Table table{caption, {what, "A, clocks", "B, clocks", "B of A"}, {}};
+  const auto add = [&](const char* side, const char* other, bool only) {
+    const Json::json_pointer pointer(side + at);
+    if (!data.contains(pointer)) return;
+    for (const auto& [name, cost] : data.at(pointer).items()) {
+      const std::string key = child(at, name);
+      if (!only || !data.contains(Json::json_pointer(other + key)))
+        table.rows.push_back(row_of(name, data, key + "/clocks"));
+    }
+  };
+  add("/a", "/b", false);
+  add("/b", "/a", true);
+  return table;
+}
+
+Section pictures_section(const ShownRun& a, const ShownRun& b, Difference difference,
+                         const std::vector<std::string>& told) {
+  Section section{"Pictures", {}};
+  section.parts.emplace_back(Paragraph{"A: " + a.name});
+  section.parts.emplace_back(Paragraph{"B: " + b.name});
+  for (const std::string& sentence : told) section.parts.emplace_back(Paragraph{sentence});
+  section.parts.emplace_back(Gallery{{picture_of(a.drawn.frame, a.drawn.program, "A", "The picture that A drew"),
+                                      picture_of(b.drawn.frame, b.drawn.program, "B", "The picture that B drew"),
+                                      std::move(difference.picture)}});
+  return section;
+}
+
+std::string title(const isa::Program& a, const isa::Program& b) {
+  const auto file = [](const isa::Program& program) {
+    return std::filesystem::path(program.facts.model.file).filename().native();
+  };
+  return file(a) == file(b) ? "Two runs of " + file(a) : "Runs of " + file(a) + " and " + file(b);
+}
+
+}  // namespace
+
+Page two_page(const ShownRun& a, const ShownRun& b, const std::vector<std::string>& told, const Context& context) {
+  Difference difference =
+      difference_of(a.drawn, b.drawn, "Pixels that show another colour or primitive, over A in grey", "");
+  difference.picture.alt = grouped(difference.pixels) + " pixels differ between A and B";
+  Page page;
+  page.data = {{"a", without_wall_times(a.stats)}, {"b", without_wall_times(b.stats)}};
+  page.data["difference"] = {{"pixels", difference.pixels}, {"first", nullptr}};
+  const std::size_t width = a.drawn.frame.width;
+  if (difference.pixels > 0) page.data["difference"]["first"] = {difference.first % width, difference.first / width};
+  page.command = context.command;
+  page.title = title(a.drawn.program, b.drawn.program);
+  page.sections.push_back(pictures_section(a, b, std::move(difference), told));
+  page.sections.push_back({"Counts", {counts(page.data)}});
+  page.sections.push_back({"Where the clocks go",
+                           {account(page.data, "/by_purpose", "Clocks by what instructions were for", "purpose"),
+                            account(page.data, "/by_effect", "Clocks by the effect that called for them", "effect")}});
+  page.sections.push_back({"Drawing of A", {record_drawing(a.drawn.program, a.machine)}});
+  page.sections.push_back({"Drawing of B", {record_drawing(b.drawn.program, b.machine)}});
+  page.sections.push_back(configuration_section(page.data, context));
+  return page;
+}
+
+}  // namespace csgsim::report

@@ -1,0 +1,79 @@
+#include "sim/report/two_page.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <string>
+
+#include "sim/engine/engine.h"
+#include "sim/observe/stats.h"
+#include "sim/observe/stats_json.h"
+#include "tests/support/drawing.h"
+
+using namespace csgsim;
+
+namespace {
+
+struct Run {
+  isa::Program program;
+  machines::Machine machine;
+  observe::Frame frame;
+  report::Json stats;
+};
+
+Run run_of(const std::string& text) {
+  testing::Setup setup;
+  setup.camera.eye = {20, -30, 25};
+  setup.camera.centre = {0, 0, 0};
+  setup.sampling.width = 16;
+  setup.sampling.height = 12;
+  const isa::Program program = testing::compile_text(text, setup).program;
+  const machines::Machine machine = testing::machine_of(program.shape);
+  observe::FrameObserver frame(program);
+  observe::StatsObserver stats(program);
+  const std::array<engine::Observer*, 2> observers{&frame, &stats};
+  const engine::RunResult result = engine::make_functional_engine(machine)->run(program, observers);
+  return {program, machine, std::move(frame).frame(),
+          observe::to_json({program, machine, "functional", result, stats.stats(), 1.2345678})};
+}
+
+report::Page page_of(const Run& a, const Run& b) {
+  const auto shown = [](const Run& run, const char* name) {
+    return report::ShownRun{name, {run.program, run.frame}, run.machine, run.stats};
+  };
+  return report::two_page(shown(a, "large"), shown(b, "small"), {"They differ."}, {"csgsim diff a.csg b.csg", {}});
+}
+
+}  // namespace
+
+TEST_CASE("two runs are shown with the counts of both, their ratio, and how many pixels differ") {
+  const Run a = run_of("cube(size = [8, 8, 8], center = true);");
+  const Run b = run_of("cube(size = [4, 4, 4], center = true);");
+  const report::Page page = page_of(a, b);
+  std::uint64_t differ = 0;
+  std::size_t first = a.frame.colour.size();
+  for (std::size_t i = a.frame.colour.size(); i-- > 0;) {
+    if (a.frame.colour[i] == b.frame.colour[i] && a.frame.owner[i] == b.frame.owner[i]) continue;
+    ++differ;
+    first = i;
+  }
+  REQUIRE(differ > 0);
+  CHECK(page.data["difference"]["pixels"] == differ);
+  CHECK(page.data["difference"]["first"] == report::Json{first % 16, first / 16});
+  const std::string html = report::to_html(page);
+  CHECK(html.find("1.2345678") == std::string::npos);
+  CHECK(html.find("<p>They differ.</p>") != std::string::npos);
+  for (const std::string at : {"/a/clocks", "/b/clocks", "/a/by_purpose/render/clocks", "/b/by_purpose/merge/clocks"})
+    CHECK(html.find("data-at=\"" + at + "\"") != std::string::npos);
+  for (const std::string box :
+       {"data-of=\"drawing-0\"", "data-of=\"drawing-1\"", "id=\"drawing-0\"", "id=\"drawing-1\""})
+    CHECK(html.find(box) != std::string::npos);
+  CHECK(html.find(std::to_string(differ) + " pixels differ between A and B") != std::string::npos);
+}
+
+TEST_CASE("of a run and itself no pixel differs") {
+  const Run a = run_of("cube(size = [8, 8, 8], center = true);");
+  const report::Page page = page_of(a, a);
+  CHECK(page.data["difference"]["pixels"] == 0);
+  CHECK(page.data["difference"]["first"].is_null());
+}
