@@ -20,6 +20,7 @@ struct RunSubject {
   std::string hash;                           ///< of what was compiled or run; if empty, of the subject's file
   const view::Camera* camera = nullptr;       ///< none of a Program
   const std::vector<scene::SectionValues>* scene = nullptr;
+  bool is_in_place = false;  ///< the subject's file is a name alone; what stands in its place has the hash
 };
 
 nlohmann::ordered_json configuration_of(const Command& command, const RunSubject& subject);
