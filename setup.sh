@@ -10,7 +10,7 @@ Usage: ./setup.sh COMMAND
   test   build everything and run the whole test suite
   build  build build/release/csgsim
   package
-         make the Debian packages csgsim and libcsgsim-dev in build/, for apt install ./build/csgsim*.deb
+         make the Debian packages csgsim, libcsgsim-dev and python3-csgsim in build/, for apt install ./build/csgsim*.deb
   install-test
          install that package in a bare Debian 12, which is downloaded into a chroot, and draw there; the log is
          build/install-test.log
@@ -50,7 +50,7 @@ TEXT
 build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libpng-dev
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
-  fonts-liberation"
+  fonts-liberation python3-dev python3-numpy pybind11-dev"
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
 clang_packages="clang libclang-rt-14-dev lld"
@@ -215,7 +215,7 @@ package() {
   build package
   rm -rf build/package/packages
   cpack --config build/package/CPackConfig.cmake -B build/package/packages
-  rm -f build/csgsim_*.deb build/libcsgsim-dev_*.deb
+  rm -f build/csgsim_*.deb build/libcsgsim-dev_*.deb build/python3-csgsim_*.deb
   mv build/package/packages/*.deb build/
   ls -l build/*.deb
 }
@@ -223,7 +223,7 @@ package() {
 install_test() {
   package
   need debootstrap
-  as_root tests/install/bare_debian.sh build/csgsim_*.deb >build/install-test.log 2>&1 || failed=$?
+  as_root tests/install/bare_debian.sh build/csgsim_*.deb build/python3-csgsim_*.deb >build/install-test.log 2>&1 || failed=$?
   cat build/install-test.log
   return "${failed:-0}"
 }

@@ -1,6 +1,6 @@
 include(CMakePackageConfigHelpers)
 
-# Two components: what one runs, and what one builds upon (cmake/package.cmake makes a package of each).
+# Three components: what one runs, what Python imports, and what one builds upon (cmake/package.cmake makes a package of each).
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME csgsim)
 set(module_dir ${CMAKE_INSTALL_LIBDIR}/csgsim)
 set(data_dir ${CMAKE_INSTALL_DATADIR}/csgsim)
@@ -30,12 +30,22 @@ install(DIRECTORY tests/models tests/scenes DESTINATION ${data_dir}/examples FIL
   PATTERN "*.csg" PATTERN "*.scad" PATTERN "*.toml" PATTERN "README.md" PATTERN solids EXCLUDE)
 install(DIRECTORY tests/corpus/parts DESTINATION ${data_dir}/examples)
 
+if(CSGSIM_PYTHON)
+  set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME python)
+  set(CSGSIM_PYTHON_DIR lib/python3/dist-packages CACHE STRING "Where Python looks for modules")
+  file(RELATIVE_PATH module_from_python /prefix/${CSGSIM_PYTHON_DIR}/csgsim /prefix/${module_dir})
+  set_target_properties(csgsim_python PROPERTIES INSTALL_RPATH $ORIGIN/${module_from_python}
+    BUILD_RPATH "$ORIGIN/../..;$ORIGIN/${module_from_python}")
+  install(TARGETS csgsim_python LIBRARY DESTINATION ${CSGSIM_PYTHON_DIR}/csgsim)
+  install(DIRECTORY sim/python/csgsim/ DESTINATION ${CSGSIM_PYTHON_DIR}/csgsim FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed)
+endif()
+
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 get_property(rooms GLOBAL PROPERTY CSGSIM_ROOMS)
 install(TARGETS ${rooms} EXPORT csgsimTargets)
 foreach(folder hw host sim)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgsim FILES_MATCHING PATTERN "*.h"
-    PATTERN "sim/app" EXCLUDE)
+    PATTERN "sim/app" EXCLUDE PATTERN "sim/python" EXCLUDE)
 endforeach()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/csgsim)

@@ -1,8 +1,11 @@
-# Debian packages, by cpack in the build folder: csgsim, and libcsgsim-dev with the libraries.
+# Debian packages, by cpack in the build folder: csgsim, libcsgsim-dev with the libraries, python3-csgsim with the module.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR "the csgsim authors")
 set(CPACK_PACKAGE_CONTACT ${CPACK_PACKAGE_VENDOR})
 set(CPACK_COMPONENTS_ALL csgsim development)
+if(CSGSIM_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
@@ -28,4 +31,18 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 string(JOIN ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "csgsim (= ${PROJECT_VERSION})" libboost-dev libfmt-dev libglm-dev
   libhwy-dev libminizip-dev libpng-dev libpolyclipping-dev libpugixml-dev libsystemc-dev libtomlplusplus-dev nlohmann-json3-dev
   tao-pegtl-dev zlib1g-dev)
+
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "csgsim in Python: pictures as numpy arrays, counts and studies as dictionaries.")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-csgsim)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+# They compile it for Python, and take that away.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/python3-csgsim/postinst
+  ${PROJECT_SOURCE_DIR}/cmake/python3-csgsim/prerm)
+# The module is compiled for one minor version of Python.
+if(CSGSIM_PYTHON)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  string(JOIN ", " CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "csgsim (= ${PROJECT_VERSION})" "python3 (>= 3.${Python_VERSION_MINOR})"
+    "python3 (<< 3.${next_minor})" python3-numpy)
+endif()
 include(CPack)

@@ -1,13 +1,11 @@
 #include "sim/cycle/elaboration.h"
 
-#include <stdexcept>
-
 namespace csgsim::cycle {
 
 void claim_elaboration(const machines::Machine& machine) {
   static const machines::Machine elaborated = machine;
   if (machines::same_hardware(machine, elaborated)) return;
-  throw std::logic_error("SystemC elaborates once a process, which has been done for " + elaborated.name +
+  throw ElaborationError("SystemC elaborates once a process, which has been done for " + elaborated.name +
                          "; simulate " + machine.name + " clock by clock in a process of its own");
 }
 

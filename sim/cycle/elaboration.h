@@ -1,10 +1,18 @@
 #pragma once
 
+#include <stdexcept>
+
 #include "hw/machines/machine.h"
 
 namespace csgsim::cycle {
 
-/// Throws std::logic_error unless the machine is the first of the process or the same hardware as that one: SystemC
+/// A second machine is to be clocked in a process.
+class ElaborationError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Throws ElaborationError unless the machine is the first of the process or the same hardware as that one: SystemC
 /// elaborates once a process.
 void claim_elaboration(const machines::Machine& machine);
 

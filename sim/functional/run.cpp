@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/interruption.h"
 #include "hw/host/host.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
@@ -53,6 +54,7 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
 }
 
 void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
+  end_if_interrupted();
   const Instructions left = instructions().subspan(place_.index);
   if (met_.asks()) most = 1;
   const Instructions within = left.first(static_cast<std::size_t>(std::min<std::uint64_t>(most, left.size())));

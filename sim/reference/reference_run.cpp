@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "hw/base/interruption.h"
 #include "hw/host/host.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
@@ -66,6 +67,7 @@ void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* con
 }
 
 void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
+  end_if_interrupted();
   const isa::Instruction& instruction = program_.segments[place_.segment].instructions[place_.index];
   const std::uint64_t enabled = array_.enabled_pixels();
   met_.before(place_, instruction, array_);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <vector>
@@ -29,6 +30,7 @@
 #include "hw/base/hash.h"
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
+#include "hw/base/prints.h"
 #include "hw/base/text.h"
 #include "sim/functional/clocks.h"
 #include "sim/shell/fast_curves.h"
@@ -285,8 +287,8 @@ facet::Faceting planar_faceting_of(const ModelOptions& options, const machines::
   const view::Camera camera = camera_of(options, machine, tree, scene);
   const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
   const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
-  fmt::print("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
-             options.tolerance->value);
+  print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
+                         options.tolerance->value));
   return {.tolerance = tolerance};
 }
 
@@ -449,12 +451,14 @@ CompiledModel compile(ModelFile file, const ModelOptions& options, const machine
 
 /// What the picture shows in place of what it would with more memory. Once, however often it is compiled.
 void warn_of_pattern(const emit::NoRoom& layers, const ModelOptions& options, const machines::Machine& machine) {
+  static std::mutex mutex;
   static std::set<std::string> told;
   const std::string line = fmt::format(
       "{}: warning: what is see-through is drawn by a pattern, screen-door: in layers the picture would need {} memory "
       "bits a pixel, and the machine has {}; take --memory-bits {}, or say --set "
       "effects.transparency.method=screen-door",
       shown_name(options.model), layers.needed, machine.array.memory_bits, layers.needed);
+  const std::lock_guard lock(mutex);
   if (told.insert(line).second) tell_line(line);
 }
 

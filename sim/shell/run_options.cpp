@@ -16,14 +16,12 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
-#include "sim/observe/stats_json.h"
-#include "sim/report/run_page.h"
 #include "sim/shell/advice.h"
+#include "sim/shell/finished_run.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/run_outputs.h"
-#include "sim/shell/settings/configuration.h"
 #include "sim/shell/summary.h"
 #include "sim/shell/usage.h"
 
@@ -146,60 +144,14 @@ Drawn draw(const isa::Program& program, const machines::Machine& machine, const 
   return drawn;
 }
 
-namespace {
-
-/// Worked out where somebody wants to see it: files are read once more for it.
-nlohmann::ordered_json wanted_configuration(const Command& command, const RunSubject& subject,
-                                            const RunOptions& options) {
-  if (options.stats.empty() && !options.report.asked() && !command.watch().before) return nullptr;
-  nlohmann::ordered_json configuration = configuration_of(command, subject);
-  if (command.watch().before) command.watch().before(configuration);
-  return configuration;
-}
-
-void simulate(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
-              const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
-  const isa::Program& program = subject.program;
-  const machines::Machine& machine = subject.machine;
-  nlohmann::ordered_json configuration = wanted_configuration(command, subject, options);
-  RunObservers observers{observe::FrameObserver(program), observe::StatsObserver(program), {}};
-  const bool shows = shows_progress(options.progress);
-  observe::LongWork work = long_run(options.level);
-  if (shows || options.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
-  const std::unique_ptr<engine::Engine> engine =
-      make_engine(machine, options.level, options.threads, evaluator_form(options.evaluator, options.level));
-  const auto begin = std::chrono::steady_clock::now();
-  const engine::RunResult result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
-  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
-  observers.progress.reset();
-  refuse_overflow(result);
-  observe::Frame picture = std::move(observers.frame).frame();
-  if (!result.scanned_out.empty()) picture.colour = result.scanned_out;
-  const std::vector<observe::Knob> knobs = knobs_of(advice, program, machine, result);
-  const observe::Report report{program, machine, engine->level(), result, observers.stats.stats(), wall.count(), knobs};
-  nlohmann::ordered_json stats_file = observe::to_json(report);
-  if (!configuration.is_null()) put_configuration(stats_file, std::move(configuration), picture);
-  const std::string verdict = judge ? judge(picture, stats_file["accuracy"]) : "";
-  outputs.write_pictures(picture, program);
-  outputs.write_stats(stats_file.dump(2) + "\n");
-  if (options.report.asked())
-    outputs.write_report(
-        report::run_page(stats_file, picture, program, machine, options.report.context(), subject.halfspaces));
-  outputs.commit();
-  print_summary(report);
-  fmt::print("{}", verdict);
-  print_words(report, picture, advice);
-  if (command.watch().after) command.watch().after(stats_file);
-}
-
-}  // namespace
-
 void run_program(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
                  const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
-  evaluator_form(options.evaluator, options.level);
-  announce_memory(subject.machine, subject.program.shape, options.level);
-  with_memory_for_run({&subject.program, 1}, subject.machine.array,
-                      [&] { simulate(command, subject, options, outputs, advice, judge, checkpoints); });
+  const FinishedRun run = finish_run(command, subject, options, outputs, advice, judge, checkpoints);
+  const observe::Report report = run.report(subject);
+  print_summary(report);
+  fmt::print("{}", run.verdict);
+  print_words(report, run.picture, advice);
+  if (command.watch().after) command.watch().after(run.stats_file);
 }
 
 }  // namespace csgsim::shell

@@ -1,6 +1,7 @@
 #include "sim/shell/scad.h"
 
 #include <array>
+#include <atomic>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -25,7 +26,7 @@ namespace csgsim::shell {
 
 namespace {
 
-std::chrono::seconds longest = std::chrono::minutes(30);
+std::atomic<std::chrono::seconds> longest{std::chrono::minutes(30)};
 
 /// A loop can complain thousands of times of the same thing: the first lines are passed on, the others counted.
 void tell_warnings(const std::string& said, const std::string& file) {

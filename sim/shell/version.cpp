@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <link.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <span>
@@ -41,8 +42,17 @@ std::string id_in(std::span<const std::byte> notes) {
   return {};
 }
 
-/// Looks at the first object only, which is the program itself.
+/// Whether the object is the one that this code is part of: the program, or a module of another.
+bool is_own(const dl_phdr_info& object) {
+  const auto here = reinterpret_cast<ElfW(Addr)>(&is_own);  // NOLINT
+  return std::ranges::any_of(std::span(object.dlpi_phdr, object.dlpi_phnum), [&](const ElfW(Phdr) & segment) {
+    const ElfW(Addr) begin = object.dlpi_addr + segment.p_vaddr;
+    return segment.p_type == PT_LOAD && here >= begin && here - begin < segment.p_memsz;
+  });
+}
+
 int find_id(dl_phdr_info* object, std::size_t /*size*/, void* found) {
+  if (!is_own(*object)) return 0;
   for (const ElfW(Phdr) & segment : std::span(object->dlpi_phdr, object->dlpi_phnum)) {
     if (segment.p_type != PT_NOTE) continue;
     // The loader has put the segment there.

@@ -5,15 +5,18 @@
 #include <cstddef>
 #include <exception>
 #include <mutex>
+#include <stop_token>
 #include <thread>
 #include <utility>
 #include <vector>
+
+#include "hw/base/interruption.h"
 
 namespace csgsim::studies {
 
 /// Calls work(i, finish) for i below `count` on that many threads; work hands what is done on by finish(f), which calls
 /// f(), one at a time, and tells whether to go on. The first exception ends it and is thrown again; no f is called
-/// after it.
+/// after it. The threads can be interrupted as this one.
 template <class Work>
 void share_out(std::size_t count, unsigned threads, const Work& work) {
   std::atomic<std::size_t> next = 0;
@@ -31,7 +34,9 @@ void share_out(std::size_t count, unsigned threads, const Work& work) {
     }
     return !failure;
   };
+  const std::stop_token stop = stop_of_thread();
   const auto take = [&] {
+    const Interruptible looks_for(stop);
     for (std::size_t i = next++; i < count; i = next++) {
       try {
         work(i, finish);

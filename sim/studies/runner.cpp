@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/hash.h"
+#include "hw/base/interruption.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "sim/plots/files.h"
@@ -67,6 +68,7 @@ Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) 
       pending.push_back(std::move(row));
       if (pending.size() == at_once) write();
       progress.done();
+      end_if_interrupted();
     });
     write();
   }
@@ -143,7 +145,7 @@ struct Places {
 
   Places(const StudyCommand& asked, std::span<const fs::path> inputs)
       : report(asked.options.report, inputs), title(title_of(asked)) {
-    const bool is_kept = asked.row->folder != Folder::optional || !asked.options.folder.empty();
+    const bool is_kept = asked.folder != Folder::optional || !asked.options.folder.empty();
     if (is_kept) folder.emplace(folder_of(asked), asked.row->name, inputs);
   }
 
@@ -159,28 +161,32 @@ Table table_of(const StudyCommand& asked, const Places& places) {
   return {places.file(asked, ".csv"), places.title, study.format(), serves};
 }
 
+/// Plots and the page, as they were asked for; returns whether there are files of plots.
+bool write_shown(const StudyCommand& asked, Places& places, const std::string& json) {
+  const bool has_plot_files = places.folder && !asked.options.no_plots;
+  std::vector<plots::Plot> plots;
+  if (has_plot_files || places.report.asked()) plots = asked.study->plots();
+  const bool are_drawn = has_plot_files && !plots.empty();
+  if (are_drawn) plots::draw(plots, places.folder->path());
+  if (places.report.asked()) places.report.write(page_of(asked, json, plots));
+  return are_drawn;
+}
+
 void show(const StudyCommand& asked, Places& places) {
   const Study& study = *asked.study;
   const std::string json = places.folder || places.report.asked() ? study.json(places.title) : "";
   if (places.folder) write_file(places.file(asked, ".json"), json);
   study.print();
-  const bool has_plot_files = places.folder && !asked.options.no_plots;
-  std::vector<plots::Plot> plots;
-  if (has_plot_files || places.report.asked()) plots = study.plots();
-  const bool are_drawn = has_plot_files && !plots.empty();
-  if (are_drawn) plots::draw(plots, places.folder->path());
-  if (places.report.asked()) places.report.write(page_of(asked, json, plots));
+  const bool are_drawn = write_shown(asked, places, json);
   if (places.folder)
     fmt::print("\n{}: {}.csv, {}.json{}\n", printable(folder_of(asked).native()), asked.row->name, asked.row->name,
                are_drawn ? fmt::format(", and {}", asked.row->plots) : "");
   study.refuse();
 }
 
-void run(StudyCommand& asked) {
-  if (asked.options.shard) return run_shard(asked);
+/// All points that the study asks for are measured, or in the table.
+void measure_all(StudyCommand& asked, std::vector<Asked> more, const Places& places) {
   Study& study = *asked.study;
-  std::vector<Asked> more = study.ask();
-  Places places(asked, study.inputs());
   Table table = table_of(asked, places);
   const bool are_read = !table.rows().empty();
   std::vector<Asked> points;
@@ -191,6 +197,13 @@ void run(StudyCommand& asked) {
     study.take(complete(asked, points, table), are_read);
     more = study.more();
   } while (!more.empty());
+}
+
+void run(StudyCommand& asked) {
+  if (asked.options.shard) return run_shard(asked);
+  std::vector<Asked> points = asked.study->ask();
+  Places places(asked, asked.study->inputs());
+  measure_all(asked, std::move(points), places);
   show(asked, places);
 }
 
@@ -207,26 +220,25 @@ void add_shard(shell::Command& command, std::optional<Shard>& shard) {
       "Measure only the k-th of n shares of the points, as 3/16, into FOLDER/shards; csgsim gather joins them");
 }
 
-void add_folder(const StudyRow& row, shell::Command& command, std::string& folder) {
+void add_folder(const StudyRow& row, Folder kept, shell::Command& command, std::string& folder) {
   std::string unsaid;
-  if (row.folder == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
-  if (row.folder == Folder::optional) unsaid = "; nothing is kept if not given";
+  if (kept == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
+  if (kept == Folder::optional) unsaid = "; nothing is kept if not given";
   shell::Option option = command.option(
       "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
-  if (row.folder == Folder::named) option.required();
+  if (kept == Folder::named) option.required();
   option.folder();
 }
 
-}  // namespace
-
-std::shared_ptr<StudyCommand> describe(shell::CommandLine& line, const StudyRow& row) {
+/// What every study's command has.
+std::shared_ptr<StudyCommand> describe_kept(shell::CommandLine& line, const StudyRow& row, Folder kept) {
   auto asked = std::make_shared<StudyCommand>(
-      StudyCommand{&row, row.make(), {}, line.add(row.name, row.does, std::string("Example:\n") + row.example)});
+      StudyCommand{&row, row.make(), {}, line.add(row.name, row.does, std::string("Example:\n") + row.example), kept});
   RunnerOptions& options = asked->options;
   options.threads = std::max(1U, std::thread::hardware_concurrency());
   shell::Command& command = asked->command;
   asked->study->add_options(command);
-  add_folder(row, command, options.folder);
+  add_folder(row, kept, command, options.folder);
   if (row.is_parallel)
     command.option("--threads", options.threads, "Points that are measured at the same time")
         .between(1U, shell::most_threads);
@@ -234,8 +246,32 @@ std::shared_ptr<StudyCommand> describe(shell::CommandLine& line, const StudyRow&
   if (row.has_shards) add_shard(command, options.shard);
   options.report.add_to(command);
   shell::add_progress(command, options.progress);
-  command.prints_summary();
   return asked;
+}
+
+}  // namespace
+
+std::shared_ptr<StudyCommand> describe(shell::CommandLine& line, const StudyRow& row) {
+  std::shared_ptr<StudyCommand> asked = describe_kept(line, row, row.folder);
+  asked->command.prints_summary();
+  return asked;
+}
+
+std::shared_ptr<StudyCommand> describe_for_caller(shell::CommandLine& line, const StudyRow& row) {
+  std::shared_ptr<StudyCommand> asked = describe_kept(line, row, Folder::optional);
+  if (row.has_shards) asked->command.remove("--shard");
+  return asked;
+}
+
+std::string conduct(StudyCommand& asked) {
+  std::vector<Asked> points = asked.study->ask();
+  Places places(asked, asked.study->inputs());
+  measure_all(asked, std::move(points), places);
+  std::string json = asked.study->json(places.title);
+  if (places.folder) write_file(places.file(asked, ".json"), json);
+  write_shown(asked, places, json);
+  asked.study->refuse();
+  return json;
 }
 
 void add_study(shell::CommandLine& line, const StudyRow& row) {

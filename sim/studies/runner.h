@@ -29,10 +29,19 @@ struct StudyCommand {
   std::unique_ptr<Study> study;
   RunnerOptions options;
   shell::Command command;
+  Folder folder = Folder::named;  ///< the row's, or optional for callers
 };
 
 /// Describes the study's command on the line, without saying what it does.
 std::shared_ptr<StudyCommand> describe(shell::CommandLine& line, const StudyRow& row);
+
+/// The same for a caller, who gets what is measured: it is kept only in a folder that is asked for, is not shared out,
+/// and nothing is printed.
+std::shared_ptr<StudyCommand> describe_for_caller(shell::CommandLine& line, const StudyRow& row);
+
+/// Measures what the study's table has not yet, writes all if there is a folder or a page, and returns the text of the
+/// study's JSON file. An Interruptible study ends with Interrupted; its table has what had been measured.
+std::string conduct(StudyCommand& asked);
 
 /// Adds the study to the line: its command measures what its table has not yet, and shows all.
 void add_study(shell::CommandLine& line, const StudyRow& row);

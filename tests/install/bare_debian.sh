@@ -35,7 +35,7 @@ rm -f "$root.log"
 mountpoint -q "$root/proc" || mount -t proc proc "$root/proc" # where programs look up their own folder
 echo "$(inside dpkg-query -W | wc -l) packages, Debian $(cat "$root/etc/debian_version")"
 
-step "apt install ./csgsim*.deb"
+step "apt install ./csgsim*.deb ./python3-csgsim*.deb"
 cp "$@" "$root/root/"
 inside sh -c 'cd /root && apt-get update -q >/dev/null && apt-get install -qy --no-install-recommends ./*.deb' >"$root/apt.log" 2>&1 || {
   tail -n 20 "$root/apt.log" >&2
@@ -53,6 +53,11 @@ echo "both levels drew the same picture, byte for byte"
 step "a picture of another format, text, a machine from its file"
 inside sh -c "cd /root && echo 'text(\"csgsim\");' >text.csg && csgsim render text.csg -o text.exr --view-all --machine /usr/share/csgsim/machines/scan-line.toml -q && ls -l text.exr"
 
+step "the module for Python draws the same"
+inside sh -c "cd /root && csgsim render /usr/share/csgsim/examples/models/carburettor.csg --view-all -o program.png -q"
+inside python3 -c 'import csgsim, pathlib; drawing = csgsim.render("/usr/share/csgsim/examples/models/carburettor.csg", view_all=True)
+assert drawing.png() == pathlib.Path("/root/program.png").read_bytes(); print(drawing)'
+
 step "man csgsim, man csgsim-render; completion of bash"
 inside apt-get install -qy --no-install-recommends man-db bash-completion >/dev/null 2>&1
 inside sh -c 'set -e; for page in csgsim csgsim-render; do man "$page" >"$page.txt"; head -n 6 "$page.txt"; done; grep -q -- "--camera NUMBERS" csgsim-render.txt'
@@ -69,7 +74,7 @@ inside bash -c 'source /usr/share/bash-completion/bash_completion
   done'
 
 step "and away again"
-inside apt-get purge -qy csgsim >/dev/null 2>&1
+inside apt-get purge -qy csgsim python3-csgsim >/dev/null 2>&1
 left=$(inside find / -xdev -name '*csgsim*' -not -path '/root/*' -not -path '/var/*' -not -path '/csgsim*')
 [ -z "$left" ] || {
   echo "left behind: $left" >&2

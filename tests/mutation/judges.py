@@ -59,6 +59,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/pictures": ["pictures", "observe", "picture_faults"],
     "sim/report": ["report", "cli"],
     "sim/viewer": ["viewer"],
+    "sim/calls": ["cli"],
     "sim/observe": ["observe", "long_work", "report", "cli"],
     "sim/app": ["cli"],
     "sim/app/commands": ["cli"],

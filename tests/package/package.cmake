@@ -29,6 +29,16 @@ require_file(user.tif)
 run(${WORK}/prefix/bin/csgsim --version)
 run(${WORK}/prefix/bin/csgsim render ${SOURCE}/tests/models/old_example011.csg --size 16x16 -o installed.tif)
 require_file(installed.tif)
+# And in Python, without the build folder's libraries.
+file(GLOB python_module ${WORK}/prefix/lib/python3/dist-packages/csgsim/_csgsim.*)
+if(python_module)
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
+    "import csgsim; csgsim.render(text='text(\"a\");', size=(16, 16), output='python.tif')")
+  require_file(python.tif)
+  require_file(prefix/lib/python3/dist-packages/csgsim/__init__.pyi)
+elseif(PYTHON)
+  message(FATAL_ERROR "the Python module is not installed")
+endif()
 # What else is installed.
 foreach(name share/man/man1/csgsim.1.gz share/man/man1/csgsim-render.1.gz share/bash-completion/completions/csgsim
     share/fish/vendor_completions.d/csgsim.fish share/doc/csgsim/README.md share/doc/csgsim/docs/tutorial.md

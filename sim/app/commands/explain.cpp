@@ -1,9 +1,9 @@
+#include "sim/calls/explain.h"
+
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 #include <filesystem>
-#include <glm/vec3.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,125 +11,23 @@
 
 #include "hw/base/output_file.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
 #include "sim/shell/options.h"
 #include "sim/shell/paths.h"
-#include "sim/shell/primitive_name.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
-#include "sim/story/story.h"
-#include "sim/story/story_json.h"
-#include "sim/story/story_text.h"
-#include "sim/story/why_not.h"
 
 namespace csgsim::app {
 
 namespace {
 
-struct Options {
-  ModelOptions model;
-  std::string pixel;
-  std::string point;
-  std::string why_not;
+struct Options : calls::ExplainOptions {
   std::string json;
 };
 
-/// Where a point of the model is seen.
-struct Seen {
-  Pixel pixel;
-  double distance = 0;  ///< from the eye along the view axis, model units
-};
-
-/// What is explained: a Program, and the model that it comes from if that is known.
-struct Subject {
-  machines::Machine machine;
-  isa::Program program;
-  std::optional<CompiledModel> model;  ///< but for its Program
-  std::optional<view::View> view;      ///< of the model
-};
-
-Subject subject_of(const Options& options, const Command& command) {
-  if (!is_model(options.model.model)) {
-    ProgramOnMachine found = program_of(options.model, command);
-    return {std::move(found.machine), std::move(found.program), {}, {}};
-  }
-  Subject subject{machine_of(options.model), {}, {}, {}};
-  subject.model = compile_model(options.model, subject.machine);
-  subject.program = std::move(subject.model->program);
-  subject.view = view::make_view(subject.model->scene, subject.model->tree, subject.model->camera,
-                                 sampling_of(options.model, subject.machine));
-  return subject;
-}
-
-Seen seen_at(const std::string& text, const view::View& view) {
-  const auto at = numbers<double>(text, ',', 3, "--point", "X,Y,Z");
-  const view::EyeSpace space = view::eye_space(view.camera, view.sampling);
-  const glm::dvec3 in_eye = space.to_eye({at[0], at[1], at[2]});
-  if (space.perspective && !(in_eye.z > 0))
-    throw UsageError("--point", fmt::format("{} is behind the eye; take another point or camera", text));
-  const glm::dvec3 place = space.to_picture(in_eye);
-  const double column = std::round(place.x);
-  const double row = std::round(place.y);
-  const bool is_inside = column >= 0 && row >= 0 && column < view.sampling.width && row < view.sampling.height;
-  if (!is_inside) {
-    throw UsageError("--point", fmt::format("{} is outside the picture of {} x {}, at column {:.1f} and row {:.1f}; "
-                                            "move the camera, or take --view-all",
-                                            text, view.sampling.width, view.sampling.height, place.x, place.y));
-  }
-  return {{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, in_eye.z};
-}
-
-void refuse_misuse(const Options& options, const Command& command) {
-  if (options.pixel.empty() == options.point.empty())
-    throw UsageError("explain", "say which pixel, by --pixel x,y or by --point X,Y,Z");
-  if (is_model(options.model.model)) return;
-  if (!options.point.empty())
-    throw UsageError("--point", "is for models; a Program does not tell its camera: take --pixel");
-  refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
-}
-
-/// Everything that is told, as text or as JSON.
-struct Answer {
-  std::string text;
-  nlohmann::ordered_json json;
-};
-
-void tell_point(const std::string& point, double distance, Answer& answer) {
-  answer.text = fmt::format("point {} is {:.6g} model units from the eye\n", point, distance) + answer.text;
-  answer.json["point_distance"] = distance;
-}
-
-Answer explain(const Options& options, const Subject& subject) {
-  const isa::Program& program = subject.program;
-  const bool is_point = !options.point.empty();
-  const Seen seen =
-      is_point ? seen_at(options.point, *subject.view) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
-  const bool is_missed = !options.why_not.empty();
-  const std::uint32_t missed = is_missed ? primitive_named(program, options.why_not, "--why-not") : 0;
-  const story::Story told = story::Teller(program, subject.machine).story_of(seen.pixel.x, seen.pixel.y);
-  std::optional<story::HalfspaceFinder> finder;
-  if (subject.model) finder.emplace(subject.model->tree, subject.model->scene, *subject.view);
-  const story::Subject of{program, finder ? &*finder : nullptr};
-  Answer answer{story::text_of(of, told), story::to_json(of, told)};
-  if (is_point) tell_point(options.point, seen.distance, answer);
-  if (is_missed) {
-    const story::WhyNot why_not = story::why_not(of, told, missed);
-    answer.text = story::text_of(of, told, why_not) + "\n" + answer.text;
-    answer.json["why_not"] = story::to_json(of, told, why_not);
-  }
-  return answer;
-}
-
 void run(const Options& options, const Command& command) {
-  refuse_misuse(options, command);
+  calls::refuse_misuse(options, command);
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
-  const Subject subject = subject_of(options, command);
-  const Answer answer = with_memory_for_picture(subject.machine.array, [&] { return explain(options, subject); });
+  const calls::Answer answer = calls::explain(options, command);
   if (!file) {
     fmt::print("{}", answer.text);
     return;
@@ -145,14 +43,7 @@ void add_explain(CommandLine& line) {
   Command command = line.add("explain", "Tell why a pixel shows what it shows: its owner, and its story by instruction",
                              "Example:\n  csgsim explain traces/thesis_fig_2_3.csgt --pixel 200,300 --why-not p1\n"
                              "  csgsim explain thesis_fig_2_3.csg --point 10,0,6 --json story.json");
-  options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
-  command.option("--pixel", options->pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
-  command.option("--point", options->point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
-      .excludes("--pixel");
-  command
-      .option("--why-not", options->why_not,
-              "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
-      .check(not_empty);
+  options->add_to(command);
   command.option("--json", options->json, "The whole story, .json, in place of the text; - prints it").check(not_empty);
   command.runs([options, command] { run(*options, command); });
 }

@@ -113,13 +113,15 @@ Json scene_json(const std::vector<scene::SectionValues>& sections) {
   return json;
 }
 
-Json inputs_json(std::span<const std::filesystem::path> files) {
+Json inputs_json(const RunSubject& subject) {
   Json inputs = Json::array();
   std::vector<std::filesystem::path> known;
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : subject.inputs) {
     if (std::ranges::find(known, file) != known.end()) continue;
+    const bool is_read = !subject.is_in_place || !known.empty();
     known.push_back(file);
-    inputs.push_back({{"file", bytes_json(file.native())}, {"hash", hash_of_file(file)}});
+    inputs.push_back(
+        {{"file", bytes_json(file.native())}, {"hash", is_read ? hash_of_file(file) : Json(subject.hash)}});
   }
   return inputs;
 }
@@ -147,7 +149,7 @@ Json configuration_of(const Command& command, const RunSubject& subject) {
                      {"machine", machine_json(subject.machine)},
                      {"camera", camera_json(subject)}};
   if (subject.scene != nullptr) configuration["scene"] = scene_json(*subject.scene);
-  Json inputs = inputs_json(subject.inputs);
+  Json inputs = inputs_json(subject);
   configuration["model"] = inputs.at(0);
   if (!subject.hash.empty()) configuration["model"]["hash"] = subject.hash;
   configuration["inputs"] = std::move(inputs);

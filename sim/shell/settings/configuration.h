@@ -25,6 +25,7 @@ struct RunSubject {
   const view::Camera* camera = nullptr;       ///< none of a Program
   const std::vector<scene::SectionValues>* scene = nullptr;
   const story::HalfspaceFinder* halfspaces = nullptr;  ///< of the model, for the page of a run
+  bool is_in_place = false;  ///< the subject's file is a name alone; what stands in its place has the hash
 };
 
 nlohmann::ordered_json configuration_of(const Command& command, const RunSubject& subject);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/prints.h"
 #include "hw/base/text.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/numbers.h"
@@ -50,11 +51,11 @@ bool draws_alike(Rows rows) {
 
 [[noreturn]] void refuse_pictures(Rows rows, const std::vector<WrongPicture>& wrong, bool are_read) {
   const PointNames names(rows);
-  fmt::print("\n");
+  print_text("\n");
   for (const WrongPicture& one : wrong) {
     const std::string what = one.reference ? "the picture differs from that of " + names.name(*one.reference)
                                            : "a linear expression does not fit its width";
-    fmt::print("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what);
+    print_text(fmt::format("WRONG: {}, {}: {}\n", one.point.model, names.name(one.point), what));
   }
   throw InputError(fmt::format("{} of {} pictures are not what they have to be; {}", wrong.size(), rows.size(),
                                whose_fault(are_read)));
@@ -118,8 +119,8 @@ class Sweep : public StudyOf<SweepRow> {
     if (const std::vector<WrongPicture> wrong = wrong_pictures(all); !wrong.empty())
       refuse_pictures(all, wrong, are_read());
     if (!options_.no_draw && std::ranges::any_of(all, &SweepRow::compiled))
-      fmt::print("\nAll pictures of a model with the same {} are the same, byte for byte.\n",
-                 draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,");
+      print_text(fmt::format("\nAll pictures of a model with the same {} are the same, byte for byte.\n",
+                             draws_alike(all) ? "size and z bits" : "size, z bits and surfaces, curved or faceted,"));
     refuse_models(all, "sweep.csv");
   }
 

@@ -6,6 +6,9 @@
 #include <cstddef>
 #include <set>
 #include <stdexcept>
+#include <stop_token>
+
+#include "hw/base/interruption.h"
 
 using namespace csgsim;
 
@@ -46,4 +49,17 @@ TEST_CASE("a point that throws ends the others, and its exception comes out") {
   };
   CHECK_THROWS_WITH_AS(studies::measure_each(1000, 1, throws_at_once, [](std::size_t) {}), "first", std::runtime_error);
   CHECK(measured == 1);
+}
+
+TEST_CASE("threads that share work are interrupted with the one that shares it out") {
+  std::stop_source source;
+  const Interruptible looks_for(source.get_token());
+  std::atomic<unsigned> begun = 0;
+  const auto measure = [&](std::size_t point) {
+    if (++begun == 3) source.request_stop();
+    end_if_interrupted();
+    return point;
+  };
+  CHECK_THROWS_AS(studies::measure_each(1000, 2, measure, [](std::size_t) {}), Interrupted);
+  CHECK(begun <= 5);
 }

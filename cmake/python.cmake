@@ -1,0 +1,23 @@
+# The Python module (sim/python), for a Python with numpy: where several are on the PATH the first that has it, or the one
+# that -DCSGSIM_PYTHON_PROGRAM names. Not beside sanitizers, whose runtime a Python without them would have to load first.
+option(CSGSIM_PYTHON "Build the Python module" ON)
+if(CSGSIM_SANITIZE)
+  set(CSGSIM_PYTHON OFF)
+endif()
+if(NOT CSGSIM_PYTHON)
+  return()
+endif()
+function(csgsim_has_numpy result program)
+  execute_process(COMMAND ${program} -c "import numpy" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+find_program(CSGSIM_PYTHON_PROGRAM python3 VALIDATOR csgsim_has_numpy DOC "Python with numpy, for the Python module")
+if(NOT CSGSIM_PYTHON_PROGRAM)
+  message(FATAL_ERROR "no python3 on the PATH has numpy (Debian: python3-numpy), which the Python module needs; "
+    "name one by -DCSGSIM_PYTHON_PROGRAM=..., or do without the module: -DCSGSIM_PYTHON=OFF")
+endif()
+set(Python_EXECUTABLE ${CSGSIM_PYTHON_PROGRAM})
+find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module)
+find_package(pybind11 2.10 REQUIRED)

@@ -1,0 +1,22 @@
+"""csgsim: a clock-accurate simulator of the logic-enhanced frame buffers of the 1980s, drawing CSG models.
+
+>>> import csgsim
+>>> drawing = csgsim.render("part.csg", z_bits=16)
+>>> drawing.stats["clocks"], drawing.picture.shape
+
+Each call does what the command of its name does, with options of the same names: docs/python.md.
+"""
+
+from ._calls import accuracy, compare, compile, explain, options, render, run, studies, study, sweep
+from ._csgsim import version as _version
+from ._errors import CsgsimWarning, Error, UsageError
+from ._machine import Figure, Machine, machines
+from ._results import Drawing, Program, Story
+
+__version__ = _version()
+__all__ = ["CsgsimWarning", "Drawing", "Error", "Figure", "Machine", "Program", "Story", "UsageError", "accuracy",
+           "compare", "compile", "explain", "machines", "options", "render", "run", "studies", "study", "sweep"]
+
+for _one in (accuracy, compare, compile, explain, machines, options, render, run, studies, study, sweep):
+    _one.__module__ = "csgsim"
+del _one

@@ -1,0 +1,55 @@
+"""What csgsim raises and warns of."""
+
+import re
+
+_PLACE = re.compile(r"(?P<file>.+?):(?P<line>\d+):(?P<column>\d+): ")
+
+
+class Error(Exception):
+    """A model, machine, Program or option that cannot be used. The text is one line, `file:line:column: what is wrong,
+    and the mend` where there is a place to point at.
+
+    >>> try:
+    ...     csgsim.render(text="cube(10;")
+    ... except csgsim.Error as error:
+    ...     print(error.line, error.column)
+    """
+
+    def _place(self, part):
+        place = _PLACE.match(str(self))
+        return place[part] if place else None
+
+    @property
+    def file(self):
+        """The file's name, or None where the text has no place."""
+        return self._place("file")
+
+    @property
+    def line(self):
+        """Counted from 1, or None."""
+        line = self._place("line")
+        return None if line is None else int(line)
+
+    @property
+    def column(self):
+        """Counted from 1, or None."""
+        column = self._place("column")
+        return None if column is None else int(column)
+
+
+class UsageError(Error):
+    """An option that there is not, with the nearest one, or that makes no sense.
+
+    >>> csgsim.render("part.csg", z_bitz=16)
+    csgsim.UsageError: there is no option --z-bitz; did you mean --z-bits? see csgsim render --help
+    """
+
+
+class CsgsimWarning(UserWarning):
+    """What the command line would warn of on standard error.
+
+    >>> warnings.simplefilter("error", csgsim.CsgsimWarning)
+    """
+
+
+Error.__module__ = UsageError.__module__ = CsgsimWarning.__module__ = "csgsim"

@@ -1,0 +1,326 @@
+#!/usr/bin/env python3
+"""The Python module held against the command line: module_test.py CSGSIM SOURCE [NAMES...]"""
+
+import json
+import math
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import tempfile
+import textwrap
+import threading
+import time
+import unittest
+import warnings
+
+import numpy
+
+import csgsim
+import exr
+import support
+
+support.begin(*sys.argv[1:3])
+os.chdir(support.SOURCE)
+
+FIGURE = "tests/models/thesis_fig_2_3.csg"
+CARBURETTOR = "tests/models/carburettor.csg"
+SMALL = {"size": "64x48", "camera": "30,-40,25,0,0,2"}
+RENDERS = [
+    SMALL,
+    {**SMALL, "machine": "pixel-planes-5", "threads": 2},
+    {**SMALL, "machine": "scan-line", "projection": "perspective"},
+    {**SMALL, "strategy": "bits", "z_bits": 16, "set": ["alu.bits=4"], "snap": True},
+    {**SMALL, "level": "reference", "check": True},
+    {**SMALL, "level": "cycle"},
+    {**SMALL, "tolerance": "0.5px", "advice": True},
+]
+NOT_OF_CALLS = ("frames", "turn", "quiet", "output", "stats")  # options of the command line, or that it was given here
+
+
+def same_run(stats):
+    """Of stats what does not tell program from module, nor where they write."""
+    stats = support.without_time(stats)
+    configuration = stats["configuration"]
+    for key in ("command", "version"):
+        del configuration[key]
+    configuration["options"] = {key: value for key, value in configuration["options"].items() if key not in NOT_OF_CALLS}
+    return stats
+
+
+class Drawn(unittest.TestCase):
+    """Pictures, counts and Programs."""
+
+    def test_pictures_and_stats_are_those_of_render(self):
+        for options in RENDERS:
+            with self.subTest(options=options):
+                stats, picture = support.stats("render", FIGURE, **options)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore", csgsim.CsgsimWarning)
+                    drawing = csgsim.render(FIGURE, **options, progress="none")
+                self.assertEqual(drawing.png(), picture)
+                self.assertEqual(list(drawing.stats), list(stats))
+                self.assertEqual(same_run(drawing.stats), same_run(stats))
+
+    def test_a_stats_dictionary_is_a_stats_file_that_is_run_again(self):
+        drawing = csgsim.render(FIGURE, **SMALL)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "stats.json")
+            file.write_text(json.dumps(drawing.stats), encoding="utf-8")
+            ended = support.command("rerun", str(file), anyway=True)
+            self.assertEqual(ended.returncode, 0, ended.stderr)
+
+    def test_depths_and_owners_are_those_of_the_files(self):
+        for surface in ("nearest", "opaque"):
+            options = {**SMALL, "surface": surface, "set": ["lights.0.direction=0,0,-1"]}
+            with tempfile.TemporaryDirectory() as folder:
+                depth, owner = pathlib.Path(folder, "depth.exr"), pathlib.Path(folder, "owner.exr")
+                support.done("render", FIGURE, **options, depth=depth, owner=owner)
+                drawing = csgsim.render(FIGURE, **options)
+                numpy.testing.assert_array_equal(drawing.depth.astype(numpy.float32), exr.read(depth.read_bytes()))
+                numpy.testing.assert_array_equal(drawing.owner, exr.read(owner.read_bytes()))
+        self.assertEqual((drawing.picture.shape, drawing.picture.dtype), ((48, 64, 3), numpy.uint8))
+        numpy.testing.assert_array_equal(drawing.owner == -1, numpy.isinf(drawing.depth))
+        self.assertTrue((drawing.owner >= 0).any() and (drawing.owner == -1).any())
+        self.assertLess(drawing.owner.max(), len(drawing.program.primitives))
+
+    def test_files_are_written_as_render_writes_them(self):
+        _, picture = support.stats("render", FIGURE, **SMALL)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "picture.png")
+            csgsim.render(FIGURE, **SMALL, output=file)
+            self.assertEqual(file.read_bytes(), picture)
+
+    def test_options_are_numbers_texts_paths_sequences_mappings_and_machines(self):
+        said = support.without_time(csgsim.render(FIGURE, **SMALL, set=["alu.bits=2"], z_bits="16").stats)
+        machine = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
+        for options in ({"size": (64, 48), "camera": (30, -40, 25, 0, 0, 2), "set": {"alu.bits": 2}, "z_bits": 16},
+                        {"size": numpy.array([64, 48]), "camera": [30.0, -40, 25, 0, 0, 2], "machine": machine,
+                         "z_bits": numpy.int64(16), "check": False, "near": None}):
+            stats = support.without_time(csgsim.render(pathlib.Path(FIGURE), **options).stats)
+            del stats["configuration"], stats["knobs"]
+            self.assertEqual(stats, {key: value for key, value in said.items() if key in stats})
+
+    def test_a_text_is_drawn_as_its_file(self):
+        text = pathlib.Path(FIGURE).read_text(encoding="utf-8")
+        stats, picture = support.stats("render", FIGURE, **SMALL)
+        drawing = csgsim.render(FIGURE, text=text, **SMALL, progress="none")
+        self.assertEqual(drawing.png(), picture)
+        self.assertEqual(same_run(drawing.stats), same_run(stats))
+        unnamed = csgsim.render(text=text, **SMALL)
+        self.assertEqual(unnamed.png(), picture)
+        self.assertEqual(unnamed.stats["configuration"]["model"]["hash"], stats["configuration"]["model"]["hash"])
+
+    def test_openscad_source_goes_to_the_openscad_of_the_path(self):
+        with tempfile.TemporaryDirectory() as folder:
+            openscad = pathlib.Path(folder, "openscad")
+            openscad.write_text("#!/bin/sh\necho 'WARNING: kept' >&2\necho 'cube(size = [10, 10, 10], center = true);'\n",
+                                encoding="utf-8")
+            openscad.chmod(0o755)
+            path = os.environ["PATH"]
+            os.environ["PATH"] = f"{folder}:{path}"
+            try:
+                with self.assertWarnsRegex(csgsim.CsgsimWarning, "openscad: WARNING: kept") as warned:
+                    drawing = csgsim.render("part.scad", text="cube(10, center = true);", size="32x32")
+            finally:
+                os.environ["PATH"] = path
+        self.assertEqual(warned.filename, __file__)
+        self.assertEqual(drawing.png(), csgsim.render(text="cube(size = 10, center = true);", size="32x32").png())
+
+    def test_programs_are_compiled_kept_and_run_as_by_the_commands(self):
+        program = csgsim.compile(FIGURE, **SMALL, z_bits=16)
+        drawing = csgsim.render(FIGURE, **SMALL, z_bits=16)
+        with tempfile.TemporaryDirectory() as folder:
+            file, own, text = (pathlib.Path(folder, name) for name in ("a.csgt", "b.csgt", "c.txt"))
+            support.done("compile", FIGURE, **SMALL, z_bits=16, output=file)
+            program.save(own)
+            program.save(text, text=True)
+            self.assertEqual(own.read_bytes(), file.read_bytes())
+            self.assertEqual(text.read_text(encoding="utf-8"), support.done("disasm", str(file)))
+            self.assertEqual(program.text(), text.read_text(encoding="utf-8"))
+            stats, picture = support.stats("run", str(file))
+            for same in (program, file, csgsim.Program.load(file), csgsim.Program.load(text), drawing.program):
+                run = csgsim.run(same)
+                self.assertEqual(run.png(), picture)
+                for told in (run.stats, stats):
+                    told.pop("configuration", None)
+                self.assertEqual(support.without_time(run.stats), support.without_time(stats))
+
+    def test_rows_of_a_program_are_its_lines(self):
+        program = csgsim.compile(FIGURE, **SMALL)
+        lines = [line for line in program.text().splitlines() if line.startswith("  ")]
+        rows = program.instructions
+        self.assertEqual((len(program), len(rows)), (len(lines), len(lines)))
+        for number, (row, line) in enumerate(zip(rows, lines)):
+            words, origin = line.split(";")
+            self.assertEqual((row["instruction"], row["text"], row["name"]), (number, words.strip(), words.split()[0]))
+            said = [row["purpose"], row["primitive"], row["against"] and f"against {row['against']}"]
+            self.assertTrue(origin.split("#")[0].strip().startswith(" ".join(each for each in said if each)))
+        stats = csgsim.run(program).stats
+        self.assertEqual(sum(row["clocks"] for row in rows), sum(one["clocks"] for one in stats["instructions"]["by_name"].values()))
+        self.assertEqual(program.memory, stats["memory"]["memory_map"])
+        self.assertEqual((program.size, program.memory_bits), ((64, 48), stats["memory"]["memory_bits"]))
+        self.assertEqual(program.primitives, [one["name"] for one in stats["by_primitive"] if "name" in one])
+        self.assertEqual(program.machine.name, "pixel-planes-4")
+
+
+class Told(unittest.TestCase):
+    """Stories, studies, machines, options."""
+
+    def test_stories_are_those_of_explain(self):
+        for subject, options in ((FIGURE, {**SMALL, "pixel": "30,24", "why_not": "p1"}), (FIGURE, {**SMALL, "point": "0,0,2"}),
+                                 ("traces/thesis_fig_2_3.csgt", {"pixel": "200,300"})):
+            said = support.done("explain", subject, **options)
+            told = json.loads(support.done("explain", subject, **options, json="-"))
+            story = csgsim.explain(subject, **options)
+            self.assertEqual((story, story.text), (told, said))
+        program = csgsim.Program.load("traces/thesis_fig_2_3.csgt")
+        self.assertEqual(csgsim.explain(program, pixel=(200, 300)), told)
+
+    def test_rows_of_studies_are_those_of_their_files(self):
+        for name, options in (("sweep", {"strategy": "stack,list", "z_bits": "16,20"}),
+                              ("compare", {"machines": "pixel-planes-4,scan-line", "fragments": "none", "sides": "none"}),
+                              ("accuracy", {"views": 1})):
+            with self.subTest(study=name):
+                told = support.study(name, FIGURE, size="64x48", **options)
+                rows = getattr(csgsim, name)(FIGURE, size="64x48", **options, progress="none")
+                self.assertEqual(support.without_build(rows), support.without_build(told["points"]))
+                self.assertGreater(len(rows), 1)
+
+    def test_every_study_can_be_asked_for_what_it_takes(self):
+        self.assertEqual(csgsim.studies(), [name for name in csgsim.studies() if csgsim.options(name)])
+        self.assertIn("advise", csgsim.studies())
+        told = support.study("subdivide", FIGURE, size="64x48", subdivisions="2")
+        asked = csgsim.study("subdivide", FIGURE, size="64x48", subdivisions=2)
+        self.assertEqual(list(asked), list(told))
+        self.assertEqual(support.without_build(asked["points"]), support.without_build(told["points"]))
+
+    def test_a_study_in_a_folder_goes_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            first = csgsim.sweep(FIGURE, size="32x32", strategy="stack", output=folder, no_plots=True)
+            both = csgsim.sweep(FIGURE, size="32x32", strategy=["stack", "list"], output=folder, no_plots=True)
+            self.assertEqual(both[0], first[0])
+            kept = json.loads(pathlib.Path(folder, "sweep.json").read_text(encoding="utf-8"))
+            self.assertEqual(kept["points"], both)
+
+    def test_machines_have_the_figures_of_the_manual(self):
+        listed = support.done("manual", "machines", "all")
+        for machine in csgsim.machines():
+            self.assertIn(f"{machine.name}\n  {machine.description}\n", listed)
+            for figure in machine.figures.values():
+                self.assertIn(f"  {figure.key:<26}{figure.value:>12} {figure.unit:<22}{figure.provenance:<10} {figure.source}\n", listed)
+        wide = csgsim.Machine("pixel-planes-4", **{"alu.bits": 2})
+        self.assertEqual((wide.figures["alu.bits"].value, wide.figures["alu.bits"].provenance), (2, "assumed"))
+        self.assertEqual(csgsim.render(FIGURE, **SMALL, machine=wide).stats["machine"]["alu_bits"], 2)
+        from_file = csgsim.Machine("hw/machines/scan-line.toml")
+        self.assertEqual(from_file, csgsim.Machine("scan-line"))
+
+    def test_options_are_those_of_help(self):
+        for command in ("render", "compile", "run", "explain", *csgsim.studies()):
+            page = support.done(command, "--help")
+            for option in csgsim.options(command):
+                self.assertIn("--" + option["name"].removesuffix("_").replace("_", "-"), page)
+
+
+class Refused(unittest.TestCase):
+    """Errors, warnings and what is not for Python."""
+
+    def refused(self, kind, message, call, *arguments, **options):
+        with self.assertRaises(kind) as raised:
+            call(*arguments, **options)
+        self.assertIn(message, str(raised.exception))
+        return raised.exception
+
+    def test_errors_say_what_the_command_line_says(self):
+        for subject, options in (("nowhere.csg", {}), (FIGURE, {"machine": "pixel-plane"}), (FIGURE, {"z_bits": 99}),
+                                 (FIGURE, {"z_bitz": 16}), (FIGURE, {"strategy": "stak"}), (FIGURE, {"memory_bits": 8}),
+                                 (FIGURE, {"set": ["alu.bitz=2"]}), ("traces/thesis_fig_2_3.csgt", {})):
+            ended = support.command("render", subject, **options)
+            self.assertIn(ended.returncode, (1, 2))
+            error = self.refused(csgsim.Error, "", csgsim.render, subject, **options)
+            self.assertEqual(isinstance(error, csgsim.UsageError), ended.returncode == 2)
+            self.assertEqual("csgsim: " * isinstance(error, csgsim.UsageError) + f"{error}\n", ended.stderr)
+
+    def test_errors_have_their_place(self):
+        error = self.refused(csgsim.Error, "part.csg:2:", csgsim.render, "part.csg", text="cube(1);\nsphere(oops);")
+        self.assertEqual((error.file, error.line), ("part.csg", 2))
+        self.assertGreater(error.column, 1)
+        self.assertIsNone(self.refused(csgsim.Error, "z-bits", csgsim.render, FIGURE, z_bits=99).line)
+
+    def test_machines_programs_and_studies_are_refused_by_name(self):
+        self.refused(csgsim.Error, "pixel-planes-4", csgsim.Machine, "pixel-planes-3")
+        self.refused(csgsim.Error, "alu.bits", csgsim.Machine, "pixel-planes-4", **{"alu.bitz": 2})
+        self.refused(csgsim.Error, "that is a model", csgsim.Program.load, FIGURE)
+        self.refused(csgsim.UsageError, "'sweeps'", csgsim.study, "sweeps", FIGURE)
+        self.refused(csgsim.UsageError, "'view'", csgsim.options, "view")
+        self.refused(TypeError, "name a model", csgsim.render)
+        self.refused(TypeError, "is no text", csgsim.render, FIGURE, size=object())
+
+    def test_what_is_for_terminals_is_refused(self):
+        self.refused(csgsim.UsageError, "--help", csgsim.render, FIGURE, help=True)
+        self.refused(csgsim.UsageError, "--output", csgsim.render, FIGURE, output="-")
+        self.refused(csgsim.UsageError, "--quiet", csgsim.sweep, FIGURE, quiet=True)
+        self.refused(csgsim.UsageError, "--shard", csgsim.sweep, FIGURE, shard="1/2")
+
+    def test_nothing_is_printed_and_warnings_are_pythons(self):
+        script = textwrap.dedent(f"""
+            import csgsim, warnings
+            warnings.simplefilter("error")
+            csgsim.render({FIGURE!r}, tolerance="0.5px", size="32x32", max_wrong_pixels=5)
+            csgsim.sweep({FIGURE!r}, strategy="stack", size="32x32")
+            csgsim.render({FIGURE!r}, size="32x32", projection="perspective", near=0.0001)
+            """)
+        ended = subprocess.run([sys.executable, "-c", script], check=False, text=True, capture_output=True)
+        self.assertEqual(ended.stdout, "")
+        self.assertIn("CsgsimWarning: warning: at the far end", ended.stderr.splitlines()[-1])
+
+    def test_a_process_clocks_one_machine_and_says_so(self):
+        csgsim.render(FIGURE, size="16x16", level="cycle")
+        csgsim.render(FIGURE, size="16x16", level="cycle")
+        self.refused(csgsim.Error, "a process of its own", csgsim.render, FIGURE, size="16x16", level="cycle", machine="scan-line")
+
+
+class Long(unittest.TestCase):
+    """Long work lets other threads go on, and ends at Ctrl-C."""
+
+    def interrupted(self, call, *arguments, **options):
+        """Seconds until KeyboardInterrupt has come out, after Ctrl-C."""
+        sent = []
+
+        def send():
+            sent.append(time.monotonic())
+            os.kill(os.getpid(), signal.SIGINT)
+
+        timer = threading.Timer(0.5, send)
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                call(*arguments, **options)
+            return time.monotonic() - sent[0]
+        finally:
+            timer.cancel()
+
+    def test_runs_and_studies_are_interrupted(self):
+        large = {"size": "2048x2048", "camera": "220,-255,135,2,0,5"}
+        self.assertLess(self.interrupted(csgsim.render, CARBURETTOR, level="reference"), 20)
+        self.assertLess(self.interrupted(csgsim.sweep, CARBURETTOR, **large), 20)
+        self.assertEqual(csgsim.render(FIGURE, **SMALL).png(), support.stats("render", FIGURE, **SMALL)[1])
+
+    def test_other_threads_go_on_and_draw_the_same(self):
+        usual = csgsim.render(FIGURE, **SMALL).png()
+        drawn, turns = [], 0
+        levels = ("functional", "functional", "cycle", "cycle")
+        threads = [threading.Thread(target=lambda level=level: drawn.append(csgsim.render(FIGURE, **SMALL, level=level).png()))
+                   for level in levels]
+        for thread in threads:
+            thread.start()
+        while any(thread.is_alive() for thread in threads):
+            turns += 1
+            time.sleep(0.001)
+        self.assertGreater(turns, 1)
+        self.assertEqual(drawn, [usual] * len(levels))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
