@@ -15,7 +15,6 @@
 #include "hw/base/error.h"
 #include "hw/base/inputs_kept.h"
 #include "hw/base/standard_streams.h"
-#include "hw/base/text.h"
 
 namespace csgsim {
 
@@ -24,15 +23,6 @@ namespace {
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view why) {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
-
-}  // namespace
-
-void check_length(std::string_view name, std::size_t bytes, const InputKind& kind) {
-  if (bytes <= kind.most_bytes) return;
-  throw InputError(fmt::format("{}: longer than {}; {}", name, binary_size(kind.most_bytes), kind.advice));
-}
-
-namespace {
 
 std::string all_of(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   struct stat status {};

@@ -1,9 +1,6 @@
 #include "sim/report/codec.h"
 
-#include <zlib.h>
-
 #include <cstddef>
-#include <new>
 
 namespace csgsim::report {
 
@@ -53,16 +50,6 @@ std::string base64(std::string_view bytes) {
       text.push_back(i + k <= bytes.size() ? digits[group >> (18U - 6U * k) & 63U] : '=');
   }
   return text;
-}
-
-std::string deflated(std::string_view bytes) {
-  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
-  std::string packed(size, '\0');
-  const auto* const from = reinterpret_cast<const Bytef*>(bytes.data());
-  auto* const to = reinterpret_cast<Bytef*>(packed.data());
-  if (compress2(to, &size, from, static_cast<uLong>(bytes.size()), Z_BEST_COMPRESSION) != Z_OK) throw std::bad_alloc();
-  packed.resize(size);
-  return packed;
 }
 
 std::string owner_runs(std::span<const std::uint32_t> owners) {

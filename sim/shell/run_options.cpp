@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "hw/base/error.h"
-#include "sim/cycle/clocked_engine.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
@@ -29,11 +26,6 @@ namespace csgsim::shell {
 
 namespace {
 
-enum class Level : std::uint8_t { functional, cycle, reference };
-
-const std::map<std::string, Level> levels{
-    {"functional", Level::functional}, {"cycle", Level::cycle}, {"reference", Level::reference}};
-
 /// What is wrong with the name of a picture that has to be an EXR file, or nothing.
 std::string exr_name(const std::string& name) {
   return ends_in(name, ".exr") || is_unnamed_stream(name) ? "" : "'" + name + "' has to end in .exr";
@@ -48,13 +40,6 @@ std::string owner_name(const std::string& name) {
 
 }  // namespace
 
-std::vector<std::string> level_names() {
-  std::vector<std::string> names;
-  names.reserve(levels.size());
-  for (const auto& [name, level] : levels) names.push_back(name);
-  return names;
-}
-
 std::vector<std::string> evaluator_names() { return {"worked-out", "stepped"}; }
 
 systemc::EvaluatorForm evaluator_form(const std::string& evaluator, const std::string& level) {
@@ -67,16 +52,6 @@ observe::LongWork long_run(const std::string& level) {
   return {"the run at the " + level + " level",
           level == "functional" ? "more --threads and a smaller --size take less"
                                 : "--level functional draws the same picture and tells the same counts in far less"};
-}
-
-std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
-                                            unsigned threads, systemc::EvaluatorForm form) {
-  switch (levels.at(level)) {
-    case Level::functional: return engine::make_functional_engine(machine, threads);
-    case Level::cycle: return cycle::make_clocked_engine(machine, cycle::clocked_hardware(machine, form));
-    case Level::reference: return engine::make_reference_engine(machine);
-  }
-  throw std::logic_error("a level without an engine");
 }
 
 void RunOptions::add_outputs_to(Command& command) {
@@ -102,7 +77,7 @@ void RunOptions::add_to(Command& command) {
   command
       .option("--level", level,
               "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
-      .one_of(levels);
+      .one_of(level_names());
   command
       .option("--evaluator", evaluator,
               "Of --level cycle, the multiplier trees of frame-buffer and pixel-square: worked-out of the "

@@ -25,10 +25,7 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
-export const ask = async (what, body) => {
-  const reply = await fetch(what, {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(body)});
-  return {isGood: reply.ok, answer: await reply.json()};
-};
+export {answerTo as ask} from './answers.js';
 
 // The line of the source that an error names is selected.
 export const showError = answer => {
@@ -53,7 +50,7 @@ export const lastOf = work => {
       try {
         await work();
       } catch (error) {
-        showError({error: 'csgsim view does not answer: ' + error.message});
+        showError({error: 'csgsim does not answer: ' + error.message});
       }
     }
     isBusy = false;

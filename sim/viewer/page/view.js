@@ -1,4 +1,5 @@
 // The page of csgsim view.
+import {askAbout, pageIsThere} from './answers.js';
 import {byId} from './dom.js';
 import {now} from './asking.js';
 import {draw} from './draw.js';
@@ -11,7 +12,7 @@ import {setUpWhy} from './why.js';
 import {setUpWires} from './wires.js';
 
 const begin = async () => {
-  const about = await (await fetch('about')).json();
+  const about = await askAbout();
   now.about = about;
   document.title = about.model + ' - csgsim view';
   byId('title').textContent = about.model;
@@ -25,7 +26,6 @@ const begin = async () => {
   setUpJudged();
   setUpWires();
   draw();
-  // Open as long as the page is: csgsim view ends with its last page.
-  new EventSource('alive');
+  pageIsThere();
 };
 begin();

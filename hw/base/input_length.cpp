@@ -1,0 +1,14 @@
+#include <fmt/format.h>
+
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/text.h"
+
+namespace csgsim {
+
+void check_length(std::string_view name, std::size_t bytes, const InputKind& kind) {
+  if (bytes <= kind.most_bytes) return;
+  throw InputError(fmt::format("{}: longer than {}; {}", name, binary_size(kind.most_bytes), kind.advice));
+}
+
+}  // namespace csgsim

@@ -1,0 +1,42 @@
+// What Debian's libraries for WASI are compiled to need, or without.
+#include <cstdint>
+#include <cstdlib>
+#include <new>
+
+// They are compiled with stack protectors, and the C library has none.
+extern "C" {
+std::uintptr_t __stack_chk_guard = 0x595e9fbd;
+[[noreturn]] void __stack_chk_fail() { std::abort(); }
+}
+
+namespace {
+
+void* allocated(std::size_t bytes) {
+  if (void* const place = std::malloc(bytes == 0 ? 1 : bytes)) return place;
+  throw std::bad_alloc();
+}
+
+void* allocated(std::size_t bytes, std::align_val_t alignment) {
+  const auto step = static_cast<std::size_t>(alignment);
+  if (void* const place = std::aligned_alloc(step, (bytes + step - 1) / step * step)) return place;
+  throw std::bad_alloc();
+}
+
+}  // namespace
+
+// They are compiled without exceptions, so that their own operators end the program where there is no more memory.
+void* operator new(std::size_t bytes) { return allocated(bytes); }
+void* operator new[](std::size_t bytes) { return allocated(bytes); }
+void* operator new(std::size_t bytes, std::align_val_t alignment) { return allocated(bytes, alignment); }
+void* operator new[](std::size_t bytes, std::align_val_t alignment) { return allocated(bytes, alignment); }
+void* operator new(std::size_t bytes, const std::nothrow_t& /*tag*/) noexcept { return std::malloc(bytes); }
+void operator delete(void* place) noexcept { std::free(place); }
+void operator delete[](void* place) noexcept { std::free(place); }
+void operator delete(void* place, std::size_t /*bytes*/) noexcept { std::free(place); }
+void operator delete[](void* place, std::size_t /*bytes*/) noexcept { std::free(place); }
+void operator delete(void* place, std::align_val_t /*alignment*/) noexcept { std::free(place); }
+void operator delete[](void* place, std::align_val_t /*alignment*/) noexcept { std::free(place); }
+void operator delete(void* place, std::size_t /*bytes*/, std::align_val_t /*alignment*/) noexcept { std::free(place); }
+void operator delete[](void* place, std::size_t /*bytes*/, std::align_val_t /*alignment*/) noexcept {
+  std::free(place);
+}

@@ -1,0 +1,60 @@
+// What answers the page where no program serves it: csgsim.wasm in a worker (sim/web).
+import {openedModel, setUpChoice} from './models.js';
+import {byId} from './dom.js';
+import {showError} from './asking.js';
+
+const worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
+const waiting = new Map();
+let count = 0;
+
+worker.onmessage = ({data: {number, status, body}}) => {
+  waiting.get(number).resolve({isGood: status === 200, body});
+  waiting.delete(number);
+};
+worker.onerror = event => {
+  for (const {reject} of waiting.values()) reject(new Error(event.message || 'its worker could not be loaded'));
+  waiting.clear();
+};
+
+const asked = message => new Promise((resolve, reject) => {
+  waiting.set(++count, {resolve, reject});
+  worker.postMessage({number: count, ...message});
+});
+
+export const answerTo = async (question, wish) => {
+  const {isGood, body} = await asked({question, wish: JSON.stringify(wish)});
+  return {isGood, answer: JSON.parse(body)};
+};
+
+const aboutModel = async () => {
+  const {name, text, knobs} = await openedModel();
+  const begun = await asked({begin: [name, text, knobs]});
+  if (!begun.isGood) throw new Error(JSON.parse(begun.body).error);
+  return JSON.parse((await asked({question: 'about'})).body);
+};
+
+// Where there is nothing to show another model can be chosen.
+export const askAbout = async () => {
+  await setUpChoice();
+  try {
+    return await aboutModel();
+  } catch (error) {
+    showError({error: error.message});
+    throw error;
+  }
+};
+
+// In a window of its own, which has to be opened before there is an answer.
+const openReport = async event => {
+  event.preventDefault();
+  const page = window.open('about:blank', '_blank');
+  const {isGood, body} = await asked({question: 'report'});
+  if (isGood) {
+    page.location = URL.createObjectURL(new Blob([body], {type: 'text/html'}));
+  } else {
+    page.close();
+    showError(JSON.parse(body));
+  }
+};
+
+export const pageIsThere = () => byId('report').addEventListener('click', openReport);

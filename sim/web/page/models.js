@@ -1,0 +1,58 @@
+// Which model the page shows: one that comes with it (?model=NAME), or a file of one's own, which stays in the browser.
+// What else stands in the address turns knobs, as in ?model=carburettor.csg&machine=pixel-planes-5&z-bits=16.
+import {byId, make} from './dom.js';
+import {flags, showError} from './asking.js';
+
+const ownKey = 'csgsim: a model of one\'s own';
+
+const models = fetch(new URL('models/models.json', import.meta.url)).then(reply => reply.json());
+
+const knobsOf = query => {
+  const knobs = {};
+  for (const name of new Set(query.keys())) {
+    if (name === 'model' || name === 'own') continue;
+    knobs[name] = name === 'set' ? query.getAll(name) : flags.includes(name) ? query.get(name) !== 'false' : query.get(name);
+  }
+  return knobs;
+};
+
+// {name, text, knobs}: where the address says nothing, the first that comes with the page.
+export const openedModel = async () => {
+  const query = new URLSearchParams(location.search);
+  const own = query.has('own') ? JSON.parse(sessionStorage.getItem(ownKey)) : null;
+  if (own) return {...own, knobs: knobsOf(query)};
+  const name = query.get('model');
+  const known = await models;
+  const row = name ? known.find(each => each.name === name) : known[0];
+  if (!row) throw new Error('there is no model ' + name + ' here; choose one of ' + known.map(each => each.name).join(', '));
+  const text = await (await fetch(new URL('models/' + row.name, import.meta.url))).text();
+  return {name: row.name, text, knobs: {...row.knobs, ...knobsOf(query)}};
+};
+
+const open = async file => {
+  try {
+    sessionStorage.setItem(ownKey, JSON.stringify({name: file.name, text: await file.text()}));
+    location.search = '?own';
+  } catch (error) {
+    showError({error: file.name + ' cannot be kept in this browser: ' + error.message});
+  }
+};
+
+export const setUpChoice = async () => {
+  const query = new URLSearchParams(location.search);
+  const known = await models;
+  const chosen = query.has('own') ? '' : query.get('model') ?? known[0].name;
+  const select = make('select', {id: 'model'}, ...known.map(({name, meaning}) => make('option', {value: name}, name + ': ' + meaning)),
+    ...(query.has('own') ? [make('option', {value: ''}, 'your own file')] : []));
+  select.value = chosen;
+  select.addEventListener('change', () => { location.search = '?' + new URLSearchParams({model: select.value}); });
+  const own = make('input', {id: 'own', type: 'file', accept: '.csg,.jan,.scad'});
+  own.addEventListener('change', () => { if (own.files.length) open(own.files[0]); });
+  byId('told').after(make('form', {id: 'choice'}, make('label', {}, 'Model', select), make('label', {}, 'A file of your own, .csg; or drop it on the page', own)),
+    make('p', {class: 'note'}, 'This page draws by itself: no program runs behind it, and what you open stays in your browser. csgsim view on your machine does the same, several times as fast, reads .scad, imports and text(), and shows the wires.'));
+  document.addEventListener('dragover', event => event.preventDefault());
+  document.addEventListener('drop', event => {
+    event.preventDefault();
+    if (event.dataTransfer.files.length) open(event.dataTransfer.files[0]);
+  });
+};

@@ -1,0 +1,48 @@
+// csgsim.wasm, which answers as csgsim view does. Runs in a worker of the page, and in node.
+import {systemOf} from './wasi.js';
+
+const encoder = new TextEncoder();
+const decoder = new TextDecoder();
+
+export class Program {
+  // Of a compiled WebAssembly.Module.
+  constructor(module) {
+    this.module = module;
+    this.begun = null;
+    this.start();
+  }
+
+  // A question's status, as HTTP has it, and the text of its answer.
+  answer(question, wish = '') {
+    try {
+      return this.call('answer', question, wish);
+    } catch (error) {
+      // What was in its memory is no longer to be relied on.
+      this.start();
+      if (this.begun) this.begin(...this.begun);
+      return {status: 500, body: JSON.stringify({error: 'csgsim failed, as it does where memory runs out, and has begun again: ' + error.message})};
+    }
+  }
+
+  // With a model: its name, its text, and knobs as csgsim view would be begun with them.
+  begin(name, text, knobs) {
+    this.begun = [name, text, knobs];
+    this.call('keep', name, text);
+    return this.call('begin', name, JSON.stringify(knobs));
+  }
+
+  start() {
+    this.exports = new WebAssembly.Instance(this.module, {wasi_snapshot_preview1: systemOf(() => this.exports.memory)}).exports;
+    this.exports._initialize();
+  }
+
+  call(what, first, second) {
+    const [head, tail] = [first, second].map(text => encoder.encode(text));
+    const at = this.exports.csgsim_input(head.length + tail.length);
+    const room = new Uint8Array(this.exports.memory.buffer, at, head.length + tail.length);
+    room.set(head);
+    room.set(tail, head.length);
+    const status = this.exports['csgsim_' + what](head.length);
+    return {status, body: decoder.decode(new Uint8Array(this.exports.memory.buffer, this.exports.csgsim_output(), this.exports.csgsim_output_size()))};
+  }
+}

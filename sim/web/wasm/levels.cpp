@@ -1,0 +1,15 @@
+// In place of sim/shell/levels.cpp: without the cycle level, which is SystemC's.
+#include "sim/engine/engine.h"
+#include "sim/shell/run_options.h"
+
+namespace csgsim::shell {
+
+std::vector<std::string> level_names() { return {"functional", "reference"}; }
+
+std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, const std::string& level,
+                                            unsigned threads, systemc::EvaluatorForm /*form*/) {
+  return level == "reference" ? engine::make_reference_engine(machine)
+                              : engine::make_functional_engine(machine, threads);
+}
+
+}  // namespace csgsim::shell

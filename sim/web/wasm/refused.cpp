@@ -1,0 +1,60 @@
+// What takes other programs, or libraries that are not compiled for the web, is refused with what would do it.
+#include <fmt/format.h>
+
+#include "host/flat/svg.h"
+#include "host/solids/height_picture.h"
+#include "host/solids/read_mesh.h"
+#include "hw/base/error.h"
+#include "hw/base/module.h"
+#include "sim/shell/scad.h"
+#include "sim/viewer/recorded.h"
+
+namespace csgsim {
+
+const void* module_symbol_of(const ModuleRole& role) {
+  throw InputError(
+      fmt::format("the part of csgsim that {} is not in this page; use csgsim view on your machine", role.does));
+}
+
+namespace {
+
+[[noreturn]] void refuse_format(std::string_view name) {
+  throw InputError(fmt::format("{}: this page cannot read its format; use csgsim view on your machine", name));
+}
+
+}  // namespace
+
+flat::Area flat::read_svg(std::string_view /*bytes*/, const SvgOptions& /*options*/) { refuse_format("SVG"); }
+
+namespace solids {
+
+Pixels read_png(std::string_view /*bytes*/, std::string_view name, std::size_t /*most*/) { refuse_format(name); }
+
+std::vector<Mesh> parse_amf(std::string_view /*bytes*/, std::string_view name) { refuse_format(name); }
+
+std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) { refuse_format(name); }
+
+}  // namespace solids
+
+namespace shell {
+
+void add_openscad_time(Command& /*command*/) {}
+
+std::string csg_of_scad(const std::string& file) {
+  throw InputError(file +
+                   ": OpenSCAD is not in this page; export the model as .csg there (File, Export), and open that");
+}
+
+std::string csg_of_scad(const std::string& file, std::string_view /*text*/) { return csg_of_scad(file); }
+
+}  // namespace shell
+
+namespace viewer {
+
+std::string recorded(const isa::Program& /*program*/, std::span<const std::string> /*options*/) {
+  throw InputError("the machine's wires are not in this page; use csgsim view on your machine for lanes and waves");
+}
+
+}  // namespace viewer
+
+}  // namespace csgsim

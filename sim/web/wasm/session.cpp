@@ -1,0 +1,87 @@
+// What the page calls. Texts go in and out by a buffer each: the page asks for room, writes there, calls, and reads.
+#include "sim/viewer/session.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "sim/web/wasm/files.h"
+
+namespace csgsim::web {
+
+namespace {
+
+std::string input;
+std::string output;
+std::unique_ptr<viewer::Session> session;
+
+/// What comes first in the input, and what behind it.
+std::pair<std::string, std::string> parted(std::size_t length) {
+  return {input.substr(0, length), input.substr(length)};
+}
+
+int answered(const std::string& path, std::string body) {
+  if (!session) throw viewer::WishError("no model has been opened");
+  const bool is_got = path == "about" || path == "report";
+  viewer::Reply reply = session->answer({.method = is_got ? "GET" : "POST", .body = std::move(body)}, path);
+  output = std::move(reply.body);
+  return reply.status;
+}
+
+template <class Work>
+int status_of(const Work& work) noexcept {
+  try {
+    return work();
+  } catch (const std::exception& error) {
+    output = viewer::Json{{"error", error.what()}}.dump(-1, ' ', false, viewer::Json::error_handler_t::replace);
+    return 422;
+  }
+}
+
+}  // namespace
+
+}  // namespace csgsim::web
+
+extern "C" {
+
+using csgsim::web::input;
+using csgsim::web::output;
+
+/// Room for an input of so many bytes.
+char* csgsim_input(std::size_t size) {
+  input.assign(size, '\0');
+  return input.data();
+}
+
+/// What was answered last, and how long it is.
+const char* csgsim_output() { return output.data(); }
+std::size_t csgsim_output_size() { return output.size(); }
+
+/// Of a text that is a model's file. The status that a server would answer with, like `answer`.
+int csgsim_keep(std::size_t name_length) {
+  return csgsim::web::status_of([&] {
+    auto [name, text] = csgsim::web::parted(name_length);
+    csgsim::web::keep_file(std::move(name), std::move(text));
+    return 200;
+  });
+}
+
+/// Begins with a kept model: its name, and knobs as JSON.
+int csgsim_begin(std::size_t name_length) {
+  return csgsim::web::status_of([&] {
+    const auto [name, knobs] = csgsim::web::parted(name_length);
+    csgsim::web::session = std::make_unique<csgsim::viewer::Session>(
+        csgsim::viewer::Beginning{.model = name, .words = {}, .knobs = csgsim::viewer::Json::parse(knobs)});
+    return 200;
+  });
+}
+
+/// To a question as Session::answer takes it: its name, and a wish as JSON.
+int csgsim_answer(std::size_t path_length) {
+  return csgsim::web::status_of([&] {
+    auto [path, body] = csgsim::web::parted(path_length);
+    return csgsim::web::answered(path, std::move(body));
+  });
+}
+}

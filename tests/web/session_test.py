@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""What csgsim.wasm answers in node is what csgsim view answers: session_test.py CSGSIM SOURCE SITE. Exit code 77 where there is no SITE, or no node."""
+
+import base64
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+import zlib
+
+CSGSIM, SOURCE, SITE = (pathlib.Path(argument).resolve() for argument in sys.argv[1:4])
+sys.path.insert(0, str(SOURCE / "tests/view"))
+
+from server import Server  # noqa: E402
+from web_page import Answering  # noqa: E402
+
+CARBURETTOR = {"camera": "220,-255,135,2,0,5"}
+FIGURE = {"camera": "42,-38,41,10,5.5,2"}
+SHADOWS = ["effects.shadows.on=true", "effects.depth_cue.on=true"]
+WISHES = [
+    ("thesis_fig_2_3", FIGURE),
+    ("carburettor", CARBURETTOR),
+    ("carburettor", {**CARBURETTOR, "set": SHADOWS, "memory-bits": "300", "size": "256x256"}),
+    ("carburettor", {**CARBURETTOR, "machine": "pixel-planes-5", "size": "256x256"}),
+    ("thesis_fig_2_3", {**FIGURE, "machine": "pixel-square", "size": "128x128"}),
+    ("molecule", {"camera": "300,-400,250,0,0,0", "view-all": True, "machine": "pixel-powers", "size": "128x128"}),
+]
+
+
+def pixels_of(url):
+    """Width, height and bytes of a PNG without compression and filters, as the page gets it."""
+    file = base64.b64decode(url.removeprefix("data:image/png;base64,"))
+    width, height = struct.unpack(">II", file[16:24])
+    length, = struct.unpack(">I", file[33:37])
+    rows = zlib.decompress(file[41:41 + length])
+    return width, height, b"".join(rows[y * (3 * width + 1) + 1:(y + 1) * (3 * width + 1)] for y in range(height))
+
+
+def rendered(command):
+    """The same of what the command that the page names draws."""
+    words = command.replace("csgsim", str(CSGSIM), 1) + " --progress none -o picture.ppm"
+    ppm = subprocess.run(["bash", "-c", f"cd $(mktemp -d) && {words.replace('tests/', str(SOURCE) + '/tests/')} >/dev/null && cat picture.ppm && rm -r $PWD"],
+                         check=True, capture_output=True).stdout
+    _, size, _, pixels = ppm.split(b"\n", 3)
+    return *map(int, size.split()), pixels
+
+
+def without(value, *keys):
+    """Without what differs: the times, and pictures, whose files are packed otherwise."""
+    if isinstance(value, dict):
+        return {key: without(each, *keys) for key, each in value.items() if key not in keys}
+    return [without(each, *keys) for each in value] if isinstance(value, list) else value
+
+
+class Session(unittest.TestCase):
+    def both(self, model):
+        """Native, and in node."""
+        file = f"tests/models/{model}"
+        server = Server(CSGSIM, file, cwd=SOURCE)
+        self.addCleanup(server.stop)
+        answering = Answering(SITE, file, (SOURCE / file).read_text())
+        self.addCleanup(answering.stop)
+        self.assertEqual(answering.begun[0], 200, answering.begun)
+        return server, answering
+
+    def check_same(self, both, question, wish):
+        (status, expected), (other, told) = (one.post(question, wish) for one in both)
+        self.assertEqual((other, without(told, "picture", "seconds")), (status, without(expected, "picture", "seconds")), question)
+        return told
+
+    def test_pictures_counts_and_stories_are_those_of_the_native_program(self):
+        for model, knobs in WISHES:
+            with self.subTest(model=model, knobs=knobs):
+                both = self.both(model + ".csg")
+                wish = {"knobs": knobs}
+                drawn = self.check_same(both, "draw", wish)
+                self.assertEqual(pixels_of(drawn["picture"]), rendered(drawn["command"]))
+                at = f"{drawn['width'] // 2},{drawn['height'] // 2}"
+                self.assertGreater(len(self.check_same(both, "explain", {**wish, "pixel": at, "why_not": "p1"})["text"]), 100)
+
+    def test_time_trees_judgements_and_comparisons_are_those_of_the_native_program(self):
+        both = self.both("carburettor.csg")
+        wish = {"knobs": {**CARBURETTOR, "size": "128x128"}}
+        for number in (0, 100, 5000, 10 ** 9):
+            self.check_same(both, "instant", {**wish, "number": number, "field": "Z1", "tinted": True})
+        self.check_same(both, "instant", {**wish, "primitive": 3, "field": "", "tinted": False})
+        for question in ("tree", "verdict", "advice"):
+            self.check_same(both, question, wish)
+        self.check_same(both, "two", {"a": wish, "b": {"knobs": {**wish["knobs"], "z-bits": "8"}}})
+
+    def test_a_source_is_edited_and_errors_have_their_places(self):
+        both = self.both("thesis_fig_2_3.csg")
+        self.check_same(both, "draw", {"knobs": {"size": "64x64"}, "source": "cube(size=[20,20,20],center=true);"})
+        for source in ("cube(", "sphere(r=;", "cube(size=[20,20,20]);\nnothing();", 'import(file="a.amf");'):
+            status, told = both[1].post("draw", {"knobs": {}, "source": source})
+            self.assertEqual(status, 422, source)
+            self.assertTrue(told["error"], source)
+        self.check_same(both, "draw", {"knobs": {"machine": "pixel-planes-6"}})
+        self.check_same(both, "draw", {"knobs": {"z-bits": "99"}})
+
+    def test_what_is_not_there_is_refused_with_what_has_it(self):
+        _, answering = self.both("thesis_fig_2_3.csg")
+        for question, wish, told in (("lanes", {}, "csgsim view"), ("wave", {"pixel": "1,1", "window": "i0:i4"}, "csgsim view"),
+                                     ("draw", {"source": 'text(text="A");'}, "text()"), ("draw", {"source": 'import(file="a.stl");'}, "a.stl")):
+            status, answer = answering.post(question, {"knobs": {}, **wish})
+            self.assertEqual(status, 422, answer)
+            self.assertIn(told, answer["error"])
+        scad = Answering(SITE, "part.scad", "cube(3);")
+        self.addCleanup(scad.stop)
+        status, answer = scad.post("draw", {"knobs": {}})
+        self.assertEqual(status, 422)
+        self.assertIn("export the model as .csg", answer["error"])
+
+    def test_the_report_is_a_page(self):
+        _, answering = self.both("thesis_fig_2_3.csg")
+        answering.post("draw", {"knobs": {"size": "64x64"}})
+        status, page = answering.send({"question": "report"})
+        self.assertEqual(status, 200)
+        self.assertTrue(page.startswith("<!DOCTYPE html>"))
+
+    def test_more_memory_than_there_is_is_an_error_and_it_goes_on(self):
+        _, answering = self.both("thesis_fig_2_3.csg")
+        self.assertNotEqual(answering.post("draw", {"knobs": {"size": "8192x8192"}})[0], 200)
+        self.assertEqual(answering.post("draw", {"knobs": {"size": "64x64"}})[0], 200)
+
+
+if __name__ == "__main__":
+    if not (SITE / "csgsim.wasm").exists() or not shutil.which("node"):
+        print("there is no page to test, or no node; ./setup.sh web makes both")
+        sys.exit(77)
+    unittest.main(argv=sys.argv[:1])
