@@ -79,12 +79,13 @@ TEST_CASE("the active tree of a surface has what the Program compares it with, o
       viewer::ActiveTrees trees(one.model, one.options, one.machine);
       const isa::Program& program = one.model.program;
       for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
-        for (const auto& [piece, compared] : compared_in(program.segments[segment], program.facts)) {
+        for (const auto& known : compared_in(program.segments[segment], program.facts)) {
+          const std::uint32_t piece = known.first;
           CAPTURE(segment);
           CAPTURE(piece);
           const auto active = trees.of(piece, segment);
           REQUIRE(active);
-          CHECK_MESSAGE(covers(*active, compared), active->dump());
+          CHECK_MESSAGE(covers(*active, known.second), active->dump());
           ++surfaces;
         }
       }
