@@ -45,7 +45,7 @@ FLAGS = """--target=wasm32-wasi -std=c++20 -DNDEBUG -D_LIBCPP_HARDENING_MODE=_LI
 COMMON = """algorithm array cmath cstdint filesystem functional limits map memory optional set span stdexcept string
 string_view utility variant vector fmt/format.h""".split()
 COMMON_OF = {"quick": [*COMMON, "glm/geometric.hpp"], "small": [*COMMON, "nlohmann/json.hpp"]}
-OPTIMISED = {"quick": "-O2", "small": "-O1"}
+OPTIMISED = {"quick": "-O2", "small": "-O2"}
 
 # What wasm/session.cpp has for the page.
 EXPORTS = "input output output_size keep begin answer".split()

@@ -99,6 +99,7 @@ def asks_why(seen):
 
 
 def goes_through_time(seen):
+    seen.settled()
     count = int(seen.evaluate("document.getElementById('instant').max"))
     seen.set("instant", str(count))
     seen.evaluate("(() => { const t = document.getElementById('tinted'); t.checked = false; t.dispatchEvent(new Event('input', {bubbles: true})); t.dispatchEvent(new Event('change', {bubbles: true})); })()")
