@@ -111,6 +111,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {run, "evaluator"},
     {run, "threads"},
     {run, "whole"},
+    {run, "lanes"},
     {run, "commands", "FILE", FileRole::input},
     {run, "checkpoint", "FILE", FileRole::output},
     {run, "checkpoint-every"},

@@ -159,7 +159,7 @@ std::string Session::recorded_of(const isa::Program& program, const std::vector<
 Json Session::lanes(const Json& wish, Lock& lock) {
   const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish);
   std::vector<std::string> options = probing_options(wish);
-  options.push_back("--parts");
+  options.push_back("--lanes");
   std::shared_ptr<const Lanes> lanes = wish.contains("pixel") ? nullptr : drawing->lanes;
   if (!lanes) {
     lanes = std::make_shared<Lanes>(recorded_of(drawing->model.program, options, lock));

@@ -32,8 +32,8 @@ require_file(installed.tif)
 # And in Python, without the build folder's libraries.
 file(GLOB python_module ${WORK}/prefix/lib/python3/dist-packages/csgsim/_csgsim.*)
 if(python_module)
-  run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 ${PYTHON} -c
-    "import csgsim; csgsim.render(text='text(\"a\");', size=(16, 16), output='python.tif')")
+  file(WRITE ${WORK}/user.py "import csgsim\ncsgsim.render(text='text(\"a\");', size=(16, 16), output='python.tif')\n")
+  run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/lib/python3/dist-packages PYTHONDONTWRITEBYTECODE=1 ${PYTHON} user.py)
   require_file(python.tif)
   require_file(prefix/lib/python3/dist-packages/csgsim/__init__.pyi)
 elseif(PYTHON)

@@ -48,7 +48,7 @@ struct Options {
   std::string evaluator;
   bool whole = false;
   bool timing = false;
-  bool parts = false;
+  bool lanes = false;
   std::string output;
 };
 
@@ -68,7 +68,7 @@ wave::TreeLevel tree_level_of(const std::string& text) {
 }
 
 /// Does the file have what parts are at, as lanes?
-bool is_of_parts(const Options& options) { return options.parts || ends_in(options.output, ".json"); }
+bool is_of_parts(const Options& options) { return options.lanes || ends_in(options.output, ".json"); }
 
 /// And numbers of pixels beside them?
 bool has_pixels(const Options& options) { return !options.pixels.empty() || !options.probes.empty(); }
@@ -146,8 +146,8 @@ void refuse_what_pixels_have(const Command& command) {
 
 /// Refuses words that do not go together; returns the window that is asked for, if --at does not stand in its place.
 std::optional<waves::WindowRequest> checked(const Options& options, const Command& command) {
-  if (options.parts && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
-    throw UsageError("--parts", "the name of a file of what the parts are at has to end in .json");
+  if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
+    throw UsageError("--lanes", "the name of a file of lanes has to end in .json");
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
     throw UsageError("--output",
                      "the waveform's name has to end in .vcd or .fst, or in .json for what the parts are at");
@@ -155,7 +155,7 @@ std::optional<waves::WindowRequest> checked(const Options& options, const Comman
   if (has_parts_alone) refuse_what_pixels_have(command);
   if (!is_model(options.model.model))
     refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "padding", "at", "evaluator", "whole",
-                                   "timing", "parts", "output"});
+                                   "timing", "lanes", "output"});
   if (!options.at.empty() && is_given(command, "window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   if (!options.at.empty()) return std::nullopt;
@@ -268,7 +268,7 @@ void add_wave(CommandLine& line) {
   command.flag("--whole", options->whole,
                "Step all of the machine from the first clock on, and not the probed pixels alone near the window");
   command.flag("--timing", options->timing, "Tell what the wave takes beside the run at the functional level");
-  command.flag("--parts", options->parts, "Write what a .json would have to an output without a name, -");
+  command.flag("--lanes", options->lanes, "Write what a .json would have to an output without a name, -");
   command
       .option("-o,--output", options->output,
               "The waveform, .vcd, or .fst by vcd2fst; VCD for -, without the view beside it; .json: what the parts "

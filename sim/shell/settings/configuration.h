@@ -8,10 +8,7 @@
 #include "sim/observe/frame.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
-
-namespace csgsim::story {
-class HalfspaceFinder;
-}
+#include "sim/story/halfspaces.h"
 
 /// The `configuration` of a stats file: all that a run follows from. docs/stats.md describes every key.
 namespace csgsim::shell {
