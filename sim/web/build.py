@@ -127,7 +127,7 @@ def runtime_of_exceptions(made):
     unwind = (EMSCRIPTEN / "libunwind/src/Unwind-wasm.c").read_text()
     write(made / "unwind.c", unwind.replace("#include <threads.h>", "#define thread_local _Thread_local"))
     lines = ["build unwind.o: runtime made/unwind.c", "  cc = clang-19",
-             f"  more = -fdeclspec -D__EMSCRIPTEN__ -I{EMSCRIPTEN}/libunwind/src"]
+             f"  more = -fdeclspec -Wno-ignored-attributes -D__EMSCRIPTEN__ -I{EMSCRIPTEN}/libunwind/src"]
     abi = EMSCRIPTEN / "libcxxabi"
     for name in ("cxa_exception", "cxa_personality"):
         lines += [f"build {name}.o: runtime {abi}/src/{name}.cpp", "  cc = clang++-19 -std=c++20",

@@ -128,7 +128,7 @@ class Session(unittest.TestCase):
 
     def test_more_memory_than_there_is_is_an_error_and_it_goes_on(self):
         _, answering = self.both("thesis_fig_2_3.csg")
-        self.assertNotEqual(answering.post("draw", {"knobs": {"size": "8192x8192"}})[0], 200)
+        self.assertEqual(answering.post("draw", {"knobs": {"size": "16384x16384"}}), (422, {"error": "there is not enough memory"}))
         self.assertEqual(answering.post("draw", {"knobs": {"size": "64x64"}})[0], 200)
 
 
