@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstddef>
 #include <string_view>
@@ -121,7 +122,7 @@ std::string to_html(const Page& page) {
   html += "</main>\n<div id=told class=told role=status aria-live=polite></div>\n";
   html += json_script("data", page.data) + writer.scripts();
   html += fmt::format("<script>\n{}</script>\n", page_script);
-  if (writer.has_drawings()) html += fmt::format("<script>\n{}</script>\n", drawing_script);
+  if (writer.has_drawings()) html += fmt::format("<script>\n{}</script>\n", fmt::join(drawing_scripts, "\n"));
   return html + "</body>\n</html>\n";
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +13,7 @@ namespace csgsim::report {
 /// What page.css and page.js hold, and the scripts of drawings: memory.js, story.js, words.js and drawing.js.
 extern const std::string_view page_style;
 extern const std::string_view page_script;
-extern const std::string_view drawing_script;
+extern const std::array<std::string_view, 4> drawing_scripts;
 
 /// JSON as the content of a script element that no script runs: nothing in it ends the element or begins a comment.
 std::string json_in_html(const Json& json);
