@@ -27,6 +27,8 @@ Usage: ./setup.sh COMMAND
   docs [OPTIONS...]
          make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
+  web    compile the page of view to WebAssembly: build/web/, for any static server, which needs no program behind it;
+         test it in node and in a Chromium (300 MB); more: docs/web.md
   site   make the pages a book: build/site/index.html, which can be searched, and build/csgsim.pdf
   reproduce
          make every table of the thesis again, ours beside its own, and show what changed: docs/reproduction.md
@@ -54,6 +56,8 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
 clang_packages="clang libclang-rt-14-dev lld"
+web_packages="clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 emscripten
+  dpkg-dev"
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then
@@ -114,10 +118,10 @@ tsan() {
   $fixed ctest --preset tsan -j "$(nproc)"
 }
 
-# The .cpp files to be checked: all, or those that changed since a commit, and for each header that changed one that
+# The .cpp files to be checked: all, but those that are compiled for the web alone, or those that changed since a commit, and for each header that changed one that
 # includes it.
 sources() {
-  git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' >build/sources
+  git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' ':!sim/web/lacking' >build/sources
   if [ -z "${1:-}" ]; then
     cat build/sources
     return
@@ -209,6 +213,38 @@ site() {
   ls build/site/index.html build/csgsim.pdf
 }
 
+# Puts the source of Clipper into build/wasm/clipper: of its library only what is compiled for this machine is packaged.
+clipper_source() {
+  folder=$PWD/build/wasm/clipper
+  ls "$folder"/libpolyclipping-*/cpp/clipper.cpp >/dev/null 2>&1 && return
+  mkdir -p "$folder/lists/partial"
+  (
+    cd "$folder"
+    echo "deb-src http://deb.debian.org/debian bookworm main" >sources.list
+    options="-o Dir::Etc::SourceList=$folder/sources.list -o Dir::Etc::SourceParts=- -o Dir::State::Lists=$folder/lists"
+    # shellcheck disable=SC2086
+    apt-get $options update -q
+    # shellcheck disable=SC2086
+    apt-get $options source -q libpolyclipping
+  )
+}
+
+web() {
+  # shellcheck disable=SC2086
+  need $build_packages $web_packages
+  clipper_source
+  python3 sim/web/build.py build/wasm build/wasm/clipper/libpolyclipping-*/cpp/clipper.cpp
+  python3 sim/web/site.py build/wasm/csgsim.wasm build/web
+  echo "build/web/ is a page for any static server: python3 -m http.server --directory build/web"
+}
+
+web_test() {
+  need python3 nodejs chromium
+  build release -DCSGSIM_BUILD_TESTS=OFF
+  python3 tests/web/session_test.py build/release/csgsim . build/web
+  python3 tests/web/page_test.py build/release/csgsim . build/web
+}
+
 package() {
   # shellcheck disable=SC2086
   need $build_packages dpkg-dev file
@@ -235,6 +271,10 @@ case "${1:-}" in
   docs)
     shift
     docs "$@"
+    ;;
+  web)
+    web
+    web_test
     ;;
   site) site ;;
   reproduce) docs --page docs/reproduction.md --exact ;;

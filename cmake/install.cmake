@@ -45,7 +45,7 @@ get_property(rooms GLOBAL PROPERTY CSGSIM_ROOMS)
 install(TARGETS ${rooms} EXPORT csgsimTargets)
 foreach(folder hw host sim)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/csgsim FILES_MATCHING PATTERN "*.h"
-    PATTERN "sim/app" EXCLUDE PATTERN "sim/python" EXCLUDE)
+    PATTERN "sim/app" EXCLUDE PATTERN "sim/python" EXCLUDE PATTERN "sim/web" EXCLUDE)
 endforeach()
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/csgsim)

@@ -14,11 +14,11 @@ from rooms import TOP, make_sources, sources_of, version, write
 HERE = Path(__file__).resolve().parent
 EMSCRIPTEN = Path("/usr/share/emscripten/system/lib")
 
-# Rooms in which nothing takes time as it runs are compiled for size.
-SLOW_ROOMS = "debug story swept commands plots report shell viewer".split()
 ROOMS = """base toml isa machines division processors host pixel_planes scan_line pixel_square multi_processor kinds
 model view facet csg scene lighting convex emit effects functional observe read flat solids judges reference checkpoint
-lockstep""".split() + SLOW_ROOMS
+lockstep swept commands""".split()
+# Those that answer in JSON.
+JSON_ROOMS = "debug story plots report shell viewer".split()
 
 # What asks for files, processes, shared libraries, or takes a library that is not headers alone.
 LEFT_OUT = {
@@ -35,17 +35,17 @@ LEFT_OUT = {
 ALONE = "quoting text_parse choice lane_kernels linear_kernels quadratic_kernels root_kernels".split()
 BATCH = 8
 
-FLAGS = """--target=wasm32-wasi -std=c++20 -DNDEBUG -D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_NONE
+FLAGS = """--target=wasm32-wasi -std=c++20 -O2 -DNDEBUG -D_LIBCPP_HARDENING_MODE=_LIBCPP_HARDENING_MODE_NONE
 -fwasm-exceptions -msimd128 -mbulk-memory -msign-ext -mnontrapping-fptoint -ffp-contract=off
 -DFMT_HEADER_ONLY -DBOOST_DISABLE_THREADS -D_WASI_EMULATED_SIGNAL
 -D_LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION -D_LIBCPP_ENABLE_CXX17_REMOVED_FEATURES
 -DCGAL_DISABLE_GMP -DCGAL_HAS_NO_THREADS -DCGAL_NO_DEPRECATED_CODE -DCGAL_ALWAYS_ROUND_TO_NEAREST
--Wall -Wextra -Wconversion -Wsign-conversion -Wno-unused-command-line-argument""".replace("\n", " ")
+-Wall -Wextra -Wno-unused-command-line-argument""".replace("\n", " ")
 
+# Headers that are compiled once.
 COMMON = """algorithm array cmath cstdint filesystem functional limits map memory optional set span stdexcept string
-string_view utility variant vector fmt/format.h""".split()
-COMMON_OF = {"quick": [*COMMON, "glm/geometric.hpp"], "small": [*COMMON, "nlohmann/json.hpp"]}
-OPTIMISED = {"quick": "-O2", "small": "-O1"}
+string_view utility variant vector fmt/format.h glm/geometric.hpp""".split()
+PRECOMPILED = {"common": COMMON, "json": [*COMMON, "nlohmann/json.hpp"]}
 
 # What wasm/session.cpp has for the page.
 EXPORTS = "input output output_size keep begin answer".split()
@@ -77,33 +77,49 @@ def link_headers(out):
 
 def batches_of(room, made):
     """Files that are compiled together, by a name."""
-    left_out = LEFT_OUT.get(room, "").split()
-    files = [file for file in sources_of(room, made) if file.stem not in left_out]
+    left_out = set(LEFT_OUT.get(room, "").split())
+    sources = sources_of(room, made)
+    if strangers := left_out - {file.stem for file in sources}:
+        raise SystemExit(f"{room} has no {', '.join(sorted(strangers))} to leave out")
+    files = [file for file in sources if file.stem not in left_out]
     apart = [file for file in files if file.stem in ALONE or room == "effects"]
     rest = [file for file in files if file not in apart]
     return {**{f"{room}_{i // BATCH}": rest[i:i + BATCH] for i in range(0, len(rest), BATCH)},
             **{f"{room}_{file.stem}": [file] for file in apart}}
 
 
+RULES = """
+rule header
+  command = {compiler} -x c++-header -MD -MF $out.d $in -o $out
+  depfile = $out.d
+  deps = gcc
+rule cc
+  command = {compiler} $more -include-pch $pch -MD -MF $out.d -c $in -o $out
+  depfile = $out.d
+  deps = gcc
+  description = $in
+rule runtime
+  command = $cc --target=wasm32-wasi -O2 -fwasm-exceptions -D__USING_WASM_EXCEPTIONS__ -DNDEBUG $
+    -D_LIBCXXABI_HAS_NO_THREADS -D_LIBUNWIND_HAS_NO_THREADS -I{emscripten}/libunwind/include $more -c $in -o $out
+rule link
+  command = clang++-19 --target=wasm32-wasi -fwasm-exceptions @$out.objects -lwasi-emulated-signal $
+    -mexec-model=reactor {exports} -Wl,--gc-sections,--strip-all,-z,stack-size={stack} $
+    -Wl,--initial-memory={first_memory},--max-memory={most_memory} -o $out
+  rspfile = $out.objects
+  rspfile_content = $in
+"""
+
+
 def rules(out):
-    compiler = f"clang++-19 {FLAGS} -isystem {out}/include -I{TOP} -DCSGSIM_VERSION='\"{version()}\"'"
-    runtime = ("--target=wasm32-wasi -O2 -fwasm-exceptions -D__USING_WASM_EXCEPTIONS__ -DNDEBUG "
-               f"-D_LIBCXXABI_HAS_NO_THREADS -D_LIBUNWIND_HAS_NO_THREADS -I{EMSCRIPTEN}/libunwind/include")
-    return ["rule header", f"  command = {compiler} $more -x c++-header -MD -MF $out.d $in -o $out", "  depfile = $out.d",
-            "  deps = gcc", "rule cc",
-            f"  command = {compiler} $more -include-pch $pch -MD -MF $out.d -c $in -o $out", "  depfile = $out.d",
-            "  deps = gcc", "  description = $in",
-            "rule runtime", f"  command = $cc {runtime} $more -c $in -o $out",
-            "rule link", "  command = clang++-19 --target=wasm32-wasi -fwasm-exceptions @$out.objects "
-            "-lwasi-emulated-signal -mexec-model=reactor " + "".join(f"-Wl,--export=csgsim_{name} " for name in EXPORTS) +
-            f"-Wl,--gc-sections,--strip-debug,-z,stack-size={STACK},--initial-memory={FIRST_MEMORY},--max-memory={MOST_MEMORY},--error-limit=0 -o $out",
-            "  rspfile = $out.objects", "  rspfile_content = $in"]
+    return RULES.format(
+        compiler=f"clang++-19 {FLAGS} -isystem {out}/include -I{TOP} -DCSGSIM_VERSION='\"{version()}\"'",
+        emscripten=EMSCRIPTEN, exports=" ".join(f"-Wl,--export=csgsim_{name}" for name in EXPORTS), stack=STACK,
+        first_memory=FIRST_MEMORY, most_memory=MOST_MEMORY)
 
 
-def compiled(name, files, form, made, more=""):
+def compiled(name, files, headers, made, more=""):
     write(made / f"{name}.cpp", "".join(f'#include "{file}"\n' for file in files))
-    return [f"build {name}.o: cc made/{name}.cpp | {form}.pch", f"  more = {OPTIMISED[form]}{more}",
-            f"  pch = {form}.pch"]
+    return [f"build {name}.o: cc made/{name}.cpp | {headers}.pch", f"  more = {more}", f"  pch = {headers}.pch"]
 
 
 def runtime_of_exceptions(made):
@@ -111,7 +127,7 @@ def runtime_of_exceptions(made):
     unwind = (EMSCRIPTEN / "libunwind/src/Unwind-wasm.c").read_text()
     write(made / "unwind.c", unwind.replace("#include <threads.h>", "#define thread_local _Thread_local"))
     lines = ["build unwind.o: runtime made/unwind.c", "  cc = clang-19",
-             f"  more = -fdeclspec -D__EMSCRIPTEN__ -I{EMSCRIPTEN}/libunwind/src"]
+             f"  more = -fdeclspec -Wno-ignored-attributes -D__EMSCRIPTEN__ -I{EMSCRIPTEN}/libunwind/src"]
     abi = EMSCRIPTEN / "libcxxabi"
     for name in ("cxa_exception", "cxa_personality"):
         lines += [f"build {name}.o: runtime {abi}/src/{name}.cpp", "  cc = clang++-19 -std=c++20",
@@ -122,24 +138,23 @@ def runtime_of_exceptions(made):
 
 def build_file(out, clipper):
     made = out / "made"
-    lines = rules(out)
-    for form, headers in COMMON_OF.items():
-        write(made / f"{form}.h", f'#include "{HERE}/lacking/lacking.h"\n' + "".join(f"#include <{name}>\n"
-                                                                                    for name in headers))
-        lines += [f"build {form}.pch: header made/{form}.h", f"  more = {OPTIMISED[form]}"]
+    lines = [rules(out)]
+    for name, headers in PRECOMPILED.items():
+        includes = "".join(f"#include <{header}>\n" for header in headers)
+        write(made / f"{name}.h", f'#include "{HERE}/lacking/lacking.h"\n' + includes)
+        lines.append(f"build {name}.pch: header made/{name}.h")
     objects = []
-    for room in ROOMS:
-        form = "small" if room in SLOW_ROOMS else "quick"
+    for room in ROOMS + JSON_ROOMS:
         for name, files in batches_of(room, made).items():
-            lines += compiled(name, files, form, made, " -O3" if room == "functional" else "")
+            lines += compiled(name, files, "json" if room in JSON_ROOMS else "common", made,
+                              "-O3" if room == "functional" else "")
             objects.append(f"{name}.o")
     for file in sorted([*HERE.glob("wasm/*.cpp"), *HERE.glob("lacking/*.cpp")]):
-        lines += compiled(f"web_{file.stem}", [file], "small", made)
+        lines += compiled(f"web_{file.stem}", [file], "json", made)
         objects.append(f"web_{file.stem}.o")
-    lines += compiled("clipper", [clipper], "quick", made, " -w")
-    more, runtime = runtime_of_exceptions(made)
-    lines += more
-    lines.append("build csgsim.wasm: link " + " ".join([*objects, "clipper.o", *runtime]))
+    lines += compiled("clipper", [clipper], "common", made, "-w")
+    runtime_lines, runtime = runtime_of_exceptions(made)
+    lines += [*runtime_lines, "build csgsim.wasm: link " + " ".join([*objects, "clipper.o", *runtime])]
     return "\n".join(lines) + "\n"
 
 

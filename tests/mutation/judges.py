@@ -59,6 +59,8 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/pictures": ["pictures", "observe", "picture_faults"],
     "sim/report": ["report", "cli"],
     "sim/viewer": ["viewer"],
+    "sim/web/lacking": ["web"],
+    "sim/web/wasm": ["web"],
     "sim/calls": ["cli"],
     "sim/observe": ["observe", "long_work", "report", "cli"],
     "sim/app": ["cli"],

@@ -48,8 +48,9 @@ export const setUpChoice = async () => {
   select.addEventListener('change', () => { location.search = '?' + new URLSearchParams({model: select.value}); });
   const own = make('input', {id: 'own', type: 'file', accept: '.csg,.jan,.scad'});
   own.addEventListener('change', () => { if (own.files.length) open(own.files[0]); });
+  document.head.append(make('link', {rel: 'stylesheet', href: 'choice.css'}));
   byId('told').after(make('form', {id: 'choice'}, make('label', {}, 'Model', select), make('label', {}, 'A file of your own, .csg; or drop it on the page', own)),
-    make('p', {class: 'note'}, 'This page draws by itself: no program runs behind it, and what you open stays in your browser. csgsim view on your machine does the same, several times as fast, reads .scad, imports and text(), and shows the wires.'));
+    make('p', {class: 'note'}, 'This page draws by itself: no program runs behind it, and what you open stays in your browser. csgsim view on your machine does the same, faster, reads .scad, imports and text(), and shows the wires.'));
   document.addEventListener('dragover', event => event.preventDefault());
   document.addEventListener('drop', event => {
     event.preventDefault();

@@ -1,5 +1,5 @@
-// What a WASI module asks its system for, as a page has it: a clock, chance, and a console for what is printed. There
-// are no arguments, no environment and no files.
+// What csgsim.wasm asks its system for (WASI), as a page has it: a clock, and a console for what is printed. There is no
+// environment, and there are no files.
 
 const success = 0;
 const badDescriptor = 8;
@@ -18,24 +18,16 @@ export const systemOf = memory => {
     for (const line of parts) console.log(line);
   };
 
-  const none = (countAt, bytesAt) => {
-    view().setUint32(countAt, 0, true);
-    view().setUint32(bytesAt, 0, true);
-    return success;
-  };
-
   return {
-    args_sizes_get: none,
-    args_get: () => success,
-    environ_sizes_get: none,
+    environ_sizes_get: (countAt, bytesAt) => {
+      view().setUint32(countAt, 0, true);
+      view().setUint32(bytesAt, 0, true);
+      return success;
+    },
     environ_get: () => success,
     clock_time_get: (clock, precision, at) => {
       const milliseconds = clock === 0 ? Date.now() : performance.now();
       view().setBigUint64(at, BigInt(Math.round(milliseconds * 1e6)), true);
-      return success;
-    },
-    random_get: (at, length) => {
-      crypto.getRandomValues(new Uint8Array(memory().buffer, at, length));
       return success;
     },
     fd_write: (descriptor, vectors, count, writtenAt) => {

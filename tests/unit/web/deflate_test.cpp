@@ -1,0 +1,75 @@
+#include "sim/web/wasm/deflate.h"
+
+#include <doctest/doctest.h>
+#include <png.h>
+#include <zlib.h>
+
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "sim/pictures/encode.h"
+
+using namespace csgsim;
+
+namespace {
+
+std::vector<std::uint8_t> random_bytes(std::size_t count) {
+  std::mt19937 generator(3);
+  std::vector<std::uint8_t> bytes(count);
+  for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(generator());
+  return bytes;
+}
+
+/// As libpng reads a file in memory.
+std::vector<std::uint8_t> pixels_of(const std::string& file, std::uint32_t format, png_image& image) {
+  image = {};
+  image.version = PNG_IMAGE_VERSION;
+  REQUIRE(png_image_begin_read_from_memory(&image, file.data(), file.size()) != 0);
+  image.format = format;
+  std::vector<std::uint8_t> pixels(PNG_IMAGE_SIZE(image));
+  REQUIRE(png_image_finish_read(&image, nullptr, pixels.data(), 0, nullptr) != 0);
+  return pixels;
+}
+
+}  // namespace
+
+TEST_CASE("zlib inflates what the web deflates") {
+  for (const std::size_t count : {0U, 1U, 5551U, 5553U, 65535U, 65536U, 200'000U}) {
+    CAPTURE(count);
+    const std::vector<std::uint8_t> bytes = random_bytes(count);
+    const std::string packed = web::deflated({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    std::vector<std::uint8_t> again(count + 1);
+    uLongf size = again.size();
+    REQUIRE(uncompress(again.data(), &size, reinterpret_cast<const Bytef*>(packed.data()), packed.size()) == Z_OK);
+    again.resize(size);
+    CHECK(again == bytes);
+  }
+}
+
+TEST_CASE("runs of every length are inflated again, and take little") {
+  for (std::size_t length = 0; length < 1200; ++length) {
+    CAPTURE(length);
+    const std::string bytes = "a" + std::string(length, '\xC8') + "b" + std::string(length, '\0');
+    const std::string packed = web::deflated(bytes);
+    std::string again(bytes.size() + 1, '?');
+    uLongf size = again.size();
+    REQUIRE(uncompress(reinterpret_cast<Bytef*>(again.data()), &size, reinterpret_cast<const Bytef*>(packed.data()),
+                       packed.size()) == Z_OK);
+    CHECK(again.substr(0, size) == bytes);
+    CHECK(packed.size() < 40);
+  }
+}
+
+TEST_CASE("libpng reads the web's pictures, grey and coloured") {
+  for (const int channels : {1, 3}) {
+    CAPTURE(channels);
+    const std::vector<std::uint8_t> bytes = random_bytes(std::size_t{301} * 97 * static_cast<std::size_t>(channels));
+    const std::string file = pictures::encode("picture.png", {301, 97, channels, {}, pictures::Bytes(bytes)});
+    png_image image;
+    CHECK(pixels_of(file, channels == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB, image) == bytes);
+    CHECK(image.width == 301);
+    CHECK(image.height == 97);
+  }
+}
