@@ -14,11 +14,6 @@ import browser  # noqa: E402
 from server import Server  # noqa: E402
 from viewed import Viewed  # noqa: E402
 
-TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
-  const box = element.getBoundingClientRect();
-  return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told');
-}).map(element => element.outerHTML.slice(0, 120))"""
-
 
 def photograph(seen, name, selector):
     """For docs/view.md, if that was asked for."""
@@ -186,16 +181,7 @@ def compares_two(seen):
 
 
 def edits_the_source(seen):
-    source = seen.evaluate("document.getElementById('source').value")
-    seen.set("source", "cube(size=[20,20,20],center=true);")
-    seen.settled()
-    seen.check(seen.counts()["primitives, half-spaces"] == "1, 6", f"the edited source is drawn: {seen.counts()}")
-    seen.set("source", "cube(size=[20,20,20],center=true);\nsphere(r=;")
-    seen.until("!document.getElementById('error').hidden")
-    seen.check(seen.evaluate("document.getElementById('source').selectionStart") > 35, "the line of the error is selected")
-    seen.set("source", source)
-    seen.until("document.getElementById('error').hidden")
-    seen.settled()
+    seen.edit_the_source()
     seen.check_same("with the source as it was")
 
 
@@ -210,7 +196,7 @@ def use(seen, server):
         for dark in (False, True):
             seen.page.window(width, 900, dark)
             seen.evaluate("document.querySelectorAll('details').forEach(each => { each.open = true; })")
-            seen.check(seen.evaluate(TOO_WIDE) == [], f"{width} pixels: {seen.evaluate(TOO_WIDE)}")
+            seen.check(seen.too_wide() == [], f"{width} pixels: {seen.too_wide()}")
     if len(sys.argv) > 3:
         seen.evaluate("document.querySelectorAll('details').forEach(each => { each.open = false; })")
         seen.page.window(1280, 1000)

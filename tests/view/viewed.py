@@ -5,6 +5,12 @@ import subprocess
 import time
 
 
+TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
+  const box = element.getBoundingClientRect();
+  return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told');
+}).map(element => element.outerHTML.slice(0, 120))"""
+
+
 class Viewed:
     """A page that is open, and what has been found wrong with it."""
 
@@ -75,3 +81,20 @@ class Viewed:
         self.check(rows["instructions"] == f"{stats['instructions']['total']:,}", f"{what}: instructions")
         for name, clocks in self.page.evaluate("[...document.querySelectorAll('#bill tr')].map(row => [row.cells[0].textContent, row.cells[1].textContent])"):
             self.check(clocks == f"{stats['by_purpose'][name.replace(' ', '_')]['clocks']:,}", f"{what}: {name}")
+
+    def too_wide(self):
+        """What stands out of the window on its right."""
+        return self.page.evaluate(TOO_WIDE)
+
+    def edit_the_source(self):
+        """Another model, a wrong one, and the first again."""
+        source = self.evaluate("document.getElementById('source').value")
+        self.set("source", "cube(size=[20,20,20],center=true);")
+        self.settled()
+        self.check(self.counts()["primitives, half-spaces"] == "1, 6", f"the edited source is drawn: {self.counts()}")
+        self.set("source", "cube(size=[20,20,20],center=true);\nsphere(r=;")
+        self.until("!document.getElementById('error').hidden")
+        self.check(self.evaluate("document.getElementById('source').selectionStart") > 35, "the line of the error is selected")
+        self.set("source", source)
+        self.until("document.getElementById('error').hidden")
+        self.settled()

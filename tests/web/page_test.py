@@ -26,12 +26,6 @@ PIXELS = """(() => { const image = document.getElementById('picture'), canvas = 
   return btoa(text); })()"""
 
 
-TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
-  const box = element.getBoundingClientRect();
-  return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told');
-}).map(element => element.outerHTML.slice(0, 120))"""
-
-
 def pixels_of_command(seen):
     """What csgsim render draws by the command that the page names."""
     with tempfile.TemporaryDirectory() as folder:
@@ -95,16 +89,7 @@ def turns_knobs(seen):
 
 
 def edits_the_source(seen):
-    source = seen.evaluate("document.getElementById('source').value")
-    seen.set("source", "cube(size=[20,20,20],center=true);")
-    seen.settled()
-    seen.check(seen.counts()["primitives, half-spaces"] == "1, 6", f"the edited source is drawn: {seen.counts()}")
-    seen.set("source", "cube(size=[20,20,20],center=true);\nsphere(r=;")
-    seen.until("!document.getElementById('error').hidden")
-    seen.check(seen.evaluate("document.getElementById('source').selectionStart") > 35, "the line of the error is selected")
-    seen.set("source", source)
-    seen.until("document.getElementById('error').hidden")
-    seen.settled()
+    seen.edit_the_source()
 
 
 def asks_why(seen):
@@ -170,7 +155,7 @@ def use(seen, address):
         seen.page.screenshot(sys.argv[4], full=False)
     for width in (390, 1280):
         seen.page.window(width, 900)
-        seen.check(seen.evaluate(TOO_WIDE) == [], f"{width} pixels: {seen.evaluate(TOO_WIDE)}")
+        seen.check(seen.too_wide() == [], f"{width} pixels: {seen.too_wide()}")
     for part in (turns_under_the_pointer, turns_knobs, edits_the_source, asks_why, goes_through_time, judges_and_compares, refuses_wires):
         part(seen)
     opened(seen, address + "?model=terrain_vehicle.csg&machine=pixel-planes-5&size=256x256")
