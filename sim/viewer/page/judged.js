@@ -14,7 +14,6 @@ const advise = lastOf(async () => {
   if (as !== now.drawn.as) return;
   const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knobText(knob))) : [make('li', {}, answer.error)];
   byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'nothing that can be turned helps')]));
-  window.advice = isGood ? answer.knobs : null;
 });
 
 const judge = lastOf(async () => {
