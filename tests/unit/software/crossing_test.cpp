@@ -13,6 +13,7 @@
 #include "sim/software/planes/sheet.h"
 #include "sim/software/planes/whole_planes.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/support/usual_cases.h"
 
 using namespace csgsim;
 using software::Region;
@@ -215,8 +216,10 @@ TEST_CASE("whether polygons cross is what rational numbers say, of many that sha
     }
   }));
   MESSAGE(pairs.all, " pairs, ", pairs.crossing, " cross, ", pairs.touching, " touch");
-  CHECK(pairs.crossing > pairs.all / 20);
-  CHECK(pairs.touching > pairs.all / 100);
+  if (testing::draws_usual_cases()) {
+    CHECK(pairs.crossing > pairs.all / 20);
+    CHECK(pairs.touching > pairs.all / 100);
+  }
 }
 
 namespace {
