@@ -25,21 +25,20 @@ void put(std::string& page, fmt::format_string<Args...> format, Args&&... args) 
 
 constexpr std::string_view introduction = R"(# The instruction set
 
-This page is generated from the tables in `hw/isa/`; the machines and the host use the same tables.
+This page is generated from the tables in `hw/isa/` that the machines and the host use.
 
 A **Program** is all that crosses from the host to a machine. It is a list of **segments**, each a rectangle of the
 picture and the instructions broadcast to its pixels: the whole screen on Pixel-planes, a line on the scan-line array,
-a square on the pixel-square renderer. A machine carries out the same instruction at every pixel of the segment at
-once: what differs from pixel to pixel is whether a pixel takes part. The only jump is forward, over instructions for
-which no pixel is left: `skip_if_none`.
+a square on the pixel-square renderer. Every pixel of the segment gets the same instructions; what differs is whether it
+takes part. The only jump is forward, over instructions for which no pixel is left: `skip_if_none`.
 
 ## The state of a pixel
 
 - **Memory**: the same number of bits at every pixel. A **field** is a run of consecutive bits, written
   `[base+:width]` with the least significant bit at `base`. Fields are unsigned numbers.
 - **Enable**, E: one bit. An instruction writes memory only where E is 1, but for `enable_store`, which writes E
-  itself and does so everywhere. Comparisons and edge tests only ever clear E, so a convex region is what is left of it
-  after a test for each edge; `enable_all` begins anew.
+  everywhere. Comparisons and edge tests only clear E, so a test for each edge leaves a convex region; `enable_all`
+  begins anew.
 - Memory and E are 0 at every pixel when a segment begins.
 
 Pixel x counts from the segment's left and y from its top, both from 0.
@@ -49,55 +48,50 @@ Pixel x counts from the segment's left and y from its top, both from 0.
 The evaluator gives every pixel its own A\*x + B\*y + C, one bit a clock, least significant bit first, for integers A, B
 and C. An instruction says two things about it:
 
-- **width**: how many bits are streamed. They are a two's complement number. The host knows the range over the segment
-  and asks for no more bits than that takes; if the sum needs more, its high bits are lost, and a run counts an
-  overflow. Only `stripe` loses them on purpose: its pattern repeats every 2^width of the sum.
+- **width**: how many bits are streamed, of a two's complement number. The host asks for no more than the range over
+  the segment takes; if the sum needs more, its high bits are lost, and a run counts an overflow. Only `stripe` loses
+  them on purpose: its pattern repeats every 2^width of the sum.
 - **shift**: how many of the low bits are the fraction.
 
 **F** is that number shifted right by `shift`, rounded towards minus infinity: it has width - shift bits and a sign.
-Where F meets a field, it needs one bit more than the field. When F is written and does not fit the field (it is
-negative or too large) its low bits are written and the pixel is disabled.
+Where F meets a field, it needs one bit more than the field. Where F is written and does not fit the field, negative or
+too large, its low bits are written and the pixel is disabled.
 
 Example: `keep_max Z1, 12*x - 7*y + 991 (w35 >> 12)` streams 35 bits of 12x - 7y + 991 twice and drops 12 fraction bits.
-Where E is 1 and the 23 bits of F that remain exceed Z1, it writes them to Z1. The host asks for 35 bits because
-nothing in the segment needs more.
+Where E is 1 and the 23 bits of F that remain exceed Z1, it writes them to Z1.
 
 ## Quadratic expressions
 
 `squares` carries three more coefficients, those of x\*x, x\*y and y\*y. They are streamed together with those of the
-instruction right after it, which has a linear expression of the same width: its sum, and with it its F, is
-A\*x\*x + B\*x\*y + C\*y\*y of the squares, and A\*x + B\*y + C of its own. Width, shift and overflow mean what they mean
-of a linear expression. No skip may end between the two. Not every machine's evaluator has squares.
+instruction right after it, which has a linear expression of the same width and the same meaning of width, shift and
+overflow: its sum is A\*x\*x + B\*x\*y + C\*y\*y of the squares and A\*x + B\*y + C of its own. No skip may end between
+the two. Not every machine's evaluator has squares.
 
 Example: `squares 3*x*x - 2*x*y + 5*y*y (w35)`, then `edge_not_negative 40*x - 3*y - 812 (w35)` disables the pixels
 where 3xx - 2xy + 5yy + 40x - 3y - 812 is negative.
 
 ## Roots
 
-`root` takes the square root of a field where it stands. Of a field of 2w + 1 bits all but the top bit are D, an unsigned
-number. The upper w bits become q, the root of D rounded down. The lower w + 1 become the low bits of what is left of D,
-as the steps leave it: D - q\*q if q is odd, D - (q + 1)\*(q + 1) if it is even. The steps are those of non-restoring
+`root` takes the square root of a field in place. Of a field of 2w + 1 bits all but the top bit are D, an unsigned
+number. The upper w bits become q, the root of D rounded down. The lower w + 1 become the low bits of what the steps
+leave of D: D - q\*q if q is odd, D - (q + 1)\*(q + 1) if it is even. The steps are those of non-restoring
 division: each takes two more bits of D to the remainder R, subtracts 4q + 1 from it, or adds 4q + 3 where R was
 negative, and the next bit of q is 1 where R is not negative then. q grows downwards from the top bit of the field, in
-bits that R no longer needs, so that a pixel needs no other memory for it.
-
-Fields of `load_linear`, `linear_plus`, `linear_minus` and `root` may be wider than those of other instructions, since
-what a root is taken of has twice the root's bits.
+bits that R no longer needs.
 
 )";
 
 constexpr std::string_view clocks_text = R"(## How clocks are counted
 
-Each instruction expands to bit steps, and each bit step takes one clock. A machine's ALU works on one bit of a field
-in a clock, or on several adjacent ones (`alu.bits`); of a linear expression its trees bring one bit in a clock, or
-several (`evaluator.bits`). Instructions
-follow back to back: while the last bits of one expression run down the multiplier trees the first bits of the next
-enter at the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of
-the trees once, at the end; what a machine waits for besides, its page says. The latency is one clock a level:
-ceil(log2 width) + ceil(log2 height) of the machine's array, or less where registers lie behind every r-th level alone
-(`evaluator.register_levels`). `global_or` and `skip_if_none` pay it too, and a clock for
-each level of the global OR, as the controller waits for the answer; instructions that are skipped take no clock, the
-jump over them a request on the link. Both need a machine with a global OR.
+Each bit step takes one clock. A machine's ALU works on one bit of a field in a clock, or on several adjacent ones
+(`alu.bits`); of a linear expression its trees bring one bit in a clock, or several (`evaluator.bits`). Instructions
+follow back to back: while the last bits of one expression run down the multiplier trees the first of the next enter at
+the root. So a frame takes at least the sum of the table below over its instructions, plus the latency of the trees
+once, at the end; what a machine waits for besides, its page says. The latency is one clock a level: ceil(log2 width) +
+ceil(log2 height) of the machine's array, or less where registers lie behind every r-th level alone
+(`evaluator.register_levels`). `global_or` and `skip_if_none` wait for the answer, a latency and a clock for each level
+of the global OR; instructions that are skipped take no clock, the jump over them a request on the link. Both need a
+machine with a global OR.
 
 | clocks | instructions |
 |---|---|
@@ -163,9 +157,7 @@ void put_opcodes(std::string& page) {
   put(page,
       "## Instructions\n\n"
       "E is the enable bit, t a target field, s and r source fields in the order of the operands, k a constant or a\n"
-      "count, F the value of the linear expression. On a link an instruction takes so many bits; w is the width of "
-      "its\n"
-      "linear expression or squares, n that of its target.\n\n"
+      "count, F the value of the linear expression, w the width of that or of squares, n that of the target.\n\n"
       "| number | instruction | operands | fields | bits on a link | meaning |\n|---|---|---|---|---|---|\n");
   for (const OpcodeInfo& row : opcode_table)
     put(page, "| {} | `{}` | {} | {} | {} | {} |\n", static_cast<unsigned>(row.opcode), row.name, operands_of(row),
@@ -179,10 +171,8 @@ void put_link(std::string& page) {
   put(page,
       "## On a link\n\n"
       "Over a link of 1 to {} bits the stream travels as **commands**: the instructions, and three more. A command is "
-      "its\nnumber in {} bits, then its operands in their order, each number with its least significant bit first. It "
-      "begins at\na new word of the link, and the unused bits of its last word are 0: it takes ceil(bits / width of "
-      "the "
-      "link) words.\n\n"
+      "its\nnumber in {} bits, then its operands in their order, each with its least significant bit first. It "
+      "begins at\na new word of the link, and takes ceil(bits / width of the link) words, filled up with 0.\n\n"
       "| operand | bits on a link |\n|---|---|\n"
       "| target, source | base {}, width {} |\n"
       "| linear | width {}, shift {}, then A, B and C in `width` bits each |\n"
@@ -226,8 +216,7 @@ void put_origins(std::string& page) {
   put(page,
       "\n## Origins\n\n"
       "Each instruction says whom it serves: a purpose, the primitive whose surface is drawn, while classifying the\n"
-      "primitive it is compared with, and the effect that calls for it. Machines ignore it; statistics and waves show "
-      "it.\n\n"
+      "primitive it is compared with, and the effect that calls for it.\n\n"
       "| purpose | meaning |\n|---|---|\n");
   for (const PurposeInfo& row : purpose_table) put(page, "| `{}` | {} |\n", row.name, row.meaning);
 }
@@ -287,10 +276,9 @@ void put_keys(std::string& page, std::string_view name, const Record& record) {
 void put_text_form(std::string& page) {
   put(page,
       "\n## The text form\n\n"
-      "`csgsim disasm` prints a Program as text, and a text file is run like a binary one. One directive or "
-      "instruction "
-      "stands\non a line; `#` begins a comment. The numbers of segments (`s0`) and of instructions through all of them "
-      "(`i0`),\nby which other commands name them, are comments.\n\n```\n");
+      "`csgsim disasm` prints a Program as text, and a text file is run like a binary one. `#` begins a comment. "
+      "Comments\nhave the numbers of segments (`s0`) and of instructions through all of them (`i0`), by which other "
+      "commands name them.\n\n```\n");
   std::ostringstream printed;
   print(printed, parse(sample, "sample"));
   page += printed.view();
@@ -310,13 +298,13 @@ void put_text_form(std::string& page) {
       "before the first\n`.segment`. The other directives take `key=value` pairs; what is left out is zero (`far`: "
       "1).\n\n"
       "What a machine acts on is in `.array`, `.frame`, `.extent`, `.display_model`, of a segment in its region and in "
-      "what its\ndivision takes, in `.prepare`, and in the instructions. All else is for people: `.depth`, `.model`, "
-      "`.compile`, "
-      "`.field`, `.primitive`,\nthe numbers of primitives, half-spaces and comparisons of a segment, and origins. Who "
-      "takes all of it out gets\nthe same clocks, counts of instructions and picture.\n\n"
+      "what its\ndivision takes, in `.prepare`, and in the instructions. All else is for people, origins too: without "
+      "it "
+      "clocks, counts of\ninstructions and picture are the same.\n\n"
       "- `.machine` names the machine that the Program was compiled for, with the figures that were changed, and its "
-      "figures,\n  `\"KEY=VALUE\"` each; those that are left out are the ones of that machine of csgsim. Commands run "
-      "the Program on it\n  and refuse another kind of machine, or one with less memory.\n"
+      "figures,\n  `\"KEY=VALUE\"` each; those left out are csgsim's. Commands run the Program on it and refuse "
+      "another "
+      "kind of machine, or\n  one with less memory.\n"
       "- `.frame` says where the colour stands that is shown; none if `colour_bits` is 0. Bases have 12 bits, widths "
       "6.\n"
       "- `.extent` lines are for a host that keeps a list of what is active on a line: of each primitive's piece the "
