@@ -34,8 +34,8 @@ takes part. The only jump is forward, over instructions for which no pixel is le
 
 ## The state of a pixel
 
-- **Memory**: the same number of bits at every pixel. A **field** is a run of consecutive bits, written
-  `[base+:width]` with the least significant bit at `base`. Fields are unsigned numbers.
+- **Memory**: the same number of bits at every pixel. A **field** is a run of consecutive bits, an unsigned number,
+  written `[base+:width]` with the least significant bit at `base`.
 - **Enable**, E: one bit. An instruction writes memory only where E is 1, but for `enable_store`, which writes E
   everywhere. Comparisons and edge tests only clear E, so a test for each edge leaves a convex region; `enable_all`
   begins anew.
@@ -54,8 +54,8 @@ and C. An instruction says two things about it:
 - **shift**: how many of the low bits are the fraction.
 
 **F** is that number shifted right by `shift`, rounded towards minus infinity: it has width - shift bits and a sign.
-Where F meets a field, it needs one bit more than the field. Where F is written and does not fit the field, negative or
-too large, its low bits are written and the pixel is disabled.
+Where F meets a field, it needs one bit more than that. Where F is written and does not fit the field, negative or too
+large, its low bits are written and the pixel is disabled.
 
 Example: `keep_max Z1, 12*x - 7*y + 991 (w35 >> 12)` streams 35 bits of 12x - 7y + 991 twice and drops 12 fraction bits.
 Where E is 1 and the 23 bits of F that remain exceed Z1, it writes them to Z1.
@@ -239,8 +239,8 @@ void put_limits(std::string& page) {
       "2^62 |\n"
       "| memory of a pixel | {} bits |\n"
       "| side of the array | {} pixels |\n\n"
-      "A Program that breaks a rule of this page is refused when it is built and again when it is loaded, with the "
-      "segment\nand instruction, or the line and column.\n",
+      "A Program that breaks a rule of this page is refused, with the segment and instruction, or the line and "
+      "column.\n",
       max_field_width, max_wide_field_width, max_linear_width, max_count, max_memory_bits, max_array_side);
 }
 
@@ -307,8 +307,8 @@ void put_text_form(std::string& page) {
       "kind of machine, or\n  one with less memory.\n"
       "- `.frame` says where the colour stands that is shown; none if `colour_bits` is 0. Bases have 12 bits, widths "
       "6.\n"
-      "- `.extent` lines are for a host that keeps a list of what is active on a line: of each primitive's piece the "
-      "first row\n  and the last that has instructions for it, 16 bits each.\n"
+      "- `.extent` lines, for a host that keeps a list of what is active on a line: the first and the last row with "
+      "instructions\n  for each primitive's piece, 16 bits each.\n"
       "- A number of a segment's region has 16 bits, each of what its division takes 64.\n\n"
       "The keys:\n\n",
       info(Origin{}.purpose).name);
@@ -326,8 +326,7 @@ void put_text_form(std::string& page) {
   put_keys(page, "step", DivisionStep{});
   put(page,
       "\nWhat the host does before it writes instructions is on `.prepare` lines, one before the first `.segment` for "
-      "the frame,\nand one after the line of each segment that has some; [the host](host.md) tells what is "
-      "counted:\n\n");
+      "the frame,\nand one after the line of each segment that has some ([the host](host.md)):\n\n");
   put_keys(page, "prepare", Preparation{});
 }
 
