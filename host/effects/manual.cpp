@@ -14,8 +14,7 @@ constexpr std::string_view introduction =
     "What `csgsim manual scenes` prints. A scene is what is seen of a model besides its solids: `csgsim render MODEL "
     "--scene "
     "scene.toml`.\nEvery key can be set on the command line too, over the file's or without one: "
-    "`--set lights.0.direction=0,0,-1`, `--set\neffects.smooth.on=true`. Keys that are not known, and values that are "
-    "out of range, are errors that name their place.\n"
+    "`--set lights.0.direction=0,0,-1`, `--set\neffects.smooth.on=true`.\n"
     "Lists, with `[[name]]`, have a table for each entry.\n";
 
 std::string heading(const scene::Section& section) {
