@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/options.h"

@@ -8,6 +8,7 @@
 #include "hw/machines/machine.h"
 #include "sim/calls/in_place.h"
 #include "sim/shell/advice.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/finished_run.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
 #include "sim/viewer/instants.h"

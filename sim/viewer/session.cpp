@@ -16,6 +16,7 @@
 #include "sim/report/pictures.h"
 #include "sim/report/run_page.h"
 #include "sim/shell/advice.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/primitive_name.h"

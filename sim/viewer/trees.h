@@ -8,6 +8,7 @@
 #include "host/model/tree.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 
 namespace csgsim::viewer {
