@@ -24,13 +24,16 @@
 namespace csgsim::calls {
 
 void ExplainOptions::add_to(Command& command) {
-  model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
+  model.add_to(command,
+               "The model, .csg, its source, .scad, or commands, "
+               ".jan; or a Program, .csgt");
   command.option("--pixel", pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
   command.option("--point", point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
       .excludes("--pixel");
   command
       .option("--why-not", why_not,
-              "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
+              "Tell too why this primitive is not seen there: its index (p3), "
+              "its name (cylinder@9:9) or its line (@9)")
       .check(not_empty);
 }
 
@@ -42,12 +45,12 @@ struct Seen {
   double distance = 0;  ///< from the eye along the view axis, model units
 };
 
-/// What is explained: a Program, and the model that it comes from if that is known.
+/// What is explained: a Program, and the model that it comes from if that is
+/// known.
 struct Explained {
   machines::Machine machine;
   isa::Program program;
   std::optional<CompiledModel> model;  ///< but for its Program
-  std::optional<view::View> view;      ///< of the model
 };
 
 bool is_of_program(const ExplainOptions& options, const InPlace& in_place) {
@@ -65,14 +68,12 @@ Explained explained_by(const ExplainOptions& options, const Command& command, co
   if (is_of_program(options, in_place)) {
     ProgramOnMachine found = in_place.program ? program_in_place(*in_place.program, options.model, command)
                                               : program_of(options.model, command);
-    return {std::move(found.machine), std::move(found.program), {}, {}};
+    return {std::move(found.machine), std::move(found.program), {}};
   }
-  Explained subject{machine_of(options.model), {}, {}, {}};
+  Explained subject{machine_of(options.model), {}, {}};
   ModelFile file = in_place.text ? read_model_text(options.model, *in_place.text) : read_model_file(options.model);
   subject.model = compile_model(std::move(file), options.model, subject.machine);
   subject.program = std::move(subject.model->program);
-  subject.view = view::make_view(subject.model->scene, subject.model->tree, subject.model->camera,
-                                 sampling_of(options.model, subject.machine));
   return subject;
 }
 
@@ -87,7 +88,8 @@ Seen seen_at(const std::string& text, const view::View& view) {
   const double row = std::round(place.y);
   const bool is_inside = column >= 0 && row >= 0 && column < view.sampling.width && row < view.sampling.height;
   if (!is_inside) {
-    throw UsageError("--point", fmt::format("{} is outside the picture of {} x {}, at column {:.1f} and row {:.1f}; "
+    throw UsageError("--point", fmt::format("{} is outside the picture of {} x {}, at "
+                                            "column {:.1f} and row {:.1f}; "
                                             "move the camera, or take --view-all",
                                             text, view.sampling.width, view.sampling.height, place.x, place.y));
   }
@@ -101,14 +103,14 @@ void tell_point(const std::string& point, double distance, Answer& answer) {
 
 Answer answer_of(const ExplainOptions& options, const Explained& subject) {
   const isa::Program& program = subject.program;
+  std::optional<story::HalfspaceFinder> finder;
+  if (subject.model) finder.emplace(halfspaces_of(*subject.model, options.model, subject.machine));
   const bool is_point = !options.point.empty();
   const Seen seen =
-      is_point ? seen_at(options.point, *subject.view) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
+      is_point ? seen_at(options.point, finder->view()) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
   const bool is_missed = !options.why_not.empty();
   const std::uint32_t missed = is_missed ? primitive_named(program, options.why_not, "--why-not") : 0;
   const story::Story told = story::Teller(program, subject.machine).story_of(seen.pixel.x, seen.pixel.y);
-  std::optional<story::HalfspaceFinder> finder;
-  if (subject.model) finder.emplace(subject.model->tree, subject.model->scene, *subject.view);
   const story::Subject of{program, finder ? &*finder : nullptr};
   Answer answer{story::text_of(of, told), story::to_json(of, told)};
   if (is_point) tell_point(options.point, seen.distance, answer);

@@ -131,6 +131,15 @@ isa::Program compile_with_room(const CompiledModel& model, const view::View& vie
 
 }  // namespace
 
+view::View view_of(const CompiledModel& model, const ModelOptions& options, const machines::Machine& machine) {
+  return view::make_view(model.scene, model.tree, model.camera, sampling_of(options, machine));
+}
+
+story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelOptions& options,
+                                     const machines::Machine& machine) {
+  return {model.tree, model.scene, view_of(model, options, machine)};
+}
+
 isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
                              const machines::Machine& machine) {
   const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));

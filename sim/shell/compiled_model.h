@@ -9,6 +9,7 @@
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "sim/shell/model_options.h"
+#include "sim/story/halfspaces.h"
 
 namespace csgsim::shell {
 
@@ -37,6 +38,13 @@ struct CompiledModel {
 /// Throws InputError, or UsageError for options that make no sense.
 CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine);
 CompiledModel compile_model(ModelFile file, const ModelOptions& options, const machines::Machine& machine);
+
+/// As its camera sees it.
+view::View view_of(const CompiledModel& model, const ModelOptions& options, const machines::Machine& machine);
+
+/// Tells which half-space of the model an instruction of its Program is for. The model has to outlive it.
+story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelOptions& options,
+                                     const machines::Machine& machine);
 
 /// The Program of the same facets, seen by another camera. Throws as compile_model does.
 isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,

@@ -68,7 +68,8 @@ Reply json_reply(const Json& json, int status = 200) {
       .status = status, .type = "application/json", .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
-/// Of csgsim wave: which pixel and levels, and when. As one word each, so that no text is taken for another option.
+/// Of csgsim wave: which pixel and levels, and when. As one word each, so that
+/// no text is taken for another option.
 std::vector<std::string> probing_options(const Json& wish) {
   std::vector<std::string> options;
   for (const char* const name : {"pixel", "window"}) {
@@ -78,7 +79,8 @@ std::vector<std::string> probing_options(const Json& wish) {
   return options;
 }
 
-/// Beside an instant: what the surface is compared with that its instruction draws.
+/// Beside an instant: what the surface is compared with that its instruction
+/// draws.
 void put_active_tree(Drawing& drawing, Json& instant) {
   if (!instant.contains("piece")) return;
   if (!drawing.active_trees)
@@ -118,8 +120,7 @@ Json Session::explain(const Json& wish, Lock& /*lock*/) {
   const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
   return shell::with_memory_for_picture(drawing.machine.array, [&] {
     const story::Story told = story::Teller(program, drawing.machine).story_of(pixel.x, pixel.y);
-    const view::View view = drawing.view();
-    const story::HalfspaceFinder finder(drawing.model.tree, drawing.model.scene, view);
+    const story::HalfspaceFinder finder = shell::halfspaces_of(drawing.model, drawing.options, drawing.machine);
     const story::Subject of{program, &finder};
     Json answer{{"text", story::text_of(of, told)}, {"story", story::to_json(of, told)}};
     if (const std::string missed = text_in(wish, "why_not"); !missed.empty()) {
@@ -208,8 +209,7 @@ Json Session::two(const Json& wish, Lock& /*lock*/) {
 std::string Session::report() const {
   const Drawing* const drawing = drawings_.latest();
   if (drawing == nullptr || !drawing->drawn) throw WishError("nothing has been drawn yet");
-  const view::View view = drawing->view();
-  const story::HalfspaceFinder finder(drawing->model.tree, drawing->model.scene, view);
+  const story::HalfspaceFinder finder = shell::halfspaces_of(drawing->model, drawing->options, drawing->machine);
   return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->drawn),
                                           drawing->drawn->frame, drawing->model.program, drawing->machine,
                                           {drawing->command, {}}, &finder));
