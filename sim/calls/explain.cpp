@@ -16,24 +16,18 @@
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
-#include "sim/story/story.h"
-#include "sim/story/story_json.h"
-#include "sim/story/story_text.h"
-#include "sim/story/why_not.h"
+#include "sim/story/halfspaces.h"
 
 namespace csgsim::calls {
 
 void ExplainOptions::add_to(Command& command) {
-  model.add_to(command,
-               "The model, .csg, its source, .scad, or commands, "
-               ".jan; or a Program, .csgt");
+  model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
   command.option("--pixel", pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
   command.option("--point", point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
       .excludes("--pixel");
   command
       .option("--why-not", why_not,
-              "Tell too why this primitive is not seen there: its index (p3), "
-              "its name (cylinder@9:9) or its line (@9)")
+              "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
       .check(not_empty);
 }
 
@@ -45,8 +39,7 @@ struct Seen {
   double distance = 0;  ///< from the eye along the view axis, model units
 };
 
-/// What is explained: a Program, and the model that it comes from if that is
-/// known.
+/// What is explained: a Program, and the model that it comes from if that is known.
 struct Explained {
   machines::Machine machine;
   isa::Program program;
@@ -88,37 +81,33 @@ Seen seen_at(const std::string& text, const view::View& view) {
   const double row = std::round(place.y);
   const bool is_inside = column >= 0 && row >= 0 && column < view.sampling.width && row < view.sampling.height;
   if (!is_inside) {
-    throw UsageError("--point", fmt::format("{} is outside the picture of {} x {}, at "
-                                            "column {:.1f} and row {:.1f}; "
+    throw UsageError("--point", fmt::format("{} is outside the picture of {} x {}, at column {:.1f} and row {:.1f}; "
                                             "move the camera, or take --view-all",
                                             text, view.sampling.width, view.sampling.height, place.x, place.y));
   }
   return {{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, in_eye.z};
 }
 
-void tell_point(const std::string& point, double distance, Answer& answer) {
+void tell_point(const std::string& point, double distance, story::Answer& answer) {
   answer.text = fmt::format("point {} is {:.6g} model units from the eye\n", point, distance) + answer.text;
   answer.json["point_distance"] = distance;
 }
 
-Answer answer_of(const ExplainOptions& options, const Explained& subject) {
+std::optional<std::uint32_t> missed_in(const ExplainOptions& options, const isa::Program& program) {
+  if (options.why_not.empty()) return std::nullopt;
+  return primitive_named(program, options.why_not, "--why-not");
+}
+
+story::Answer answer_of(const ExplainOptions& options, const Explained& subject) {
   const isa::Program& program = subject.program;
   std::optional<story::HalfspaceFinder> finder;
   if (subject.model) finder.emplace(halfspaces_of(*subject.model, options.model, subject.machine));
   const bool is_point = !options.point.empty();
   const Seen seen =
       is_point ? seen_at(options.point, finder->view()) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
-  const bool is_missed = !options.why_not.empty();
-  const std::uint32_t missed = is_missed ? primitive_named(program, options.why_not, "--why-not") : 0;
-  const story::Story told = story::Teller(program, subject.machine).story_of(seen.pixel.x, seen.pixel.y);
-  const story::Subject of{program, finder ? &*finder : nullptr};
-  Answer answer{story::text_of(of, told), story::to_json(of, told)};
+  story::Answer answer = story::answer_of({program, finder ? &*finder : nullptr}, subject.machine, seen.pixel.x,
+                                          seen.pixel.y, missed_in(options, program));
   if (is_point) tell_point(options.point, seen.distance, answer);
-  if (is_missed) {
-    const story::WhyNot why_not = story::why_not(of, told, missed);
-    answer.text = story::text_of(of, told, why_not) + "\n" + answer.text;
-    answer.json["why_not"] = story::to_json(of, told, why_not);
-  }
   return answer;
 }
 
@@ -133,7 +122,7 @@ void refuse_misuse(const ExplainOptions& options, const Command& command, const 
   refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
 }
 
-Answer explain(const ExplainOptions& options, const Command& command, const InPlace& in_place) {
+story::Answer explain(const ExplainOptions& options, const Command& command, const InPlace& in_place) {
   const Explained subject = explained_by(options, command, in_place);
   return with_memory_for_picture(subject.machine.array, [&] { return answer_of(options, subject); });
 }

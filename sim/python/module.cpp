@@ -128,9 +128,9 @@ Drawn ran(const Call& call, const Held& program) {
   return std::move(taken(drawn));
 }
 
-calls::Answer explained(const Call& call, const Text& text, const Held& program) {
+story::Answer explained(const Call& call, const Text& text, const Held& program) {
   calls::ExplainOptions options;
-  std::optional<calls::Answer> answer;
+  std::optional<story::Answer> answer;
   carry_out(call, [&](shell::CommandLine& line) {
     shell::Command command = line.add(call.command, "", "");
     options.add_to(command);

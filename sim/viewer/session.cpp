@@ -23,10 +23,7 @@
 #include "sim/shell/run_options.h"
 #include "sim/shell/usage.h"
 #include "sim/shell/verdict.h"
-#include "sim/story/story.h"
-#include "sim/story/story_json.h"
-#include "sim/story/story_text.h"
-#include "sim/story/why_not.h"
+#include "sim/story/answer.h"
 #include "sim/viewer/effects_form.h"
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/png.h"
@@ -68,8 +65,7 @@ Reply json_reply(const Json& json, int status = 200) {
       .status = status, .type = "application/json", .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
 }
 
-/// Of csgsim wave: which pixel and levels, and when. As one word each, so that
-/// no text is taken for another option.
+/// Of csgsim wave: which pixel and levels, and when. As one word each, so that no text is taken for another option.
 std::vector<std::string> probing_options(const Json& wish) {
   std::vector<std::string> options;
   for (const char* const name : {"pixel", "window"}) {
@@ -79,8 +75,7 @@ std::vector<std::string> probing_options(const Json& wish) {
   return options;
 }
 
-/// Beside an instant: what the surface is compared with that its instruction
-/// draws.
+/// Beside an instant: what the surface is compared with that its instruction draws.
 void put_active_tree(Drawing& drawing, Json& instant) {
   if (!instant.contains("piece")) return;
   if (!drawing.active_trees)
@@ -118,16 +113,13 @@ Json Session::explain(const Json& wish, Lock& /*lock*/) {
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
   const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
-  return shell::with_memory_for_picture(drawing.machine.array, [&] {
-    const story::Story told = story::Teller(program, drawing.machine).story_of(pixel.x, pixel.y);
+  const std::string why_not = text_in(wish, "why_not");
+  std::optional<std::uint32_t> missed;
+  if (!why_not.empty()) missed = shell::primitive_named(program, why_not, "why not");
+  return shell::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
     const story::HalfspaceFinder finder = shell::halfspaces_of(drawing.model, drawing.options, drawing.machine);
-    const story::Subject of{program, &finder};
-    Json answer{{"text", story::text_of(of, told)}, {"story", story::to_json(of, told)}};
-    if (const std::string missed = text_in(wish, "why_not"); !missed.empty()) {
-      const story::WhyNot why_not = story::why_not(of, told, shell::primitive_named(program, missed, "why not"));
-      answer["why_not"] = story::text_of(of, told, why_not);
-    }
-    return answer;
+    story::Answer told = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
+    return {{"text", std::move(told.text)}, {"story", std::move(told.json)}};
   });
 }
 
