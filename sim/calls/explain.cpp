@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/options.h"
@@ -15,10 +16,7 @@
 #include "sim/shell/settings/sets.h"
 #include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
-#include "sim/story/story.h"
-#include "sim/story/story_json.h"
-#include "sim/story/story_text.h"
-#include "sim/story/why_not.h"
+#include "sim/story/halfspaces.h"
 
 namespace csgsim::calls {
 
@@ -46,7 +44,6 @@ struct Explained {
   machines::Machine machine;
   isa::Program program;
   std::optional<CompiledModel> model;  ///< but for its Program
-  std::optional<view::View> view;      ///< of the model
 };
 
 bool is_of_program(const ExplainOptions& options, const InPlace& in_place) {
@@ -64,14 +61,12 @@ Explained explained_by(const ExplainOptions& options, const Command& command, co
   if (is_of_program(options, in_place)) {
     ProgramOnMachine found = in_place.program ? program_in_place(*in_place.program, options.model, command)
                                               : program_of(options.model, command);
-    return {std::move(found.machine), std::move(found.program), {}, {}};
+    return {std::move(found.machine), std::move(found.program), {}};
   }
-  Explained subject{machine_of(options.model), {}, {}, {}};
+  Explained subject{machine_of(options.model), {}, {}};
   ModelFile file = in_place.text ? read_model_text(options.model, *in_place.text) : read_model_file(options.model);
   subject.model = compile_model(std::move(file), options.model, subject.machine);
   subject.program = std::move(subject.model->program);
-  subject.view = view::make_view(subject.model->scene, subject.model->tree, subject.model->camera,
-                                 sampling_of(options.model, subject.machine));
   return subject;
 }
 
@@ -93,29 +88,26 @@ Seen seen_at(const std::string& text, const view::View& view) {
   return {{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, in_eye.z};
 }
 
-void tell_point(const std::string& point, double distance, Answer& answer) {
+void tell_point(const std::string& point, double distance, story::Answer& answer) {
   answer.text = fmt::format("point {} is {:.6g} model units from the eye\n", point, distance) + answer.text;
   answer.json["point_distance"] = distance;
 }
 
-Answer answer_of(const ExplainOptions& options, const Explained& subject) {
+std::optional<std::uint32_t> missed_in(const ExplainOptions& options, const isa::Program& program) {
+  if (options.why_not.empty()) return std::nullopt;
+  return primitive_named(program, options.why_not, "--why-not");
+}
+
+story::Answer answer_of(const ExplainOptions& options, const Explained& subject) {
   const isa::Program& program = subject.program;
+  std::optional<story::HalfspaceFinder> finder;
+  if (subject.model) finder.emplace(halfspaces_of(*subject.model, options.model, subject.machine));
   const bool is_point = !options.point.empty();
   const Seen seen =
-      is_point ? seen_at(options.point, *subject.view) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
-  const bool is_missed = !options.why_not.empty();
-  const std::uint32_t missed = is_missed ? primitive_named(program, options.why_not, "--why-not") : 0;
-  const story::Story told = story::Teller(program, subject.machine).story_of(seen.pixel.x, seen.pixel.y);
-  std::optional<story::HalfspaceFinder> finder;
-  if (subject.model) finder.emplace(subject.model->tree, subject.model->scene, *subject.view);
-  const story::Subject of{program, finder ? &*finder : nullptr};
-  Answer answer{story::text_of(of, told), story::to_json(of, told)};
+      is_point ? seen_at(options.point, finder->view()) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
+  story::Answer answer = story::answer_of({program, finder ? &*finder : nullptr}, subject.machine, seen.pixel.x,
+                                          seen.pixel.y, missed_in(options, program));
   if (is_point) tell_point(options.point, seen.distance, answer);
-  if (is_missed) {
-    const story::WhyNot why_not = story::why_not(of, told, missed);
-    answer.text = story::text_of(of, told, why_not) + "\n" + answer.text;
-    answer.json["why_not"] = story::to_json(of, told, why_not);
-  }
   return answer;
 }
 
@@ -130,7 +122,7 @@ void refuse_misuse(const ExplainOptions& options, const Command& command, const 
   refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
 }
 
-Answer explain(const ExplainOptions& options, const Command& command, const InPlace& in_place) {
+story::Answer explain(const ExplainOptions& options, const Command& command, const InPlace& in_place) {
   const Explained subject = explained_by(options, command, in_place);
   return with_memory_for_picture(subject.machine.array, [&] { return answer_of(options, subject); });
 }

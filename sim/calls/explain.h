@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "sim/calls/in_place.h"
 #include "sim/shell/command_line.h"
 #include "sim/shell/model_options.h"
+#include "sim/story/answer.h"
 
 namespace csgsim::calls {
 
@@ -24,13 +24,7 @@ struct ExplainOptions {
 /// Throws UsageError where it is not said which pixel, or what is said is not for a Program.
 void refuse_misuse(const ExplainOptions& options, const Command& command, const InPlace& in_place = {});
 
-/// Everything that is told, as text or as JSON.
-struct Answer {
-  std::string text;
-  nlohmann::ordered_json json;
-};
-
 /// Throws InputError, UsageError.
-Answer explain(const ExplainOptions& options, const Command& command, const InPlace& in_place = {});
+story::Answer explain(const ExplainOptions& options, const Command& command, const InPlace& in_place = {});
 
 }  // namespace csgsim::calls

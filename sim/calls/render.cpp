@@ -10,6 +10,7 @@
 #include "hw/base/prints.h"
 #include "sim/shell/near_faces_warning.h"
 #include "sim/shell/options.h"
+#include "sim/shell/see_through.h"
 #include "sim/shell/verdict.h"
 #include "sim/studies/accuracy/measure.h"
 

@@ -8,6 +8,7 @@
 #include "hw/machines/machine.h"
 #include "sim/calls/in_place.h"
 #include "sim/shell/advice.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/finished_run.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
@@ -33,7 +34,7 @@ struct Compiled {
   std::vector<std::filesystem::path> inputs;  ///< the files that were read, the model's first
   bool is_text = false;                       ///< a text was read in place of the model's file
 
-  /// `options` are those that it was compiled with.
+  /// `options` are those that it was compiled with. Both have to outlive what is returned.
   [[nodiscard]] RunSubject subject(const RenderOptions& options) const {
     return {.machine = machine,
             .program = model.program,
@@ -41,6 +42,7 @@ struct Compiled {
             .hash = model.hash,
             .camera = &model.camera,
             .scene = &options.model.scene_values(),
+            .halfspaces = [this, &options] { return halfspaces_of(model, options.model, machine); },
             .is_in_place = is_text};
   }
 };

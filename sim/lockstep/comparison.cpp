@@ -29,14 +29,15 @@ Comparison run_both(const Side& a, const Side& b, LockstepSettings settings) {
   const std::unique_ptr<engine::Run> b_run = b.engine.begin(b.program);
   observe::FrameObserver a_frame(a.program);
   observe::FrameObserver b_frame(b.program);
-  const std::array<engine::Observer*, 1> b_observers{&b_frame};
+  observe::StatsObserver a_stats(a.program);
+  observe::StatsObserver b_stats(b.program);
+  const std::array<engine::Observer*, 2> b_observers{&b_frame, &b_stats};
   Lockstep lockstep(a.program, b.program, *b_run, settings, b_observers);
-  const std::array<engine::Observer*, 2> a_observers{&a_frame, &lockstep};
-  comparison.a.result = a.engine.run(a.program, a_observers);
+  const std::array<engine::Observer*, 3> a_observers{&a_frame, &a_stats, &lockstep};
+  engine::RunResult a_result = a.engine.run(a.program, a_observers);
   lockstep.finish();
-  comparison.b.result = b_run->result();
-  comparison.a.frame = a_frame.frame();
-  comparison.b.frame = b_frame.frame();
+  comparison.a = {std::move(a_result), std::move(a_frame).frame(), a_stats.stats()};
+  comparison.b = {b_run->result(), std::move(b_frame).frame(), b_stats.stats()};
   comparison.divergence = lockstep.divergence();
   comparison.compared = lockstep.compared();
   // What was found late may have been there before: the instructions since the last look at everything are gone

@@ -6,6 +6,7 @@
 #include "hw/machines/machine.h"
 #include "sim/lockstep/lockstep.h"
 #include "sim/observe/frame.h"
+#include "sim/observe/stats.h"
 
 namespace csgsim::lockstep {
 
@@ -20,6 +21,7 @@ struct Side {
 struct SideResult {
   engine::RunResult result;
   observe::Frame frame;
+  observe::Stats stats;
 };
 
 /// The first pixel, in row order, of which the finished pictures show different things.

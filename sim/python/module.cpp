@@ -47,6 +47,10 @@ struct HeldProgram {
 };
 using Held = std::shared_ptr<HeldProgram>;
 
+Held held_of(isa::Program program, machines::Machine machine) {
+  return std::make_shared<HeldProgram>(HeldProgram{std::move(program), std::move(machine)});
+}
+
 /// A picture and what is told of it.
 struct Drawn {
   observe::Frame frame;  ///< with the surfaces that were asked for
@@ -61,9 +65,21 @@ Drawn drawn_of(shell::FinishedRun run, const shell::RunOptions& options, Held he
 }
 
 template <class Value>
-Value& taken(std::optional<Value>& value) {
+Value taken(std::optional<Value> value) {
   if (!value) throw std::logic_error("the command line ran nothing");
-  return *value;
+  return *std::move(value);
+}
+
+/// What `work` gives of the command that is called, when the call has been read into its options.
+template <class Options, class Work>
+auto called(const Call& call, Options& options, const Work& work) {
+  std::optional<decltype(work(std::declval<const shell::Command&>()))> result;
+  carry_out(call, [&](shell::CommandLine& line) {
+    shell::Command command = line.add(call.command, "", "");
+    options.add_to(command);
+    command.runs([&result, &work, command] { result = work(command); });
+  });
+  return taken(std::move(result));
 }
 
 /// SystemC has one simulation a process: threads wait for each other there.
@@ -74,73 +90,47 @@ std::unique_lock<std::mutex> alone_if_clocked(const shell::RunOptions& options) 
 
 Drawn rendered(const Call& call, const Text& text) {
   calls::RenderOptions options;
-  std::optional<Drawn> drawn;
-  carry_out(call, [&](shell::CommandLine& line) {
-    shell::Command command = line.add(call.command, "", "");
-    options.add_to(command);
-    command.runs([&options, &drawn, &text, command] {
-      shell::RunOutputs outputs(options.run, options.model.inputs());
-      calls::Compiled compiled = calls::compile(options, {.text = text});
-      const std::unique_lock alone = alone_if_clocked(options.run);
-      shell::FinishedRun run =
-          shell::finish_run(command, compiled.subject(options), options.run, outputs,
-                            calls::advice_of(options, compiled), calls::judge_of(options, compiled), {}, true);
-      auto held =
-          std::make_shared<HeldProgram>(HeldProgram{std::move(compiled.model.program), std::move(compiled.machine)});
-      drawn = drawn_of(std::move(run), options.run, std::move(held));
-    });
+  return called(call, options, [&](const shell::Command& command) {
+    shell::RunOutputs outputs(options.run, options.model.inputs());
+    calls::Compiled compiled = calls::compile(options, {.text = text});
+    const std::unique_lock alone = alone_if_clocked(options.run);
+    shell::FinishedRun run =
+        shell::finish_run(command, compiled.subject(options), options.run, outputs, calls::advice_of(options, compiled),
+                          calls::judge_of(options, compiled), {}, true);
+    return drawn_of(std::move(run), options.run,
+                    held_of(std::move(compiled.model.program), std::move(compiled.machine)));
   });
-  return std::move(taken(drawn));
 }
 
 Held compiled(const Call& call, const Text& text) {
   calls::RenderOptions options;
-  std::optional<Held> held;
-  carry_out(call, [&](shell::CommandLine& line) {
-    shell::Command command = line.add(call.command, "", "");
-    options.model.add_to(command);
-    command.runs([&] {
-      calls::Compiled compiled = calls::compile(options, {.text = text});
-      held = std::make_shared<HeldProgram>(HeldProgram{std::move(compiled.model.program), std::move(compiled.machine)});
-    });
+  return called(call, options.model, [&](const shell::Command& /*command*/) {
+    calls::Compiled compiled = calls::compile(options, {.text = text});
+    return held_of(std::move(compiled.model.program), std::move(compiled.machine));
   });
-  return std::move(taken(held));
 }
 
 Drawn ran(const Call& call, const Held& program) {
   calls::RunProgramOptions options;
-  std::optional<Drawn> drawn;
-  carry_out(call, [&](shell::CommandLine& line) {
-    shell::Command command = line.add(call.command, "", "");
-    options.add_to(command);
-    command.runs([&options, &drawn, &program, command] {
-      calls::refuse_misuse(options);
-      shell::RunOutputs outputs(options.run, options.files_read());
-      calls::Loaded loaded = calls::load(options, {.text = {}, .program = program ? &program->program : nullptr});
-      const std::unique_lock alone = alone_if_clocked(options.run);
-      shell::FinishedRun run =
-          shell::finish_run(command, loaded.subject(), options.run, outputs, calls::advice_of(options, loaded.machine),
-                            {}, options.checkpoints, true);
-      auto held = std::make_shared<HeldProgram>(HeldProgram{std::move(loaded.program), std::move(loaded.machine)});
-      drawn = drawn_of(std::move(run), options.run, std::move(held));
-    });
+  return called(call, options, [&](const shell::Command& command) {
+    calls::refuse_misuse(options);
+    shell::RunOutputs outputs(options.run, options.files_read());
+    calls::Loaded loaded = calls::load(options, {.text = {}, .program = program ? &program->program : nullptr});
+    const std::unique_lock alone = alone_if_clocked(options.run);
+    shell::FinishedRun run =
+        shell::finish_run(command, loaded.subject(), options.run, outputs, calls::advice_of(options, loaded.machine),
+                          {}, options.checkpoints, true);
+    return drawn_of(std::move(run), options.run, held_of(std::move(loaded.program), std::move(loaded.machine)));
   });
-  return std::move(taken(drawn));
 }
 
-calls::Answer explained(const Call& call, const Text& text, const Held& program) {
+story::Answer explained(const Call& call, const Text& text, const Held& program) {
   calls::ExplainOptions options;
-  std::optional<calls::Answer> answer;
-  carry_out(call, [&](shell::CommandLine& line) {
-    shell::Command command = line.add(call.command, "", "");
-    options.add_to(command);
-    command.runs([&options, &answer, &text, &program, command] {
-      const calls::InPlace in_place{text, program ? &program->program : nullptr};
-      calls::refuse_misuse(options, command, in_place);
-      answer = calls::explain(options, command, in_place);
-    });
+  return called(call, options, [&](const shell::Command& command) {
+    const calls::InPlace in_place{text, program ? &program->program : nullptr};
+    calls::refuse_misuse(options, command, in_place);
+    return calls::explain(options, command, in_place);
   });
-  return std::move(taken(answer));
 }
 
 /// All that a study tells, as its JSON file has it.
@@ -153,7 +143,7 @@ nlohmann::ordered_json studied(const Call& call) {
     const std::shared_ptr<studies::StudyCommand> asked = studies::describe_for_caller(line, **row);
     asked->command.runs([&json, asked] { json = nlohmann::ordered_json::parse(studies::conduct(*asked)); });
   });
-  return std::move(taken(json));
+  return taken(std::move(json));
 }
 
 py::dict dict_of(const Drawn& drawn) {
@@ -200,7 +190,7 @@ py::tuple load(const std::string& file) {
   auto told = interruptibly([&] {
     isa::Program program = shell::read_program(file);
     machines::Machine machine = shell::machine_for(program, file, "", {});
-    return Held(std::make_shared<HeldProgram>(HeldProgram{std::move(program), std::move(machine)}));
+    return held_of(std::move(program), std::move(machine));
   });
   return py::make_tuple(std::move(told.result), told.warnings);
 }

@@ -63,9 +63,8 @@ std::uint64_t interval_of(const isa::Program& program, const machines::Machine& 
 std::optional<std::uint64_t> interval_with(const ModelOptions& options, const CompiledModel& model,
                                            const machines::Machine& machine) {
   try {
-    const view::View view = view::make_view(model.scene, model.tree, model.camera, sampling_of(options, machine));
     const isa::Program program =
-        emit::compile(model.tree, model.scene, view, machine, emit_options_of(options),
+        emit::compile(model.tree, model.scene, view_of(model, options, machine), machine, emit_options_of(options),
                       [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
     return interval_of(program, machine);
   } catch (const InputError&) {

@@ -7,6 +7,7 @@
 #include "hw/machines/machine.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/knobs.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 
 namespace csgsim::shell {

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "sim/report/run_page.h"
@@ -44,6 +45,13 @@ FinishedRun simulated(const RunSubject& subject, const RunOptions& options, cons
   return run;
 }
 
+report::Page page_of(const FinishedRun& run, const RunSubject& subject, const ReportOption& option) {
+  std::optional<story::HalfspaceFinder> halfspaces;
+  if (subject.halfspaces) halfspaces.emplace(subject.halfspaces());
+  return report::run_page(run.stats_file, run.picture, subject.program, subject.machine, option.context(),
+                          halfspaces ? &*halfspaces : nullptr);
+}
+
 FinishedRun finish(const Command& command, const RunSubject& subject, const RunOptions& options, RunOutputs& outputs,
                    const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints, bool is_configured) {
   const isa::Program& program = subject.program;
@@ -55,9 +63,7 @@ FinishedRun finish(const Command& command, const RunSubject& subject, const RunO
   if (judge) run.verdict = judge(run.picture, run.stats_file["accuracy"]);
   outputs.write_pictures(run.picture, program);
   outputs.write_stats(run.stats_file.dump(2) + "\n");
-  if (options.report.asked())
-    outputs.write_report(report::run_page(run.stats_file, run.picture, program, subject.machine,
-                                          options.report.context(), subject.halfspaces));
+  if (options.report.asked()) outputs.write_report(page_of(run, subject, options.report));
   outputs.commit();
   return run;
 }

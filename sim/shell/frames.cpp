@@ -12,6 +12,7 @@
 #include "sim/cycle/sequence.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/pictures.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/near_faces_warning.h"
 #include "sim/shell/numbers.h"

@@ -6,42 +6,29 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
-#include <mutex>
 #include <optional>
-#include <set>
 #include <vector>
 
-#include "host/commands/read.h"
 #include "host/convex/extent.h"
 #include "host/csg/positive_tree.h"
 #include "host/effects/rows.h"
-#include "host/effects/transparency.h"
-#include "host/emit/compile.h"
 #include "host/emit/curves.h"
 #include "host/emit/effect.h"
-#include "host/emit/no_room.h"
 #include "host/facet/geometry.h"
 #include "host/lighting/colour_schemes.h"
-#include "host/read/read.h"
-#include "host/read/source.h"
 #include "host/scene/read.h"
 #include "host/view/projection.h"
 #include "hw/base/error.h"
-#include "hw/base/hash.h"
 #include "hw/base/input_file.h"
-#include "hw/base/messages.h"
 #include "hw/base/prints.h"
 #include "hw/base/text.h"
-#include "sim/functional/clocks.h"
 #include "sim/shell/fast_curves.h"
-#include "sim/shell/memory.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/prunings.h"
 #include "sim/shell/read_by.h"
 #include "sim/shell/scad.h"
 #include "sim/shell/settings/sets.h"
-#include "sim/shell/subject.h"
 #include "sim/shell/usage.h"
 
 namespace csgsim::shell {
@@ -83,14 +70,6 @@ Tolerance parse_tolerance(const std::string& text) {
   return {value, in_pixels};
 }
 
-/// A near plane much too close leaves no depth steps for what is farther away.
-void warn_of_coarse_depth(const view::View& view) {
-  if (view.depth_step <= (view.depth.far - view.depth.near) / 4.0) return;
-  tell_line(
-      fmt::format("warning: at the far end one step of depth is {:.3g} model units; move --near away from the eye",
-                  view.depth_step));
-}
-
 constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
 
 view::Projection projection_of(const ModelOptions& options) {
@@ -125,8 +104,6 @@ void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
     scene.effects.push_back({section.name, {}, false});
   }
 }
-
-Work work_of(const ModelOptions& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
 
 }  // namespace
 
@@ -263,6 +240,8 @@ machines::Machine machine_of(const ModelOptions& options) {
   return machine;
 }
 
+Work work_of(const ModelOptions& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
+
 emit::Options emit_options_of(const ModelOptions& options) {
   emit::Options emit;
   emit.strategy = by_name(emit::strategies).at(options.strategy);
@@ -369,138 +348,6 @@ view::Camera camera_of(const ModelOptions& options, const machines::Machine& mac
 
 std::vector<std::filesystem::path> ModelOptions::inputs() const {
   return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
-}
-
-namespace {
-
-/// An effect of what is drawn that lets something through; null if there is none.
-const emit::EffectRow* see_through(const emit::Options& emit, const model::Tree& tree, const view::Camera& camera) {
-  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
-  for (const emit::CalledEffect& one : emit::called_effects(emit, look))
-    if (one.row->sees_through) return one.row;
-  return nullptr;
-}
-
-}  // namespace
-
-void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera) {
-  if (const emit::EffectRow* const effect = see_through(emit_options_of(options), tree, camera)) {
-    throw InputError(fmt::format(
-        "{}: the exact picture that others are held against knows opaque solids alone; add --set effects.{}.on=false",
-        printable(options.model), effect->name()));
-  }
-}
-
-namespace {
-
-void refuse_other_subjects(const ModelOptions& options) {
-  if (is_program(options.model))
-    throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
-  if (!options.imports_from.empty() && !std::filesystem::is_directory(options.imports_from))
-    throw InputError(fmt::format("--imports-from: {} is no folder", printable(options.imports_from)));
-}
-
-/// Of the text as it is read: what OpenSCAD makes of a source.
-ModelFile read_text(const ModelOptions& options, Subject subject, const std::string& text) {
-  const std::string name = shown_name(options.model);
-  Hash hash;
-  hash.add(text);
-  hash.add(options.scene_text());
-  if (options.snap) hash.add("--snap");
-  const read::Options how{options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
-                          work_of(options)};
-  model::Tree tree = subject == Subject::commands
-                         ? commands::read_text(text, name, how)
-                         : read::read_csg_text(text, subject == Subject::scad ? name + " (as .csg)" : name, how);
-  tree.file = name;
-  return {effects::reshaped(std::move(tree), options.scene()), hash.text()};
-}
-
-}  // namespace
-
-ModelFile read_model_file(const ModelOptions& options) {
-  refuse_other_subjects(options);
-  return with_memory_for("the model " + options.model, [&] {
-    const Subject subject = subject_in(options.model);
-    return read_text(
-        options, subject,
-        subject == Subject::scad ? csg_of_scad(options.model) : read_file(options.model, read::model_file));
-  });
-}
-
-ModelFile read_model_text(const ModelOptions& options, const std::string& text) {
-  refuse_other_subjects(options);
-  return with_memory_for("the model " + options.model, [&] {
-    const Subject subject = subject_in(options.model);
-    return read_text(options, subject, subject == Subject::scad ? csg_of_scad(options.model, text) : text);
-  });
-}
-
-model::Tree read_model(const ModelOptions& options) { return read_model_file(options).tree; }
-
-namespace {
-
-CompiledModel compile(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
-  model::Tree& tree = file.tree;
-  facet::Geometry scene = facet::make_geometry(tree, faceting_of(options, machine, tree));
-  const view::Camera camera = camera_of(options, machine, tree, scene);
-  CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
-  model.program = compile_seen_by(model.camera, model, options, machine);
-  return model;
-}
-
-/// What the picture shows in place of what it would with more memory. Once, however often it is compiled.
-void warn_of_pattern(const emit::NoRoom& layers, const ModelOptions& options, const machines::Machine& machine) {
-  static std::mutex mutex;
-  static std::set<std::string> told;
-  const std::string line = fmt::format(
-      "{}: warning: what is see-through is drawn by a pattern, screen-door: in layers the picture would need {} memory "
-      "bits a pixel, and the machine has {}; take --memory-bits {}, or say --set "
-      "effects.transparency.method=screen-door",
-      shown_name(options.model), layers.needed, machine.array.memory_bits, layers.needed);
-  const std::lock_guard lock(mutex);
-  if (told.insert(line).second) tell_line(line);
-}
-
-/// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
-isa::Program compile_with_room(const CompiledModel& model, const view::View& view, const ModelOptions& options,
-                               const machines::Machine& machine) {
-  emit::Options emit = emit_options_of(options);
-  const auto compiled = [&] {
-    return emit::compile(model.tree, model.scene, view, machine, emit,
-                         [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
-  };
-  try {
-    return compiled();
-  } catch (const emit::NoRoom& layers) {
-    std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
-    if (!by_pattern || see_through(emit, model.tree, view.camera) == nullptr) throw;
-    emit.scene = std::move(*by_pattern);
-    isa::Program program = compiled();
-    warn_of_pattern(layers, options, machine);
-    return program;
-  }
-}
-
-}  // namespace
-
-isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
-                             const machines::Machine& machine) {
-  const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
-  warn_of_coarse_depth(view);
-  std::size_t halfspaces = 0;
-  for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
-  return with_memory([&] { return short_of_memory(options.model, halfspaces); },
-                     [&] { return compile_with_room(model, view, options, machine); });
-}
-
-CompiledModel compile_model(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
-  return with_memory_for("the half-spaces of " + options.model,
-                         [&] { return compile(std::move(file), options, machine); });
-}
-
-CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine) {
-  return compile_model(read_model_file(options), options, machine);
 }
 
 }  // namespace csgsim::shell

@@ -13,6 +13,7 @@
 #include "host/scene/scene.h"
 #include "host/view/camera.h"
 #include "host/view/projection.h"
+#include "hw/base/work.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "sim/shell/command_line.h"
@@ -116,42 +117,11 @@ std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::Vie
 view::Sampling sampling_of(const ModelOptions& options, const machines::Machine& machine);
 emit::Options emit_options_of(const ModelOptions& options);
 
+/// That reading and compiling the model may take.
+Work work_of(const ModelOptions& options);
+
 /// With --view-all, or without a camera, the extent of the model (convex/extent.h) is seen.
 view::Camera camera_of(const ModelOptions& options, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
-
-/// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
-/// alone.
-void refuse_see_through(const ModelOptions& options, const model::Tree& tree, const view::Camera& camera);
-
-/// A model's file as it was read.
-struct ModelFile {
-  model::Tree tree;
-  std::string hash;  ///< of its bytes and the scene's
-};
-
-/// Reads the model. Throws InputError.
-ModelFile read_model_file(const ModelOptions& options);
-
-/// The same of a text that stands in the file's place.
-ModelFile read_model_text(const ModelOptions& options, const std::string& text);
-model::Tree read_model(const ModelOptions& options);
-
-/// A model read, faceted, seen and compiled.
-struct CompiledModel {
-  std::string hash;  ///< of what was read
-  model::Tree tree;
-  facet::Geometry scene;
-  view::Camera camera;
-  isa::Program program;
-};
-
-/// Throws InputError, or UsageError for options that make no sense.
-CompiledModel compile_model(const ModelOptions& options, const machines::Machine& machine);
-CompiledModel compile_model(ModelFile file, const ModelOptions& options, const machines::Machine& machine);
-
-/// The Program of the same facets, seen by another camera. Throws as compile_model does.
-isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
-                             const machines::Machine& machine);
 
 }  // namespace csgsim::shell

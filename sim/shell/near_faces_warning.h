@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 
 namespace csgsim::shell {

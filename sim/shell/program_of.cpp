@@ -12,6 +12,7 @@
 #include "hw/base/text.h"
 #include "hw/isa/program_file.h"
 #include "hw/machines/kind.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/settings/sets.h"

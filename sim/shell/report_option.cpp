@@ -12,6 +12,7 @@
 #include "hw/base/text.h"
 #include "sim/report/pictures.h"
 #include "sim/report/study_pages.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/settings/configuration.h"

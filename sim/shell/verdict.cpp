@@ -5,6 +5,7 @@
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
+#include "sim/shell/see_through.h"
 
 namespace csgsim::shell {
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/observe/frame.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 
 namespace csgsim::shell {

@@ -53,9 +53,9 @@ ModelHalfspace in_model(const facet::PlaneTable& table, const facet::Halfspace& 
 
 }  // namespace
 
-HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view)
+HalfspaceFinder::HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, view::View view)
     : geometry_(geometry),
-      view_(view),
+      view_(std::move(view)),
       sets_(csg::convex_sets(csg::make_positive(tree), true)),
       set_of_(tree.primitives.size()) {
   for (std::size_t set = 0; set < sets_.size(); ++set)

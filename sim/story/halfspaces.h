@@ -36,8 +36,11 @@ struct ModelQuadric {
 /// Finds whose plane an instruction streams, by its coefficients. A Program does not say it.
 class HalfspaceFinder {
  public:
-  /// Keeps references to the geometry and the view.
-  HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view);
+  /// Keeps a reference to the geometry.
+  HalfspaceFinder(const model::Tree& tree, const facet::Geometry& geometry, view::View view);
+
+  /// The picture that the half-spaces are in.
+  [[nodiscard]] const view::View& view() const { return view_; }
 
   /// A half-space of the primitive whose surface is drawn or that it is compared with, or of one that makes one convex
   /// solid with it. None where the instruction has no linear expression, or one of another origin: a rectangle of
@@ -68,7 +71,7 @@ class HalfspaceFinder {
                                                     const isa::Instruction& linear, const isa::Region& region) const;
 
   const facet::Geometry& geometry_;
-  const view::View& view_;
+  view::View view_;
   std::vector<csg::ConvexSet> sets_;
   std::vector<std::size_t> set_of_;  ///< one a primitive
 };

@@ -14,6 +14,7 @@
 #include "hw/machines/hash.h"
 #include "hw/machines/regions.h"
 #include "sim/functional/clocks.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/version.h"
 
 namespace csgsim::studies {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
 #include "sim/viewer/instants.h"
@@ -38,10 +39,6 @@ struct Drawing {
   std::unique_ptr<Instants> instants{};
   std::unique_ptr<ActiveTrees> active_trees{};
   std::shared_ptr<const Lanes> lanes{};  ///< of the whole frame
-
-  [[nodiscard]] view::View view() const {
-    return view::make_view(model.scene, model.tree, model.camera, shell::sampling_of(options, machine));
-  }
 };
 
 /// The drawings that were wished for last.

@@ -16,16 +16,14 @@
 #include "sim/report/pictures.h"
 #include "sim/report/run_page.h"
 #include "sim/shell/advice.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/primitive_name.h"
 #include "sim/shell/run_options.h"
 #include "sim/shell/usage.h"
 #include "sim/shell/verdict.h"
-#include "sim/story/story.h"
-#include "sim/story/story_json.h"
-#include "sim/story/story_text.h"
-#include "sim/story/why_not.h"
+#include "sim/story/answer.h"
 #include "sim/viewer/effects_form.h"
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/png.h"
@@ -115,17 +113,13 @@ Json Session::explain(const Json& wish, Lock& /*lock*/) {
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
   const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
-  return shell::with_memory_for_picture(drawing.machine.array, [&] {
-    const story::Story told = story::Teller(program, drawing.machine).story_of(pixel.x, pixel.y);
-    const view::View view = drawing.view();
-    const story::HalfspaceFinder finder(drawing.model.tree, drawing.model.scene, view);
-    const story::Subject of{program, &finder};
-    Json answer{{"text", story::text_of(of, told)}, {"story", story::to_json(of, told)}};
-    if (const std::string missed = text_in(wish, "why_not"); !missed.empty()) {
-      const story::WhyNot why_not = story::why_not(of, told, shell::primitive_named(program, missed, "why not"));
-      answer["why_not"] = story::text_of(of, told, why_not);
-    }
-    return answer;
+  const std::string why_not = text_in(wish, "why_not");
+  std::optional<std::uint32_t> missed;
+  if (!why_not.empty()) missed = shell::primitive_named(program, why_not, "why not");
+  return shell::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
+    const story::HalfspaceFinder finder = shell::halfspaces_of(drawing.model, drawing.options, drawing.machine);
+    story::Answer told = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
+    return {{"text", std::move(told.text)}, {"story", std::move(told.json)}};
   });
 }
 
@@ -207,8 +201,7 @@ Json Session::two(const Json& wish, Lock& /*lock*/) {
 std::string Session::report() const {
   const Drawing* const drawing = drawings_.latest();
   if (drawing == nullptr || !drawing->drawn) throw WishError("nothing has been drawn yet");
-  const view::View view = drawing->view();
-  const story::HalfspaceFinder finder(drawing->model.tree, drawing->model.scene, view);
+  const story::HalfspaceFinder finder = shell::halfspaces_of(drawing->model, drawing->options, drawing->machine);
   return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->drawn),
                                           drawing->drawn->frame, drawing->model.program, drawing->machine,
                                           {drawing->command, {}}, &finder));
@@ -251,7 +244,7 @@ Reply Session::answered(const Request& request, std::string_view path, Lock& loc
   if (request.method != "POST" || question == std::end(questions))
     return {.status = 404, .body = "there is nothing of that name\n"};
   const Json wish = Json::parse(request.body);
-  if (!wish.is_object()) throw WishError("a wish is to be an object");
+  if (!wish.is_object()) throw WishError("a wish has to be an object");
   return json_reply((this->*question->answer)(wish, lock));
 }
 

@@ -5,6 +5,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -49,6 +50,13 @@ def same_run(stats):
     return stats
 
 
+def same_page(text):
+    """Of a page of a run what does not tell program from module: its data, and its other lines."""
+    before, data, after = re.split(r'(?<=id="data">)(.*?)(?=</script>)', text, maxsplit=1)
+    names_run = re.compile(r"id=command|/configuration/(command|version|options/(" + "|".join(NOT_OF_CALLS) + "))\"")
+    return same_run(json.loads(data)), [line for line in (before + after).split("\n") if not names_run.search(line)]
+
+
 class Drawn(unittest.TestCase):
     """Pictures, counts and Programs."""
 
@@ -91,6 +99,16 @@ class Drawn(unittest.TestCase):
             file = pathlib.Path(folder, "picture.png")
             csgsim.render(FIGURE, **SMALL, output=file)
             self.assertEqual(file.read_bytes(), picture)
+
+    def test_a_page_is_that_of_render(self):
+        """With the half-spaces of the model, which stories of pixels name."""
+        pages = []
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "page.html")
+            for draw in (lambda **options: support.done("render", FIGURE, **options), lambda **options: csgsim.render(FIGURE, **options)):
+                draw(**SMALL, progress="none", report=file)
+                pages.append(same_page(file.read_text(encoding="utf-8")))
+        self.assertEqual(*pages)
 
     def test_options_are_numbers_texts_paths_sequences_mappings_and_machines(self):
         said = support.without_time(csgsim.render(FIGURE, **SMALL, set=["alu.bits=2"], z_bits="16").stats)

@@ -12,7 +12,7 @@ sys.path.insert(0, str(SOURCE / "tests/report"))
 
 import browser  # noqa: E402
 from server import Server  # noqa: E402
-from viewed import Viewed  # noqa: E402
+from viewed import viewed  # noqa: E402
 
 
 def photograph(seen, name, selector):
@@ -214,13 +214,8 @@ def main():
         return 77
     csgsim = pathlib.Path(sys.argv[1]).resolve()
     server = Server(csgsim, "tests/models/carburettor.csg", "--camera", "220,-255,135,2,0,5", "--size", "512x512", cwd=SOURCE)
-    page = browser.Browser(chromium)
-    try:
-        seen = Viewed(page, csgsim, SOURCE)
+    with viewed(chromium, server, csgsim, SOURCE) as seen:
         use(seen, server)
-    finally:
-        page.close()
-        server.stop()
     return 1 if seen.failures else 0
 
 

@@ -14,7 +14,7 @@ sys.path.insert(0, str(SOURCE / "tests/report"))
 
 import browser  # noqa: E402
 from server import Server  # noqa: E402
-from viewed import Viewed  # noqa: E402
+from viewed import viewed  # noqa: E402
 
 BRACKET = "tests/corpus/parts/bracket.csg"
 CARBURETTOR = ("tests/models/carburettor.csg", "--camera", "220,-255,135,2,0,5")
@@ -148,16 +148,11 @@ def main():
     failures = 0
     for words, do in TASKS:
         server = Server(csgsim, *words, cwd=SOURCE)
-        page = browser.Browser(chromium)
-        try:
-            seen = Viewed(page, csgsim, SOURCE)
+        with viewed(chromium, server, csgsim, SOURCE) as seen:
             seen.open(server)
             do(seen)
-            seen.check(page.problems == [], f"{page.problems}")
+            seen.check(seen.page.problems == [], f"{seen.page.problems}")
             failures += seen.failures
-        finally:
-            page.close()
-            server.stop()
     return 1 if failures else 0
 
 

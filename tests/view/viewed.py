@@ -1,14 +1,29 @@
 """The page of csgsim view as a test uses it in a headless Chromium."""
 
+import contextlib
 import json
 import subprocess
 import time
+
+import browser
 
 
 TOO_WIDE = """[...document.body.querySelectorAll('*')].filter(element => {
   const box = element.getBoundingClientRect();
   return box.width > 0 && box.right > innerWidth + 1 && !element.closest('.scroll, .told');
 }).map(element => element.outerHTML.slice(0, 120))"""
+
+
+@contextlib.contextmanager
+def viewed(chromium, server, csgsim, folder):
+    """The page of a server, open in a window of its own. Both are ended behind it."""
+    page = browser.Browser(chromium)
+    try:
+        page.window(1280, 900)
+        yield Viewed(page, csgsim, folder)
+    finally:
+        page.close()
+        server.stop()
 
 
 class Viewed:

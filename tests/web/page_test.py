@@ -15,7 +15,7 @@ CSGSIM, SOURCE, SITE = (pathlib.Path(argument).resolve() for argument in sys.arg
 sys.path[:0] = [str(SOURCE / "tests/report"), str(SOURCE / "tests/view")]
 
 import browser  # noqa: E402
-from viewed import Viewed  # noqa: E402
+from viewed import viewed  # noqa: E402
 from web_page import StaticServer  # noqa: E402
 
 PIXELS = """(() => { const image = document.getElementById('picture'), canvas = document.createElement('canvas');
@@ -173,14 +173,8 @@ def main():
         print("there is no page to test, or no Chromium; ./setup.sh web makes both")
         return 77
     server = StaticServer(SITE)
-    page = browser.Browser(chromium)
-    try:
-        page.window(1280, 900)
-        seen = Viewed(page, CSGSIM, SOURCE / "tests/models")
+    with viewed(chromium, server, CSGSIM, SOURCE / "tests/models") as seen:
         use(seen, server.address)
-    finally:
-        page.close()
-        server.stop()
     return 1 if seen.failures else 0
 
 

@@ -10,6 +10,7 @@
 #include "hw/base/text.h"
 #include "hw/isa/binary.h"
 #include "sim/app/commands/commands.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/near_faces_warning.h"
 #include "sim/shell/numbers.h"

@@ -21,6 +21,7 @@
 #include "hw/base/text.h"
 #include "hw/base/work.h"
 #include "sim/app/commands/commands.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/numbers.h"

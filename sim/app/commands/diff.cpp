@@ -195,24 +195,21 @@ std::vector<std::string> told_of(const lockstep::Comparison& comparison, const S
   return told;
 }
 
-report::ShownRun shown(const Subject& side, const Drawn& drawn) {
-  const observe::Report told{side.program, side.machine, "functional", drawn.result, drawn.stats, drawn.seconds};
+report::ShownRun shown(const Subject& side, const lockstep::SideResult& run) {
+  const observe::Report told{side.program, side.machine, side.level, run.result, run.stats};
   const std::string& strategy = side.program.facts.compile.strategy;
   std::string name = side.name + " on " + side.machine.name;
   if (!strategy.empty()) name += ", strategy " + printable(strategy);
-  return {std::move(name), {side.program, drawn.frame}, side.machine, observe::to_json(told)};
+  return {std::move(name), {side.program, run.frame}, side.machine, observe::to_json(told)};
 }
 
-/// Both are run once more, for their counts.
 void write_page(ReportFile& page, const lockstep::Comparison& comparison, const Subject& a, const Subject& b,
                 const ReportOption& option) {
   if (!page.asked()) return;
-  const Drawn of_a = draw(a.program, a.machine);
-  const Drawn of_b = draw(b.program, b.machine);
   const machines::Machine machines[] = {a.machine, b.machine};
   const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
-  page.write(
-      report::two_page(shown(a, of_a), shown(b, of_b), told_of(comparison, a, b), option.context(shown_machines)));
+  page.write(report::two_page(shown(a, comparison.a), shown(b, comparison.b), told_of(comparison, a, b),
+                              option.context(shown_machines)));
 }
 
 lockstep::Comparison compare(const Subject& a, const Subject& b) {

@@ -17,6 +17,7 @@
 #include "sim/observe/stats_json.h"
 #include "sim/report/pictures.h"
 #include "sim/report/study_pages.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/options.h"

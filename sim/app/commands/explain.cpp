@@ -27,7 +27,7 @@ void run(const Options& options, const Command& command) {
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
-  const calls::Answer answer = calls::explain(options, command);
+  const story::Answer answer = calls::explain(options, command);
   if (!file) {
     fmt::print("{}", answer.text);
     return;

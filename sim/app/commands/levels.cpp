@@ -10,6 +10,7 @@
 
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/model_options.h"

@@ -2,13 +2,11 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "sim/app/commands/commands.h"
 #include "sim/shell/frames.h"
 #include "sim/shell/run_outputs.h"
 #include "sim/shell/usage.h"
-#include "sim/story/halfspaces.h"
 
 namespace csgsim::app {
 
@@ -32,15 +30,7 @@ void run(Options& options, const Command& command) {
   }
   RunOutputs outputs(options.run, options.model.inputs());
   const calls::Compiled compiled = calls::compile(options);
-  RunSubject subject = compiled.subject(options);
-  std::optional<view::View> view;
-  std::optional<story::HalfspaceFinder> halfspaces;
-  if (options.run.report.asked()) {
-    const CompiledModel& model = compiled.model;
-    view = view::make_view(model.scene, model.tree, model.camera, sampling_of(options.model, compiled.machine));
-    subject.halfspaces = &halfspaces.emplace(model.tree, model.scene, *view);
-  }
-  run_program(command, subject, options.run, outputs, calls::advice_of(options, compiled),
+  run_program(command, compiled.subject(options), options.run, outputs, calls::advice_of(options, compiled),
               calls::judge_of(options, compiled));
 }
 

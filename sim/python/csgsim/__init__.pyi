@@ -77,9 +77,9 @@ class Story(dict[str, Any]):
     text: str
     def __init__(self, keys: dict[str, Any], text: str) -> None: ...
 
-class ModelOptions(TypedDict, total=False):
-    machine: Text
-    memory_bits: int
+class _ModelOptions(TypedDict, total=False):
+    """Of every call that takes a model."""
+
     size: Text
     camera: Text
     projection: Text
@@ -94,40 +94,14 @@ class ModelOptions(TypedDict, total=False):
     near: float
     fraction_bits: int
     edge_on: float
-    tolerance: Text
-    curves: Text
     colour_bits: int
-    z_bits: int
     strategy: Text
-    stack_bits: int
     colouring: Text
     pruning: Text
 
-class RenderOptions(TypedDict, total=False):
-    machine: Text
-    memory_bits: int
-    size: Text
-    camera: Text
-    projection: Text
-    scene: Text
-    colour_scheme: Text
-    set: Texts
-    imports_from: Text
-    openscad_time: Text
-    snap: bool
-    limit: int
-    view_all: bool
-    near: float
-    fraction_bits: int
-    edge_on: float
-    tolerance: Text
-    curves: Text
-    colour_bits: int
-    z_bits: int
-    strategy: Text
-    stack_bits: int
-    colouring: Text
-    pruning: Text
+class _RunOptions(TypedDict, total=False):
+    """Of every call that draws a picture."""
+
     output: Text
     depth: Text
     owner: Text
@@ -138,152 +112,70 @@ class RenderOptions(TypedDict, total=False):
     threads: int
     advice: bool
     progress: Text
-    report: Text
-    check: bool
-    max_wrong_pixels: int
 
-class RunOptions(TypedDict, total=False):
-    machine: Text
-    set: Texts
+class _StudyOptions(TypedDict, total=False):
+    """Of every study."""
+
     output: Text
-    depth: Text
-    owner: Text
-    stats: Text
-    surface: Text
-    level: Text
-    evaluator: Text
-    threads: int
-    advice: bool
-    progress: Text
-    checkpoint: Text
-    checkpoint_every: int
-    resume: Text
-
-class ExplainOptions(TypedDict, total=False):
-    machine: Text
-    memory_bits: int
-    size: Text
-    camera: Text
-    projection: Text
-    scene: Text
-    colour_scheme: Text
-    set: Texts
-    imports_from: Text
-    openscad_time: Text
-    snap: bool
-    limit: int
-    view_all: bool
-    near: float
-    fraction_bits: int
-    edge_on: float
-    tolerance: Text
-    curves: Text
-    colour_bits: int
-    z_bits: int
-    strategy: Text
-    stack_bits: int
-    colouring: Text
-    pruning: Text
-    pixel: Text
-    point: Text
-    why_not: Text
-
-class SweepOptions(TypedDict, total=False):
-    strategy: Text
-    stack_bits: Text
-    z_bits: Text
-    colouring: Text
-    pruning: Text
-    machines: Text
-    memory_bits: Text
-    size: Text
-    camera: Text
-    projection: Text
-    scene: Text
-    colour_scheme: Text
-    set: Texts
-    imports_from: Text
-    openscad_time: Text
-    snap: bool
-    limit: int
-    view_all: bool
-    near: float
-    fraction_bits: int
-    edge_on: float
-    tolerance: Text
-    colour_bits: int
-    curves: Text
-    no_draw: bool
-    output: Text
-    threads: int
     no_plots: bool
     report: Text
     progress: Text
 
-class CompareOptions(TypedDict, total=False):
+class ModelOptions(_ModelOptions, total=False):
+    machine: Text
     memory_bits: int
-    size: Text
-    camera: Text
-    projection: Text
-    scene: Text
-    colour_scheme: Text
-    set: Texts
-    imports_from: Text
-    openscad_time: Text
-    snap: bool
-    limit: int
-    view_all: bool
-    near: float
-    fraction_bits: int
-    edge_on: float
-    colour_bits: int
+    tolerance: Text
+    curves: Text
     z_bits: int
-    strategy: Text
     stack_bits: int
-    colouring: Text
-    pruning: Text
+
+class RenderOptions(ModelOptions, _RunOptions, total=False):
+    report: Text
+    check: bool
+    max_wrong_pixels: int
+
+class RunOptions(_RunOptions, total=False):
+    machine: Text
+    set: Texts
+    checkpoint: Text
+    checkpoint_every: int
+    resume: Text
+
+class ExplainOptions(ModelOptions, total=False):
+    pixel: Text
+    point: Text
+    why_not: Text
+
+class SweepOptions(_ModelOptions, _StudyOptions, total=False):
+    stack_bits: Text
+    z_bits: Text
+    machines: Text
+    memory_bits: Text
+    tolerance: Text
+    curves: Text
+    no_draw: bool
+    threads: int
+
+class CompareOptions(_ModelOptions, _StudyOptions, total=False):
+    memory_bits: int
+    z_bits: int
+    stack_bits: int
     machines: Text
     fragments: Text
     sides: Text
     ideal: bool
     with_: Text
-    output: Text
     threads: int
-    no_plots: bool
-    report: Text
-    progress: Text
 
-class AccuracyOptions(TypedDict, total=False):
+class AccuracyOptions(_ModelOptions, _StudyOptions, total=False):
     machine: Text
-    size: Text
-    camera: Text
-    projection: Text
-    scene: Text
-    colour_scheme: Text
-    set: Texts
-    imports_from: Text
-    openscad_time: Text
-    snap: bool
-    limit: int
-    view_all: bool
-    near: float
-    fraction_bits: int
-    edge_on: float
     tolerance: Text
     curves: Text
-    colour_bits: int
     z_bits: int
-    strategy: Text
     stack_bits: int
-    colouring: Text
-    pruning: Text
     views: int
     knobs: Text
     tolerances: Text
-    output: Text
-    no_plots: bool
-    report: Text
-    progress: Text
 
 def render(
     model: str | os.PathLike[str] | None = None, /, *, text: str | None = None, **options: Unpack[RenderOptions]

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -21,7 +22,7 @@ struct RunSubject {
   std::string hash;                           ///< of what was compiled or run; if empty, of the subject's file
   const view::Camera* camera = nullptr;       ///< none of a Program
   const std::vector<scene::SectionValues>* scene = nullptr;
-  const story::HalfspaceFinder* halfspaces = nullptr;  ///< of the model, for the page of a run
+  std::function<story::HalfspaceFinder()> halfspaces{};  ///< of a model, for the page of a run
   bool is_in_place = false;  ///< the subject's file is a name alone; what stands in its place has the hash
 };
 

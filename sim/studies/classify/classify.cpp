@@ -11,6 +11,7 @@
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
 #include "sim/report/points.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/read_by.h"

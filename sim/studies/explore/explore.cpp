@@ -15,6 +15,7 @@
 #include "sim/shell/memory.h"
 #include "sim/shell/numbers.h"
 #include "sim/shell/paths.h"
+#include "sim/shell/see_through.h"
 #include "sim/shell/usage.h"
 #include "sim/shell/version.h"
 #include "sim/studies/dimensions.h"

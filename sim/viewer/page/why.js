@@ -20,7 +20,7 @@ const explain = async () => {
     story.textContent = answer.answer.error;
     return;
   }
-  story.textContent = (answer.answer.why_not ? answer.answer.why_not + '\n' : '') + answer.answer.text;
+  story.textContent = answer.answer.text;
   const [x, y] = answer.answer.story.pixel;
   byId('mark').style.left = (x + 0.5) / now.drawn.width * 100 + '%';
   byId('mark').style.top = (y + 0.5) / now.drawn.height * 100 + '%';

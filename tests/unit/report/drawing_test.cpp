@@ -13,25 +13,11 @@
 #include "sim/engine/engine.h"
 #include "sim/engine/run.h"
 #include "sim/report/codec.h"
-#include "tests/support/drawing.h"
+#include "tests/unit/report/bitten_cube.h"
 
 using namespace csgsim;
 
 namespace {
-
-const std::string bitten_cube =
-    "difference() { cube(size = [8, 8, 8], center = true); multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 3], "
-    "[0, 0, 0, 1]]) { sphere($fn = 8, $fa = 12, $fs = 2, r = 4); } }";
-
-testing::Compiled compiled(const std::string& machine = {}) {
-  testing::Setup setup;
-  setup.camera.eye = {20, -30, 25};
-  setup.camera.centre = {0, 0, 0};
-  setup.sampling.width = 40;
-  setup.sampling.height = 30;
-  setup.machine = machine;
-  return testing::compile_text(bitten_cube, setup);
-}
 
 /// The states of pixels at each step.
 std::vector<std::vector<std::uint32_t>> replayed(const report::Drawing& drawing) {
@@ -58,7 +44,7 @@ std::vector<std::uint32_t> colours(const std::vector<std::uint32_t>& states) {
 }  // namespace
 
 TEST_CASE("each step is what the reference engine has in memory and enable after so many instructions") {
-  const testing::Compiled model = compiled();
+  const testing::Compiled model = testing::bitten_cube();
   const isa::Program& program = model.program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing drawing = report::record_drawing(program, machine);
@@ -88,7 +74,7 @@ TEST_CASE("each step is what the reference engine has in memory and enable after
 TEST_CASE("the last step is the picture on machines of every kind, however few steps are kept") {
   for (const std::string name : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5"}) {
     CAPTURE(name);
-    const testing::Compiled model = compiled(name);
+    const testing::Compiled model = testing::bitten_cube(name);
     const machines::Machine machine = kinds::load(name);
     const observe::Frame frame = testing::draw_on(machine, model.program);
     std::vector<std::uint32_t> expected;
@@ -105,7 +91,7 @@ TEST_CASE("the last step is the picture on machines of every kind, however few s
 }
 
 TEST_CASE("a thinned drawing is told to be one, and its steps are some of the full one's") {
-  const testing::Compiled model = compiled();
+  const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing full = report::record_drawing(model.program, machine);
   const std::vector<std::vector<std::uint32_t>> states = replayed(full);
@@ -124,7 +110,7 @@ TEST_CASE("a thinned drawing is told to be one, and its steps are some of the fu
 }
 
 TEST_CASE("of a thinned drawing every so many steps are kept, from the first on, and the last") {
-  const testing::Compiled model = compiled();
+  const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing all = report::record_drawing(model.program, machine, {10, 2000, 700'000, 512});
   std::set<std::size_t> strides;
@@ -147,7 +133,7 @@ TEST_CASE("of a thinned drawing every so many steps are kept, from the first on,
 }
 
 TEST_CASE("of a large picture every second pixel of every second row is shown, and that is told") {
-  const testing::Compiled model = compiled();
+  const testing::Compiled model = testing::bitten_cube();
   const machines::Machine machine = testing::machine_of(model.program.shape);
   const report::Drawing drawing = report::record_drawing(model.program, machine, {2000, 2000, 700'000, 20});
   CHECK(drawing.width == 20);

@@ -13,25 +13,12 @@
 #include "sim/engine/engine.h"
 #include "sim/report/drawing.h"
 #include "tests/support/drawing.h"
+#include "tests/unit/report/bitten_cube.h"
 
 using namespace csgsim;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-isa::Program bitten_cube(const std::string& machine = {}) {
-  testing::Setup setup;
-  setup.camera.eye = {20, -30, 25};
-  setup.camera.centre = {0, 0, 0};
-  setup.sampling.width = 40;
-  setup.sampling.height = 30;
-  setup.machine = machine;
-  return testing::compile_text(
-             "difference() { cube(size = [8, 8, 8], center = true); multmatrix([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, "
-             "3], [0, 0, 0, 1]]) { sphere($fn = 8, $fa = 12, $fs = 2, r = 4); } }",
-             setup)
-      .program;
-}
 
 std::vector<std::string> lines_of(const Json& json) {
   std::istringstream in(json["instructions"].get<std::string>());
@@ -45,7 +32,7 @@ std::vector<std::string> lines_of(const Json& json) {
 TEST_CASE("a Program for a page has each instruction as the text form has it, and the operands of each opcode") {
   for (const std::string machine : {"", "pixel-square", "pixel-planes-5"}) {
     CAPTURE(machine);
-    const isa::Program program = bitten_cube(machine);
+    const isa::Program program = testing::bitten_cube(machine).program;
     const Json json = report::program_json(program, {}, nullptr);
     const std::vector<std::string> lines = lines_of(json);
     REQUIRE(lines.size() == isa::first_numbers(program).back());
@@ -68,7 +55,7 @@ TEST_CASE("a Program for a page has each instruction as the text form has it, an
 }
 
 TEST_CASE("questions that skipped are those of the run") {
-  const isa::Program program = bitten_cube();
+  const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
   const std::vector<std::uint64_t> firsts = isa::first_numbers(program);
@@ -78,7 +65,7 @@ TEST_CASE("questions that skipped are those of the run") {
 }
 
 TEST_CASE("a Program that does not fit is left out, and that is told") {
-  const isa::Program program = bitten_cube();
+  const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing whole = report::record_drawing(program, machine);
   CHECK(whole.program.size() > 1000);

@@ -18,6 +18,7 @@
 #include "sim/pictures/encode.h"
 #include "sim/report/codec.h"
 #include "sim/report/pictures.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
 #include "tests/support/error_of.h"

@@ -11,6 +11,7 @@
 #include "sim/report/codec.h"
 #include "sim/report/page.h"
 #include "sim/report/pictures.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
 

@@ -10,6 +10,7 @@
 
 #include "hw/isa/pieces.h"
 #include "places.h"
+#include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 
 using namespace csgsim;

@@ -1,0 +1,76 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+
+#include "hw/base/error.h"
+#include "hw/isa/program.h"
+#include "hw/machines/runs_on.h"
+#include "hw/multi_processor/refresh.h"
+#include "tests/unit/multi_processor/stage_timing.h"
+
+using namespace csgsim;
+using namespace csgsim::testing::stages;
+
+TEST_CASE("nodes stand still in turns of the screen, and nothing else does: hand calculations") {
+  Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  // 32 bits of each node's in two turns; 20 turns a second, of 5 clocks every 50.
+  machine.clock_hz = 1000;
+  figures(machine).refresh = {.rate = 10, .bits = 16, .clocks = 5};
+  const multi_processor::Refresh refresh(isa::frame_header(program), machine);
+  CHECK(refresh.end_of(0, 50) == 50);
+  CHECK(refresh.end_of(0, 51) == 56);
+  CHECK(refresh.end_of(50, 1) == 56);
+  CHECK(refresh.end_of(52, 1) == 56);
+  CHECK(refresh.end_of(52, 0) == 52);
+  CHECK(refresh.end_of(40, 60) == 110);
+  const FrameAccount shown = account_of(program, machine);
+  figures(machine).refresh.rate = 0;
+  const FrameAccount account = account_of(program, machine);
+  // Before are reception, transformation, the first pruning and broadcasts, to clock 817: turns at 850, 900, ... 1250.
+  const multi_processor::StageClocks& stages = account.stages;
+  CHECK(stages.reception + stages.transformation + stages.first_pruning + stages.broadcasting == 817);
+  CHECK(shown.stages.second_pruning == 393 + 8 * 5);
+  CHECK(shown.stages.sharing == stages.sharing);
+  CHECK(shown.stages.broadcasting == stages.broadcasting);
+  CHECK(shown.stages.rendering > stages.rendering);
+}
+
+TEST_CASE("what a screen leaves of the clocks is what is left when each turn is gone through") {
+  CHECK(rc::check([] {
+    Machine machine = random_machine();
+    machine.clock_hz = *rc::gen::inRange<std::uint64_t>(50, 5000);
+    figures(machine).refresh = {*rc::gen::inRange<std::uint32_t>(1, 20), 8, *rc::gen::inRange<std::uint32_t>(1, 9)};
+    const isa::Program program = any_program(machine);
+    const isa::FrameHeader header = isa::frame_header(program);
+    const multi_processor::Refresh refresh(header, machine);
+    if (refresh.turns_a_second() * figures(machine).refresh.clocks >= machine.clock_hz) return;
+    const auto begin = *rc::gen::inRange<std::uint64_t>(0, 3000);
+    const auto clocks = *rc::gen::inRange<std::uint64_t>(0, 300);
+    std::uint64_t left = clocks;
+    std::uint64_t now = begin;
+    while (left > 0) {
+      // Of the turns that have begun the last.
+      const std::uint64_t turn = now * refresh.turns_a_second() / machine.clock_hz;
+      std::uint64_t first = 0;
+      while (first * refresh.turns_a_second() < turn * machine.clock_hz) ++first;
+      if (turn == 0 || now >= first + figures(machine).refresh.clocks) --left;
+      ++now;
+    }
+    RC_ASSERT(refresh.end_of(begin, clocks) == now);
+  }));
+}
+
+TEST_CASE("a screen that takes all clocks of the nodes is refused") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  machine.clock_hz = 1'000'000;
+  figures(machine).refresh = {.rate = 100, .bits = 1, .clocks = 312};
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  ++figures(machine).refresh.clocks;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the screen takes 3200 turns a second of 313 clocks each, and the memories of four have 1000000 "
+                       "clocks a second: nothing could be drawn; give refresh.bits more",
+                       InputError);
+}

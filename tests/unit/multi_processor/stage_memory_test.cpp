@@ -1,0 +1,144 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+
+#include "hw/base/error.h"
+#include "hw/machines/runs_on.h"
+#include "tests/unit/multi_processor/stage_timing.h"
+
+using namespace csgsim;
+using namespace csgsim::testing::stages;
+
+TEST_CASE("lists that do not fit the nodes at once are sent and rendered in parts: a hand calculation") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const FrameAccount whole = account_of(program, machine);
+  CHECK(whole.list_passes == 1);
+  // In words of 16 bits: the frame's 16 + 2 * 5 + 3, the segment's 1 + 1 + 3; lists begin with 5 and end with 1,
+  // instructions are 1 and 6. Who sends stops where fewer than 16 words are left of 32 beside the 6 of a list that
+  // waits: before the first list's end, and, as the last waits, before that of the third, of which no instruction came.
+  figures(machine).memory_words = 34 + 32;
+  const FrameAccount account = account_of(program, machine);
+  CHECK(account.list_passes == 3);
+  CHECK(account.shared_words == whole.shared_words + 2);
+  CHECK(account.stages.sharing == 6 * 4 + 22 * 10);
+  CHECK(account.stages.barriers == whole.stages.barriers + 2 * 6);
+  CHECK(account.stages.second_pruning == whole.stages.second_pruning);
+  CHECK(account.stages.rendering == whole.stages.rendering);
+  CHECK(clocks_of(program, machine) == 3613 + 2 * 4 + 2 * 10 + 2 * 6);
+}
+
+TEST_CASE("a list that is more than half of what is left of a node's memory is made in parts: a hand calculation") {
+  Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  isa::Segment& first = program.segments.front();
+  first.instructions.push_back(first.instructions.back());
+  first.division.steps.front().instructions = 3;
+  const FrameAccount whole = account_of(program, machine);
+  figures(machine).memory_words = 34 + 32;
+  const FrameAccount account = account_of(program, machine);
+  // 5 + 1 + 6 words of 16, then 6 + 1; meanwhile the other lists wait.
+  const std::uint64_t before = 29 + 3 * 31 + 47 + 2 * 53 + 2 * 59;
+  CHECK(whole.stages.second_pruning == before + 59);
+  CHECK(account.stages.second_pruning == before + 59);
+  CHECK(account.nodes[0].of(NodeActivity::pruning) == before + 59);
+  CHECK(account.stages.sharing > whole.stages.sharing);
+  CHECK(account.stages.rendering == whole.stages.rendering);
+}
+
+TEST_CASE("what is sent and rendered in parts takes longer, the more the smaller the memory is, and is all done") {
+  CHECK(rc::check([] {
+    Machine machine = random_machine();
+    const isa::Program program = any_program(machine);
+    const FrameAccount whole = account_of(program, machine);
+    figures(machine).memory_words = *rc::gen::inRange<std::uint32_t>(100, 5000);
+    try {
+      machines::check_runs_on(program, machine);
+    } catch (const InputError&) {
+      return;
+    }
+    const FrameAccount parts = account_of(program, machine);
+    RC_ASSERT(parts.list_passes >= whole.list_passes);
+    RC_ASSERT(parts.shared_words >= whole.shared_words);
+    RC_ASSERT(parts.stages.rendering >= whole.stages.rendering);
+    RC_ASSERT(parts.stages.second_pruning >= whole.stages.second_pruning);
+    RC_ASSERT(spent(parts, NodeActivity::pruning) >= spent(whole, NodeActivity::pruning));
+    RC_ASSERT(parts.second_halfspace_tests == whole.second_halfspace_tests);
+    RC_ASSERT(clocks_of(program, machine) >= parts.stages.rendering + parts.stages.second_pruning);
+  }));
+}
+
+TEST_CASE(
+    "half-spaces that do not fit the nodes are read over the bus, by one node after another: a hand calculation") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const FrameAccount whole = account_of(program, machine);
+  // A word less than the records, 34, and two commands of at most 256 bits.
+  figures(machine).memory_words = 34 + 32 - 1;
+  const FrameAccount account = account_of(program, machine);
+  // Three half-spaces are tested: a request and an answer of a word each, both after the bus's latency.
+  const std::uint64_t reads = 3 * 2 * (4 + 10);
+  CHECK(account.stages.second_pruning == whole.stages.second_pruning + reads + 3 * 29);
+  CHECK(account.stages.broadcasting == whole.stages.broadcasting - 3 * 10);
+  CHECK(account.broadcast_words == whole.broadcast_words);
+  CHECK(account.broadcast_halfspaces == 3);
+  CHECK(account.shared_words == whole.shared_words + 3);
+  CHECK(account.list_passes == 4);
+  CHECK(account.stages.sharing == whole.stages.sharing);
+  CHECK(account.stages.rendering == whole.stages.rendering);
+  CHECK(clocks_of(program, machine) == 3613 + reads + 3 * 29 - 3 * 10);
+}
+
+TEST_CASE("a segment of which the primitives leave no room for two commands in a node is refused, with what to do") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  figures(machine).memory_words = 31 + 32;
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  --figures(machine).memory_words;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the segment at 0,0 asks for 63 words of a node at once, and the nodes of four have 62; take a "
+                       "machine file with more node.memory_words or subdivision.levels",
+                       InputError);
+}
+
+TEST_CASE("what does not fit the display processor is read from the host, or tested twice: hand calculations") {
+  Machine machine = machine_4x4();
+  const isa::Program program = program_for(machine);
+  const std::uint64_t once = 2 * 37 + 3 * 41 + 2 * 61;
+  // The model, and 5 words of records.
+  figures(machine).display_memory_words = 32 + 5;
+  CHECK(account_of(program, machine).stages.first_pruning == once);
+  --figures(machine).display_memory_words;
+  CHECK(account_of(program, machine).stages.first_pruning == 2 * once);
+  CHECK(account_of(program, machine).first_halfspace_tests == 6);
+  CHECK(clocks_of(program, machine) == 3613 + once);
+  // Its planes, 24 bits of 504, are not there: each takes a word of the host's link, and is transformed.
+  figures(machine).display_memory_words = 31;
+  CHECK(account_of(program, machine).stages.first_pruning == 2 * (once + 3 * (5 + 3 + 43)));
+  CHECK(account_of(program, machine).stages.transformation == 0);
+  CHECK(account_of(program, machine).model_words == 32);
+}
+
+TEST_CASE("a model that does not fit the display processor without its planes is refused, with what to do") {
+  Machine machine = machine_4x4();
+  isa::Program program = program_for(machine);
+  figures(machine).display_memory_words = 30;
+  CHECK_NOTHROW(machines::check_runs_on(program, machine));
+  --figures(machine).display_memory_words;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the model without its planes is 30 words, and the display processor of four has 29; take a "
+                       "machine file with more display.memory_words, or give the model fewer faces",
+                       InputError);
+  figures(machine).display_memory_words = 36;
+  figures(machine).memory_words = 34 + 32 - 1;
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "what the segment at 0,0 leaves of the model fits neither the memory of the nodes of four nor "
+                       "that of its display processor; take a machine file with more node.memory_words, "
+                       "display.memory_words or subdivision.levels",
+                       InputError);
+  program.display_model.clear();
+  CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
+                       "the Program has no display model, which four divides; compile the model for this machine",
+                       InputError);
+}
