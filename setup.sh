@@ -242,6 +242,7 @@ web_test() {
   need python3 nodejs chromium
   build release -DCSGSIM_BUILD_TESTS=OFF
   python3 tests/web/session_test.py build/release/csgsim . build/web
+  python3 tests/web/counts_test.py build/release/csgsim . build/web
   python3 tests/web/page_test.py build/release/csgsim . build/web
 }
 

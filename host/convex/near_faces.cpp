@@ -39,7 +39,7 @@ std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
     all.push_back({place, number, false});
     all.push_back({-place, number, true});
   }
-  std::sort(all.begin(), all.end(), [](const Oriented& a, const Oriented& b) { return a.place < b.place; });
+  std::stable_sort(all.begin(), all.end(), [](const Oriented& a, const Oriented& b) { return a.place < b.place; });
   return all;
 }
 

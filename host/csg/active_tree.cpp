@@ -144,7 +144,6 @@ void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& place, st
   const auto is_elsewhere = [&](std::uint32_t one) { return one < first || one >= end || disjoint(one, place); };
   const auto new_begin = found.begin() + static_cast<std::ptrdiff_t>(begin);
   found.erase(std::remove_if(new_begin, found.end(), is_elsewhere), found.end());
-  std::sort(found.begin() + static_cast<std::ptrdiff_t>(begin), found.end());
 }
 
 std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, const Block& block) const {

@@ -35,14 +35,23 @@ std::vector<Item> items_of(std::span<const BoxIndex::Entry> entries) {
 
 constexpr std::size_t fan_out = 16;
 
+using Items = bg::index::rtree<Item, bg::index::quadratic<fan_out>>;
+
+/// In an order that depends on how the standard library parts what is equal, when the tree is made.
+template <class Predicate>
+void append_found(const Items& items, const Predicate& predicate, std::vector<std::uint32_t>& numbers) {
+  const auto append = [&](const Item& item) { numbers.push_back(item.second); };
+  items.query(predicate, boost::make_function_output_iterator(append));
+}
+
 }  // namespace
 
 struct BoxIndex::Tree {
-  bg::index::rtree<Item, bg::index::quadratic<fan_out>> items;
+  Items items;
 };
 
 BoxIndex::BoxIndex(std::span<const Entry> entries)
-    : tree_(std::make_shared<const Tree>(Tree{decltype(Tree::items)(items_of(entries))})) {}
+    : tree_(std::make_shared<const Tree>(Tree{Items(items_of(entries))})) {}
 
 std::uint64_t BoxIndex::boxes_of_way() const {
   std::uint64_t boxes = 0;
@@ -52,17 +61,18 @@ std::uint64_t BoxIndex::boxes_of_way() const {
 }
 
 void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) const {
-  const auto append = [&](const Item& item) { numbers.push_back(item.second); };
-  tree_->items.query(bg::index::intersects(bounds_of(box)), boost::make_function_output_iterator(append));
+  const auto begin = static_cast<std::ptrdiff_t>(numbers.size());
+  append_found(tree_->items, bg::index::intersects(bounds_of(box)), numbers);
+  std::sort(numbers.begin() + begin, numbers.end());
 }
 
-bool BoxIndex::any_covering(const Box& box, std::size_t most,
-                            const std::function<bool(std::uint32_t number)>& test) const {
-  const auto end = tree_->items.qend();
-  for (auto item = tree_->items.qbegin(bg::index::covers(bounds_of(box))); item != end && most > 0; ++item, --most) {
-    if (test(item->second)) return true;
-  }
-  return false;
+std::vector<std::uint32_t> BoxIndex::covering(const Box& box, std::size_t most) const {
+  std::vector<std::uint32_t> numbers;
+  append_found(tree_->items, bg::index::covers(bounds_of(box)), numbers);
+  const std::size_t count = std::min(most, numbers.size());
+  std::partial_sort(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), numbers.end());
+  numbers.resize(count);
+  return numbers;
 }
 
 BoxIndex::Box picture_box(const view::PixelRect& pixels, std::int64_t z_low, std::int64_t z_high, std::uint32_t first,

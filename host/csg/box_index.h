@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -31,13 +30,11 @@ class BoxIndex {
   /// what it finds.
   [[nodiscard]] std::uint64_t boxes_of_way() const;
 
-  /// Appends the numbers of the entries that have a point in common with the box, in no order.
+  /// Appends the numbers of the entries that have a point in common with the box, the least first.
   void meeting(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
-  /// Whether the test holds for any of the entries that hold the whole box. At most `most` of these are tested, in no
-  /// order, and none after the first that it holds for.
-  [[nodiscard]] bool any_covering(const Box& box, std::size_t most,
-                                  const std::function<bool(std::uint32_t number)>& test) const;
+  /// The numbers of the entries that hold the whole box, the least first; of more than `most` the least ones.
+  [[nodiscard]] std::vector<std::uint32_t> covering(const Box& box, std::size_t most) const;
 
  private:
   struct Tree;

@@ -65,7 +65,6 @@ std::vector<std::vector<std::uint32_t>> touching_pieces(const emit::Drawing& dra
     std::vector<std::uint32_t>& found = touching[one.number];
     index.meeting(one.box, found);
     std::erase(found, one.number);
-    std::sort(found.begin(), found.end());
   }
   return touching;
 }

@@ -12,6 +12,7 @@
 #include "host/effects/rows.h"
 #include "host/emit/facet_colour.h"
 #include "host/emit/facet_geometry.h"
+#include "host/model/hypotenuse.h"
 #include "host/view/projection.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/opcodes.h"
@@ -43,7 +44,7 @@ struct TrueNormal {
   }
   std::optional<glm::dvec3> operator()(const model::Cylinder& cylinder) const {
     // A cone's apex has no normal of its own; there it is the facet's.
-    const bool is_apex = std::hypot(vertex.x, vertex.y) <= 1e-9 * std::max(cylinder.r1, cylinder.r2);
+    const bool is_apex = model::hypotenuse(vertex.x, vertex.y) <= 1e-9 * std::max(cylinder.r1, cylinder.r2);
     const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
     const glm::dvec2 outward = around / glm::length(around) * cylinder.height;
     return glm::normalize(glm::dvec3(outward, cylinder.r1 - cylinder.r2));

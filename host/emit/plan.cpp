@@ -34,7 +34,9 @@ class Hiders {
     if (block.z_low <= 0) return false;
     const std::int64_t before = block.z_low - 1;
     counted_.add(&isa::Preparation::boxes, index_.boxes_of_way());
-    return index_.any_covering(csg::picture_box(block.pixels, before, before), most_hiders, [&](std::uint32_t number) {
+    const std::vector<std::uint32_t> fronts =
+        index_.covering(csg::picture_box(block.pixels, before, before), most_hiders);
+    return std::any_of(fronts.begin(), fronts.end(), [&](std::uint32_t number) {
       const PlannedSurface& front = surfaces_[number];
       return front.block.z_low < block.z_low &&
              std::all_of(front.set.begin(), front.set.end(), [&](std::uint32_t primitive) {

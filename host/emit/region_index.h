@@ -18,7 +18,7 @@ class RegionIndex {
  public:
   explicit RegionIndex(std::span<const isa::Region> regions);
 
-  /// Calls visit(number) for each of them, in no order.
+  /// Calls visit(number) for each of them, the least number first.
   template <class Visit>
   void for_each(const view::PixelRect& pixels, const Visit& visit) {
     if (pixels.empty()) return;

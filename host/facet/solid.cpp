@@ -12,6 +12,7 @@
 #include "host/facet/curved.h"
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
+#include "host/model/hypotenuse.h"
 #include "hw/base/error.h"
 
 namespace csgsim::facet {
@@ -46,7 +47,7 @@ Plane lateral_plane(const Ring& low, const Ring& high, std::uint32_t index, std:
   const double high_radius = high.radius * apothem;
   const double rise = high.z - low.z;
   const double run = high_radius - low_radius;
-  const double length = std::hypot(rise, run);
+  const double length = model::hypotenuse(rise, run);
   const double radial = rise / length;
   const double axial = -run / length;
   const double offset = -(radial * low_radius + axial * low.z);
@@ -99,7 +100,7 @@ Solid ball(const model::Sphere& sphere, const Local& local) {
 Solid frustum(const model::Cylinder& cylinder, const Local& local) {
   const double radius = std::max(cylinder.r1, cylinder.r2);
   // The distance to a slanted side is measured across it.
-  const double slant = cylinder.height / std::hypot(cylinder.height, cylinder.r1 - cylinder.r2);
+  const double slant = cylinder.height / model::hypotenuse(cylinder.height, cylinder.r1 - cylinder.r2);
   const std::uint32_t count = local.tolerance ? fragments_within(radius, *local.tolerance / slant)
                                               : model::fragments(radius, local.control(cylinder.facets));
   const double low = cylinder.center ? -cylinder.height / 2.0 : 0.0;

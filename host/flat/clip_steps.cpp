@@ -36,7 +36,7 @@ std::vector<Side> sides_of(const ClipperLib::Paths& paths) {
                        static_cast<double>(high->Y)});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.low_y < b.low_y; });
+  std::stable_sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.low_y < b.low_y; });
   return sides;
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "host/model/degrees.h"
+#include "host/model/hypotenuse.h"
 #include "host/read/number.h"
 
 namespace csgsim::read {
@@ -44,7 +45,7 @@ double angle(double sine, double cosine) {
 /// The angles nearest to a matrix that is nearly a rotation. Where y is a right angle, x and z turn about one axis, and
 /// x is 0.
 glm::dvec3 euler_angles(const glm::dmat3& matrix) {
-  const double y = angle(-matrix[0][2], std::hypot(matrix[0][0], matrix[0][1]));
+  const double y = angle(-matrix[0][2], model::hypotenuse(matrix[0][0], matrix[0][1]));
   if (std::abs(y) == 90.0) return {0.0, y, angle(-matrix[1][0], matrix[1][1])};
   return {angle(matrix[1][2], matrix[2][2]), y, angle(matrix[0][1], matrix[0][0])};
 }

@@ -58,7 +58,8 @@ class Stacking {
     }
     std::sort(levels_.begin(), levels_.end());
     levels_.erase(std::unique(levels_.begin(), levels_.end()), levels_.end());
-    std::sort(sides_.begin(), sides_.end(), [](const AreaSide& a, const AreaSide& b) { return a.low.y < b.low.y; });
+    std::stable_sort(sides_.begin(), sides_.end(),
+                     [](const AreaSide& a, const AreaSide& b) { return a.low.y < b.low.y; });
   }
 
   std::vector<flat::Outline> operator()() {

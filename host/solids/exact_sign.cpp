@@ -5,29 +5,14 @@
 #include <limits>
 #include <span>
 
+#include "host/model/two_doubles.h"
+
 namespace csgsim::solids {
 
 namespace {
 
 // Numbers as sums of doubles that do not overlap, the least first, without zeros: Shewchuk, Adaptive Precision
 // Floating-Point Arithmetic and Fast Robust Geometric Predicates (1997), whose theorems these steps are.
-
-struct Pair {
-  double high = 0;
-  double low = 0;  ///< what rounding took from `high`
-};
-
-Pair exact_sum(double a, double b) {
-  const double sum = a + b;
-  const double of_b = sum - a;
-  const double of_a = sum - of_b;
-  return {sum, (a - of_a) + (b - of_b)};
-}
-
-Pair exact_product(double a, double b) {
-  const double product = a * b;
-  return {product, std::fma(a, b, -product)};
-}
 
 /// A sum of up to `capacity` components.
 template <std::size_t capacity>
@@ -46,7 +31,7 @@ void add(Sum<capacity>& sum, double more) {
   sum.count = 0;
   double carried = more;
   for (std::size_t i = 0; i < count; ++i) {
-    const Pair step = exact_sum(carried, sum.parts[i]);
+    const model::TwoDoubles step = model::exact_sum(carried, sum.parts[i]);
     sum.append(step.low);
     carried = step.high;
   }
@@ -67,7 +52,7 @@ Sum<2 * a * b> operator*(const Sum<a>& one, const Sum<b>& other) {
   Sum<2 * a * b> sum;
   for (std::size_t i = 0; i < one.count; ++i) {
     for (std::size_t j = 0; j < other.count; ++j) {
-      const Pair product = exact_product(one.parts[i], other.parts[j]);
+      const model::TwoDoubles product = model::exact_product(one.parts[i], other.parts[j]);
       add(sum, product.low);
       add(sum, product.high);
     }
@@ -85,7 +70,7 @@ using Component = Sum<2>;
 using Row = std::array<Component, 3>;
 
 Component difference(double to, double from) {
-  const Pair pair = exact_sum(to, -from);
+  const model::TwoDoubles pair = model::exact_sum(to, -from);
   Component component;
   component.append(pair.low);
   component.append(pair.high);

@@ -76,7 +76,7 @@ class OutlineSweep {
   OutlineSweep(std::span<const SeenPoint> points, std::span<const Link> sides)
       : points_(points), around_(around(points.size(), sides)) {
     for (const Link& side : sides) order_.push_back(side.first);
-    std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::tie(points[a].s, points[a].t) < std::tie(points[b].s, points[b].t);
     });
   }

@@ -1,10 +1,10 @@
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <utility>
 
 #include "host/flat/parts.h"
+#include "host/model/hypotenuse.h"
 #include "host/solids/bent_slices.h"
 #include "host/solids/extrusion.h"
 #include "host/solids/side_lines.h"
@@ -23,7 +23,7 @@ struct Ends {
 /// The plane that holds a line in the lower end and the line scaled in the upper one.
 glm::dvec4 side_plane(const glm::dvec3& line, const Ends& ends) {
   const double slope = -line.z * (1.0 - ends.scale) / (ends.high - ends.low);
-  const double length = std::hypot(1.0, slope);
+  const double length = model::hypotenuse(1.0, slope);
   return glm::dvec4(line.x, line.y, slope, line.z - slope * ends.low) / length;
 }
 

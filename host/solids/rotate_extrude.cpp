@@ -9,6 +9,7 @@
 #include "host/flat/parts.h"
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
+#include "host/model/hypotenuse.h"
 #include "host/solids/axis_parts.h"
 #include "host/solids/extrusion.h"
 #include "host/solids/limits.h"
@@ -197,7 +198,7 @@ class Lathe {
     const double from = turn_.angles[segment];
     const double to = turn_.angles[segment + 1];
     const double inset = model::cos_degrees((to - from) / 2.0);
-    const double length = std::hypot(line.x, line.y * inset);
+    const double length = model::hypotenuse(line.x, line.y * inset);
     return glm::dvec4(line.x * direction((from + to) / 2.0), line.y * inset, line.z * inset) / length;
   }
 

@@ -62,7 +62,7 @@ void TriangleNet::join_around_points() {
   std::map<std::uint32_t, std::vector<Half>> leaving;
   for (Half half = 0; half < edges_.size(); ++half) leaving[edges_[half].from].push_back(half);
   for (auto& [point, halves] : leaving) {
-    std::sort(halves.begin(), halves.end(), [&](Half a, Half b) { return direction(a) < direction(b); });
+    std::stable_sort(halves.begin(), halves.end(), [&](Half a, Half b) { return direction(a) < direction(b); });
     for (std::size_t i = 0; i < halves.size(); ++i) join(other(halves[(i + 1) % halves.size()]), halves[i]);
   }
 }

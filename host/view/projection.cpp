@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <limits>
 
+#include "host/model/hypotenuse.h"
 #include "host/view/extent.h"
 #include "host/view/eye_space.h"
 #include "host/view/fast_sphere.h"
@@ -166,7 +167,7 @@ ScreenPlane make_edge(const RealLinear& line, const Sampling& sampling) {
 ScreenPlane make_screen_plane(const EyeSpace& space, const isa::DepthScale& scale, const Sampling& sampling,
                               const EyePlane& plane) {
   const RealLinear depth = depth_plane(space, scale, sampling.z_bits, plane);
-  const double slope = std::hypot(depth.a, depth.b);
+  const double slope = model::hypotenuse(depth.a, depth.b);
   const double steepest = std::ldexp(1.0, static_cast<int>(sampling.z_bits)) / sampling.edge_on_fraction;
   if (!(slope <= steepest) || !std::isfinite(depth.at_centre))
     return make_edge(as_sampled(edge_line(space, scale, plane), sampling), sampling);

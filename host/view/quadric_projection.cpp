@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "host/model/hypotenuse.h"
 #include "hw/isa/depth_scale.h"
 
 namespace csgsim::view {
@@ -236,7 +237,7 @@ double allowed_error(double most, const Middle& middle, const Sampling& sampling
   constexpr double least = 0x1p-20;
   const double d = most > 0 ? std::max(most, least) : 1.0;
   const double in_depth = std::sqrt(d) * std::ldexp(1.0, 9 - static_cast<int>(sampling.fraction_bits));
-  const double sideways = 2.0 * d / (1.0 + std::hypot(middle.across, middle.down)) * sampling.edge_on_fraction;
+  const double sideways = 2.0 * d / (1.0 + model::hypotenuse(middle.across, middle.down)) * sampling.edge_on_fraction;
   return std::min(in_depth, sideways);
 }
 
@@ -265,8 +266,8 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   if (space.perspective) {
     if (quadric.kind == facet::QuadricKind::cylinder) return never;
     const glm::dvec3 apex = space.to_eye(quadric.origin + centre);
-    const double tangent = space.pixel * std::hypot(sampling.width + 4.0, sampling.height + 4.0);
-    return (std::hypot(apex.x, apex.y) + std::abs(apex.z) * tangent) * (1.0 / scale.near - 1.0 / scale.far) /
+    const double tangent = space.pixel * model::hypotenuse(sampling.width + 4.0, sampling.height + 4.0);
+    return (model::hypotenuse(apex.x, apex.y) + std::abs(apex.z) * tangent) * (1.0 / scale.near - 1.0 / scale.far) /
            space.pixel;
   }
   // Across the view, one unit of length beyond the place where it is about the origin: a conic in pixels.
@@ -292,11 +293,11 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   const double fy = product(forward, down);
   const double x = (xy * fy - yy * fx) / determinant;
   const double y = (xy * fx - xx * fy) / determinant;
-  const double moved = std::hypot(x, y);
+  const double moved = model::hypotenuse(x, y);
   double widened = 0;
   if (quadric.kind == facet::QuadricKind::cone) {
     const double depth = -(product(forward, forward) + fx * x + fy * y);
-    const double least = (xx + yy - std::hypot(xx - yy, 2.0 * xy)) / 2.0;
+    const double least = (xx + yy - model::hypotenuse(xx - yy, 2.0 * xy)) / 2.0;
     widened = std::sqrt(std::max(0.0, depth) / least);
   }
   return (moved + widened) * (scale.far - scale.near);
@@ -344,7 +345,7 @@ ScreenQuadric make_edge(const EyeSpace& space, const View& view, const OnRays& r
 unsigned unit_of(const facet::Quadric& quadric, const Linear& middle, int root_bits, const Sampling& sampling) {
   const int beyond = root_bits - static_cast<int>(sampling.z_bits) - 2;
   if (beyond <= 0 || quadric.kind != facet::QuadricKind::cylinder) return 0;
-  const double slope = std::hypot(middle.a.convert_to<double>(), middle.b.convert_to<double>());
+  const double slope = model::hypotenuse(middle.a.convert_to<double>(), middle.b.convert_to<double>());
   const double allowed = std::floor(std::log2(slope * sampling.edge_on_fraction));
   return static_cast<unsigned>(std::clamp(allowed, 0.0, static_cast<double>(beyond)));
 }

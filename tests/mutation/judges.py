@@ -29,7 +29,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "hw/multi_processor": ["machines", "multi_processor_kind", "multi_processor", "lockstep_multi_processor"],
     "hw/kinds": ["machines", "kinds"],
     "hw/systemc": ["cycle", "pixel_planes", "scan_line", "pixel_square_modules", "elaboration"],
-    "host/model": ["read", "facet", "solids"],
+    "host/model": ["functions", "read", "facet", "solids"],
     "host/read": ["read", "corpus"],
     "host/commands": ["commands"],
     "host/swept": ["swept"],

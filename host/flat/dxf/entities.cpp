@@ -8,6 +8,7 @@
 
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
+#include "host/model/hypotenuse.h"
 #include "hw/base/error.h"
 
 namespace csgsim::flat::dxf {
@@ -74,7 +75,7 @@ void draw_ellipse(const Entity& entity, const model::FacetControl& facets, const
   const glm::dvec2 major = point(entity, 1);
   const glm::dvec2 minor = entity.size * glm::dvec2(-major.y, major.x);
   const double angle = sweep(entity.first, entity.second, full_turn_in_radians);
-  const std::uint32_t count = steps(std::hypot(major.x, major.y), angle, full_turn_in_radians, facets);
+  const std::uint32_t count = steps(model::hypotenuse(major.x, major.y), angle, full_turn_in_radians, facets);
   const auto corner = [&](std::uint32_t i) {
     const double at = entity.first + angle * i / count;
     return centre + major * std::cos(at) + minor * std::sin(at);

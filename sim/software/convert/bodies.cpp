@@ -133,7 +133,6 @@ csg::BoxIndex index_of(const std::vector<Body>& bodies) {
 std::vector<std::uint32_t> Bodies::meeting(const UnitBox& box) const {
   std::vector<std::uint32_t> found;
   index.meeting(index_box(box), found);
-  std::ranges::sort(found);
   return found;
 }
 

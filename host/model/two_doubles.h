@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cmath>
+
+namespace csgsim::model {
+
+/// A number as the sum of two doubles that do not overlap: some 106 bits. The steps are those of Dekker, A
+/// Floating-Point Technique for Extending the Available Precision (1971), and Shewchuk, Adaptive Precision
+/// Floating-Point Arithmetic (1997). They take additions, products, quotients and fma alone, which IEEE 754 rounds in
+/// one way everywhere.
+struct TwoDoubles {
+  double high = 0;
+  double low = 0;  ///< what rounding took from `high`
+};
+
+/// Exact.
+inline TwoDoubles exact_sum(double a, double b) {
+  const double sum = a + b;
+  const double of_b = sum - a;
+  const double of_a = sum - of_b;
+  return {sum, (a - of_a) + (b - of_b)};
+}
+
+/// Exact, unless what rounding takes is below what doubles hold.
+inline TwoDoubles exact_product(double a, double b) {
+  const double product = a * b;
+  return {product, std::fma(a, b, -product)};
+}
+
+/// Right to 2^-100 of the sum of the sizes.
+inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
+  const TwoDoubles sum = exact_sum(a.high, b.high);
+  return exact_sum(sum.high, sum.low + (a.low + b.low));
+}
+
+inline TwoDoubles operator-(const TwoDoubles& a) { return {-a.high, -a.low}; }
+
+/// Right to 2^-100 of it.
+inline TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
+  const TwoDoubles product = exact_product(a.high, b.high);
+  return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));
+}
+
+inline TwoDoubles operator/(const TwoDoubles& a, double by) {
+  const double quotient = a.high / by;
+  return exact_sum(quotient, (std::fma(-quotient, by, a.high) + a.low) / by);
+}
+
+}  // namespace csgsim::model
