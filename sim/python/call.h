@@ -21,11 +21,11 @@ struct Call {
 /// Adds the command that is called to the line, with what it does.
 using Describe = std::function<void(shell::CommandLine& line)>;
 
-/// Reads the call as the command line reads its words, and does what `describe` says. Throws UsageError, and what that
-/// throws.
+/// Reads the call as the command line reads its words, and does what `describe` says. Throws UsageError, and what
+/// `describe` throws.
 void carry_out(const Call& call, const Describe& describe);
 
-/// The options and operands of a command, in the order of help, as they are before anything is said. Throws UsageError
+/// The options and operands of a command, in the order of help, with their defaults. Throws UsageError
 /// for a command that cannot be called.
 std::vector<shell::OptionValue> options_of(const std::string& command);
 

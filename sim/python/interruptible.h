@@ -19,7 +19,7 @@ namespace csgsim::python {
 
 namespace py = pybind11;
 
-/// What came of some work, and the warnings that it told.
+/// The result of some work, and its warnings.
 template <class Result>
 struct Told {
   Result result;
@@ -30,8 +30,8 @@ struct Told {
 constexpr std::chrono::milliseconds between_looks(50);
 
 /// Carries out `work` in a thread of its own, and looks for Ctrl-C beside it. Python's other threads go on meanwhile.
-/// An interrupted work ends where nothing is lost by it, and the exception of Python's
-/// handler, KeyboardInterrupt, is thrown.
+/// Interrupted work ends where nothing is lost, and what Python's handler raised,
+/// KeyboardInterrupt, is thrown.
 template <class Work>
 auto interruptibly(Work work) {
   using Result = decltype(work());

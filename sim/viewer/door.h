@@ -9,7 +9,7 @@
 /// Who is let in: the page that csgsim itself has sent to a browser of this computer, and nobody else.
 namespace csgsim::viewer {
 
-/// 128 bits by chance, in hexadecimal digits: whoever knows the address of the page may ask. Throws InputError where
+/// 128 random bits in hexadecimal digits: whoever knows the address of the page may ask. Throws InputError where
 /// the system has none to give.
 std::string make_token();
 

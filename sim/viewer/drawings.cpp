@@ -39,7 +39,7 @@ void add_words(std::vector<std::string>& words, const std::string& name, const J
     if (value.get<bool>()) words.push_back("--" + name);
     return;
   }
-  if (!value.is_string()) throw WishError(name + " is to be a text");
+  if (!value.is_string()) throw WishError(name + " has to be a text");
   for (std::string& word : shell::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
 }
 
@@ -69,7 +69,7 @@ std::vector<std::string> Drawings::words_of(const Json& wish) const {
       add_words(words, name, value);
       continue;
     }
-    if (!value.is_array()) throw WishError("set is to be an array of texts");
+    if (!value.is_array()) throw WishError("set has to be an array of texts");
     for (const Json& one : value) add_words(words, name, one);
   }
   return words;

@@ -33,7 +33,7 @@ class Instants {
 
   /// What stands in pixel memory there, as a picture; which instruction comes next, whom it serves, in which clocks it
   /// is issued, in which segment it is and which piece it draws; and the instructions around it. A skip may pass the
-  /// number: `number` tells where it is. Throws InputError for a field that there is not.
+  /// number: `number` tells where it is. Throws InputError for a field that does not exist.
   nlohmann::ordered_json at(const InstantWish& wish);
 
   /// Names of fields that can be asked for.

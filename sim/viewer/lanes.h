@@ -16,7 +16,7 @@ class Lanes {
   /// Of a file of trace events as waves::TraceEvents writes it.
   explicit Lanes(std::string_view trace_events);
 
-  /// The first clock that something is known of, and the first behind all of these.
+  /// The first clock of which something is known, and the one after the last.
   [[nodiscard]] std::uint64_t begin() const { return begin_; }
   [[nodiscard]] std::uint64_t end() const { return end_; }
 

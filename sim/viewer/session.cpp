@@ -244,7 +244,7 @@ Reply Session::answered(const Request& request, std::string_view path, Lock& loc
   if (request.method != "POST" || question == std::end(questions))
     return {.status = 404, .body = "there is nothing of that name\n"};
   const Json wish = Json::parse(request.body);
-  if (!wish.is_object()) throw WishError("a wish is to be an object");
+  if (!wish.is_object()) throw WishError("a wish has to be an object");
   return json_reply((this->*question->answer)(wish, lock));
 }
 

@@ -14,7 +14,7 @@
 namespace csgsim::viewer {
 
 /// A model's tree, each node before its operands: an array of `depth`, 0 for the root, `text`, what the node is, and of
-/// a primitive its number, `primitive`. Pieces of one node of the file are that node. Of a large tree the first some
+/// a primitive its number, `primitive`. Pieces of one node of the file are that node. Of a large tree, the first few
 /// thousand.
 nlohmann::ordered_json tree_of(const model::Tree& tree, const isa::Facts& facts);
 
@@ -25,10 +25,10 @@ class ActiveTrees {
   ActiveTrees(const shell::CompiledModel& model, const shell::ModelOptions& options, const machines::Machine& machine)
       : model_(model), options_(options), machine_(machine) {}
 
-  /// What the surface of that piece is compared with in the segment, in the form of tree_of: of the operands, all of
-  /// which it has to be in, each, at depth 0, an operator, or a primitive, `complemented` where the surface has to be
-  /// out of it. Several primitives that are compared as one convex solid are one row, of the first. Empty where the
-  /// surface is seen wherever it is drawn; none if it is not drawn there.
+  /// What the surface of that piece is compared with in the segment, in the form of tree_of: at depth 0 operands, all
+  /// of which it has to be in, or, of a primitive that is `complemented`, outside. Several primitives that are compared
+  /// as one convex solid are one row, of the first. Empty where the surface is seen wherever it is drawn; none if it is
+  /// not drawn there.
   [[nodiscard]] std::optional<nlohmann::ordered_json> of(std::uint32_t piece, std::uint32_t segment);
 
  private:

@@ -56,7 +56,7 @@ viewer::Beginning beginning_of(const Options& options, const Command& command) {
 }
 
 void run(const Options& options, const Command& command) {
-  if (options.model.model == standard_stream) throw UsageError("model", "is to be a file, which the page shows");
+  if (options.model.model == standard_stream) throw UsageError("model", "has to be a file, which the page shows");
   if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
   viewer::Session session(beginning_of(options, command));
   viewer::Door door{0, viewer::make_token()};
@@ -72,7 +72,7 @@ void run(const Options& options, const Command& command) {
                  .begun =
                      [&](std::uint16_t port) {
                        door.port = port;
-                       fmt::print("{}\nopen this in a browser; it ends with the page, or by Ctrl-C\n", door.address());
+                       fmt::print("{}\nopen this in a browser; it ends with the page, or at Ctrl-C\n", door.address());
                        std::fflush(stdout);
                      },
                  .handler = handler,
@@ -91,11 +91,10 @@ void add_view(CommandLine& line) {
                              "Example:\n  csgsim view carburettor.csg\n"
                              "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
   options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
-  command.option("--port", options->port, "Port of 127.0.0.1 at which the page is; 0 takes one that is free")
-      .between(0U, 65'535U);
+  command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 takes a free one").between(0U, 65'535U);
   command
       .option("--patience", options->patience,
-              "Seconds that it stays when the last page has been closed; 0 stays until it is ended")
+              "Seconds that it stays after the last page is closed; 0 stays until it is ended")
       .between(0U, 86'400U);
   command.runs([options, command] { run(*options, command); });
 }

@@ -13,7 +13,7 @@ _TEXT_NAME = "text.csg"
 
 
 def warned(result, lines):
-    """The result, when what was told about it has been warned of, at the first line that is none of this package's."""
+    """The result, after its warnings, which name the first line outside this package."""
     if lines:
         folder = os.path.dirname(__file__)
         level, frame = 1, sys._getframe()
@@ -55,7 +55,7 @@ def compile(model=None, /, *, text=None, **options):
 
 
 def run(program, /, **options):
-    """Runs a Program, or a Program file, as `csgsim run` does. The picture is the one of its render.
+    """Runs a Program, or a Program file, as `csgsim run` does. The picture is that of its render.
 
     >>> csgsim.run(csgsim.compile("part.csg"), level="reference").stats["clocks"]
     """
@@ -85,7 +85,7 @@ def explain(subject=None, /, *, text=None, **options):
 
 def study(name, /, *operands, **options):
     """All that a study tells, as its JSON file has it. `studies()` lists them, `options(name)` what each takes. Nothing
-    is kept but with `output`, a folder, in which a study goes on that was interrupted.
+    is kept, unless `output` names a folder, where an interrupted study goes on.
 
     >>> csgsim.study("advise", "part.csg", max_wrong_pixels=0)["chosen"]
     """

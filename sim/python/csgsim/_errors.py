@@ -38,7 +38,7 @@ class Error(Exception):
 
 
 class UsageError(Error):
-    """An option that there is not, with the nearest one, or that makes no sense.
+    """An option that does not exist, with the nearest one that does, or that makes no sense.
 
     >>> csgsim.render("part.csg", z_bitz=16)
     csgsim.UsageError: there is no option --z-bitz; did you mean --z-bits? see csgsim render --help
