@@ -1,6 +1,7 @@
 #include "sim/viewer/trees.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -48,7 +49,9 @@ Json primitive_row(std::size_t depth, std::uint32_t piece, const isa::Facts& fac
 
 /// Puts the operands where they are shown next, the first of them first.
 void put_operands(const std::vector<std::uint32_t>& operands, std::size_t depth, std::vector<Waiting>& waiting) {
-  for (auto operand = operands.rbegin(); operand != operands.rend(); ++operand) waiting.push_back({*operand, depth});
+  std::transform(operands.rbegin(), operands.rend(), std::back_inserter(waiting), [depth](std::uint32_t operand) {
+    return Waiting{operand, depth};
+  });
 }
 
 Json leaf_row(const csg::ActiveNode& leaf, std::size_t depth, const isa::Facts& facts) {

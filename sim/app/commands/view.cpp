@@ -91,8 +91,7 @@ void add_view(CommandLine& line) {
                              "Example:\n  csgsim view carburettor.csg\n"
                              "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
   options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
-  command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 takes a free one")
-      .between(0U, 65'535U);
+  command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 takes a free one").between(0U, 65'535U);
   command
       .option("--patience", options->patience,
               "Seconds that it stays after the last page is closed; 0 stays until it is ended")

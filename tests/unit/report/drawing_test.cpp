@@ -37,6 +37,7 @@ std::uint32_t shown(std::uint32_t packed, const isa::Program& program) {
 
 std::vector<std::uint32_t> colours(const std::vector<std::uint32_t>& states) {
   std::vector<std::uint32_t> all;
+  all.reserve(states.size());
   for (const std::uint32_t state : states) all.push_back(state >> 1U);
   return all;
 }
