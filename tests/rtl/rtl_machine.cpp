@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "Vframe_buffer.h"
+#include "Vpixel_planes.h"
 #include "hw/pixel_planes/figures.h"
 #include "tests/lockstep/lockstep.h"
 
@@ -53,7 +53,7 @@ machines::Machine machine_of_parameters() {
 
 struct Machine::Verilated {
   VerilatedContext context;
-  Vframe_buffer top{&context};
+  Vpixel_planes top{&context};
 };
 
 Machine::Machine() : verilated_(std::make_unique<Verilated>()) { edge({.reset = true}); }
@@ -72,7 +72,7 @@ void Machine::edge_for_host(const Inputs& inputs) {
 }
 
 void Machine::clock(const Inputs& inputs) {
-  Vframe_buffer& top = verilated_->top;
+  Vpixel_planes& top = verilated_->top;
   top.reset = inputs.reset ? 1 : 0;
   top.fault = inputs.fault;
   top.frame = inputs.frame ? 1 : 0;
@@ -85,7 +85,7 @@ void Machine::clock(const Inputs& inputs) {
 }
 
 void Machine::read_host() {
-  const Vframe_buffer& top = verilated_->top;
+  const Vpixel_planes& top = verilated_->top;
   outputs_.request = top.request != 0;
   outputs_.request_from = top.request_from;
   outputs_.word_ready = top.word_ready != 0;
@@ -96,7 +96,7 @@ void Machine::read_host() {
 }
 
 void Machine::read_pixels() {
-  const Vframe_buffer& top = verilated_->top;
+  const Vpixel_planes& top = verilated_->top;
   outputs_.tree_valid = top.tree_valid != 0;
   assign(outputs_.tree, top.tree);
   assign(outputs_.enable, top.enable);

@@ -3,40 +3,7 @@
 // pixels for who looks on are at the end of the ports; pixel (x, y) is number y * WIDTH + x.
 `include "faults.vh"
 
-// The OR of all lines: gates of FAN_IN inputs (0: one that has all, within the clock) with a register behind each. What
-// was asked arrives a clock a level later.
-module global_or #(
-  parameter LINES = 64,
-  parameter FAN_IN = 64
-) (
-  input wire clk,
-  input wire reset,
-  input wire [LINES-1:0] lines,
-  input wire asked,
-  output wire valid,
-  output wire any
-);
-  localparam GATES = FAN_IN == 0 ? 1 : (LINES + FAN_IN - 1) / FAN_IN;
-  generate
-    if (FAN_IN == 0 || LINES == 1) begin : wire_or
-      assign valid = asked;
-      assign any = |lines;
-    end else begin : level
-      reg [GATES-1:0] gates;
-      reg asked_here;
-      wire [GATES*FAN_IN-1:0] padded = lines;
-      integer i;
-      always @(posedge clk) begin
-        asked_here <= asked & ~reset;
-        for (i = 0; i < GATES; i = i + 1) gates[i] <= |padded[i*FAN_IN +: FAN_IN];
-      end
-      global_or #(.LINES(GATES), .FAN_IN(FAN_IN)) next (
-        .clk(clk), .reset(reset), .lines(gates), .asked(asked_here), .valid(valid), .any(any));
-    end
-  endgenerate
-endmodule
-
-module frame_buffer #(
+module pixel_planes #(
   parameter WIDTH = 8,
   parameter HEIGHT = 8,
   parameter MEMORY_BITS = 40,
@@ -49,7 +16,9 @@ module frame_buffer #(
 ) (
   input wire clk,
   input wire reset,
-  input wire [3:0] fault,
+`ifdef CSGSIM_PLANTED_FAULTS
+  input wire [4:0] fault,
+`endif
 
   // From the host, and to it.
   input wire frame,
@@ -98,7 +67,7 @@ module frame_buffer #(
     .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .LINK(LINK), .LATENCY(LATENCY),
     .CLEAR_CLOCKS(CLEAR_CLOCKS), .ADDRESS(ADDRESS), .SIDE(SIDE)
   ) sequence_controller (
-    .clk(clk), .reset(reset), .fault(fault), .frame(frame), .request(request), .request_from(request_from),
+    .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from),
     .word(fifo_word), .word_valid(fifo_valid), .take_word(take_word), .drop_words(drop_words),
     .first(first), .a(a), .b(b), .c(c), .control(control), .answer_valid(answer_valid), .answer(answer),
     .told(told), .told_any(told_any), .done(done), .clocks(clocks));
@@ -108,7 +77,7 @@ module frame_buffer #(
     .clk(clk), .reset(reset), .in(control), .out(at_pixels));
 
   linear_expression_evaluator #(.WIDTH(WIDTH), .HEIGHT(HEIGHT), .LEVELS_X(LEVELS_X), .LEVELS_Y(LEVELS_Y)) evaluator (
-    .clk(clk), .reset(reset), .fault(fault), .first(first), .a(a), .b(b), .c(c), .leaves(tree));
+    .clk(clk), .reset(reset), .first(first), .a(a), .b(b), .c(c), .leaves(tree));
   assign tree_valid = at_pixels[CW_STREAM];
 
   // Lines along columns, rows and memory addresses, shared by the pixels.
@@ -130,11 +99,11 @@ module frame_buffer #(
     end
   endgenerate
 
-  pixels #(
+  pixel_processors #(
     .PIXELS(PIXELS), .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS),
     .SIDE(SIDE)
-  ) array (
-    .clk(clk), .reset(reset), .fault(fault), .control(at_pixels), .clear_line(clear_line), .in_region(in_region),
+  ) processors (
+    .clk(clk), .reset(reset), .control(at_pixels), .clear_line(clear_line), .in_region(in_region),
     .tree(tree), .enable(enable), .carry(carry), .flag(flag), .latch(latch), .memory(memory));
 
   wire [PIXELS-1:0] counted = `FAULT(`FAULT_QUESTION) ? enable & ~({PIXELS{1'b1}} << PIXELS / 2) : enable;

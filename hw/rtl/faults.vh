@@ -1,6 +1,7 @@
-// Planted faults. A build with CSGSIM_PLANTED_FAULTS has the one whose number is on the wires `fault`; 0 is none.
+// Planted faults. A build with CSGSIM_PLANTED_FAULTS has the one whose number is on the wires `fault` of the top module; 0
+// is none.
 `ifdef CSGSIM_PLANTED_FAULTS
-`define FAULT(NUMBER) (fault == NUMBER)
+`define FAULT(NUMBER) (pixel_planes.fault == NUMBER)
 `else
 `define FAULT(NUMBER) 1'b0
 `endif
