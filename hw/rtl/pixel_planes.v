@@ -117,7 +117,8 @@ module pixel_planes #(
 
   generate
     if (HAS_OR != 0) begin : asks
-      wire [WIDTH*HEIGHT-1:0] half = {WIDTH*HEIGHT{1'b1}} >> ((WIDTH * HEIGHT + 1) / 2);
+      wire [WIDTH*HEIGHT-1:0] none = 0;
+      wire [WIDTH*HEIGHT-1:0] half = ~none >> ((WIDTH * HEIGHT + 1) / 2);
       wire [WIDTH*HEIGHT-1:0] counted = `FAULT(`FAULT_QUESTION) ? enable & half : enable;
       global_or #(.LINES(WIDTH * HEIGHT), .FAN_IN(FAN_IN)) enabled (
         .clk(clk), .reset(reset), .lines(counted), .asked(at_pixels[CW_QUESTION]), .valid(answer_valid), .any(answer));
