@@ -45,6 +45,7 @@ Usage: ./setup.sh COMMAND
   cluster
          run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
          with srun, mpirun and GNU Parallel (as root)
+  rtl    hold the machine in Verilog against the SystemC at 64 x 64 pixels, and machines that numbers make up
   mutate test the tests: 400 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
@@ -53,7 +54,7 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation python3-dev python3-numpy pybind11-dev"
-test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind
+test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
 clang_packages="clang libclang-rt-14-dev lld"
 web_packages="clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 emscripten
@@ -349,6 +350,12 @@ case "${1:-}" in
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;
   lint) lint "${2:-}" ;;
+  rtl)
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages
+    build release -DCSGSIM_RTL=ON
+    exec tests/rtl/large.sh build/release
+    ;;
   mutate)
     shift
     # shellcheck disable=SC2086

@@ -27,7 +27,8 @@ READS = (1, 2)
 MEMORY_BITS = (64, 72, 96, 128, 208, 256)
 CELL = {1: 3, 2: 5}  # transistors of a memory bit, by read ports: as hw/machines/area.h has it
 STATIC_CELL = {1: 6, 2: 8}
-SOURCES = "pixel.v multiplier_tree.v receiver.v controller.v frame_buffer.v area.v"
+RTL = ROOT / "hw" / "rtl"
+SOURCES = " ".join(str(path) for path in sorted(RTL.glob("*.v"))) + " area.v"
 WIDE_SOURCES = "area_wide.v"  # alone, so that what else is synthesised does not depend on it
 SCRIPT = "+strash;dch;map,-a"
 
@@ -40,10 +41,10 @@ def yosys(commands):
     return run.stdout.rsplit("Printing statistics.", 1)[1]
 
 
-def synthesised(top, parameters, liberty, defines="", sources=SOURCES):
+def synthesised(top, parameters, liberty, sources=SOURCES):
     """Gates, flip-flops, transistors, and the area in a cell library (None without one)."""
     values = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
-    begin = [f"read_verilog -I. {defines} {sources}", f"hierarchy -top {top} {values}", f"synth -flatten -top {top}"]
+    begin = [f"read_verilog -I{RTL} {sources}", f"hierarchy -top {top} {values}", f"synth -flatten -top {top}"]
     text = yosys(begin + ["dfflegalize -cell $_DFF_P_ 01", f"abc -g cmos4 -script {SCRIPT}", "opt_clean",
                           "stat -tech cmos"])
     cells = int(re.search(r"Number of cells: +(\d+)", text)[1])
@@ -59,8 +60,7 @@ def synthesised(top, parameters, liberty, defines="", sources=SOURCES):
 
 def pixel(alu_bits, reads, degree, liberty):
     """With degree 2 also the flag for roots."""
-    return synthesised("area_pixel", {"ALU_BITS": alu_bits, "MEMORY_READS": reads}, liberty,
-                       "-D CSGSIM_ROOTS" if degree == 2 else "")
+    return synthesised("area_pixel", {"ALU_BITS": alu_bits, "MEMORY_READS": reads, "ROOTS": degree - 1}, liberty)
 
 
 def node(bits, degree, liberty):
@@ -195,7 +195,7 @@ def check():
             wrong.append(f"{what}, and {path.relative_to(ROOT)} says otherwise; run tests/rtl/area.py")
 
     # It takes the whole machine.
-    yosys([f"read_verilog -I. {SOURCES}", "hierarchy -check -top frame_buffer", "proc", "check -assert", "stat"])
+    yosys([f"read_verilog -I{RTL} {SOURCES}", "hierarchy -check -top pixel_planes", "proc", "check -assert", "stat"])
     nodes = {(bits, degree): node(bits, degree, None)["transistors"] for degree in (1, 2) for bits in (1, 2)}
     for (bits, degree), now in nodes.items():
         expect(f"{{{bits}, {degree}, {now}}}", text, TABLE, f"a node of {bits} bits and degree {degree} takes {now} transistors")

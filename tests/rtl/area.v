@@ -17,6 +17,7 @@ endmodule
 module area_pixel #(
   parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,
+  parameter ROOTS = 0,
   parameter ADDRESS = 7,
   parameter SIDE = 10,
   parameter TURN = ALU_BITS > 1 ? $clog2(ALU_BITS) : 1
@@ -51,10 +52,9 @@ module area_pixel #(
   endgenerate
   rotator #(.ALU_BITS(ALU_BITS), .TURN(TURN)) port_w (.turn(turn_w), .in(written), .out(columns_w));
 
-  pixel_processor #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)) processor (
-    .clk(clk), .reset(1'b0), .fault(4'd0), .control(control), .in_region(in_region), .tree(tree),
-    .memory_x(memory_x), .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable),
-    .carry(), .flag(), .latch());
+  pixel_processor #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ROOTS(ROOTS), .ADDRESS(ADDRESS), .SIDE(SIDE)) processor (
+    .clk(clk), .reset(1'b0), .control(control), .in_region(in_region), .tree(tree),
+    .memory_x(memory_x), .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable));
 endmodule
 
 module area_node (
@@ -66,7 +66,7 @@ module area_node (
   output wire right
 );
   tree_node node (
-    .clk(clk), .reset(1'b0), .fault(4'd0), .first(first), .multiplicand(multiplicand), .in(in), .left(left),
+    .clk(clk), .reset(1'b0), .first(first), .multiplicand(multiplicand), .in(in), .left(left),
     .right(right));
 endmodule
 

@@ -1,10 +1,15 @@
-// rtl_NAME random PROGRAMS INSTRUCTIONS [KEY=NUMBER...]: random Programs, with so many instructions a segment at most,
-// on
-//   the machine in SystemC and on the Verilog, in lockstep. latency= and word= are clocks of the link.
-// rtl_NAME models MODEL...: test models, drawn by both.
-// rtl_NAME speed PRIMITIVES: seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some
-// runs. rtl_NAME faults PROGRAMS INSTRUCTIONS NUMBER...: every planted fault but those is noticed within so many random
-// Programs. RC_PARAMS overrides seed and number of the random ones.
+// rtl_NAME random SEQUENCES INSTRUCTIONS [KEY=NUMBER...]
+//   So many sequences of random Programs, with so many instructions a segment at most, on the machine in SystemC and on
+//   the Verilog, in lockstep. latency= and word= are clocks of the link. RC_PARAMS overrides seed and number.
+// rtl_NAME models MODEL...
+//   Test models, drawn by both.
+// rtl_NAME faults SEQUENCES INSTRUCTIONS NUMBER...
+//   Every planted fault but those is noticed within so many random sequences, and those are not.
+// rtl_NAME host SEED LATENCY WORD_CLOCKS
+//   Writes what host_test.v takes, into files here, of a random Program that asks, skips and is shown; and prints its
+//   parameters. The clocks are the SystemC's.
+// rtl_NAME speed PRIMITIVES
+//   Seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some runs.
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -13,6 +18,7 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
@@ -24,22 +30,16 @@
 #include "tests/bench/typical_mix.h"
 #include "tests/lockstep/row.h"
 #include "tests/rtl/lockstep.h"
+#include "tests/rtl/random_frames.h"
 #include "tests/support/drawing.h"
-#include "tests/support/random_program.h"
 
 namespace csgsim::rtl {
 
 namespace {
 
-constexpr std::uint8_t planted_faults = 15;  ///< in faults.vh
+constexpr std::uint8_t planted_faults = 27;  ///< in hw/rtl/faults.vh
 
 using Words = std::vector<std::string>;
-
-/// Nothing is scanned out, which the Verilog does not have.
-isa::Program unshown(isa::Program program) {
-  program.facts.fields.clear();
-  return program;
-}
 
 /// The figures that are the host's: latency= and word= are clocks of the link.
 machines::Machine machine_with(const Words& words, std::size_t first) {
@@ -60,15 +60,17 @@ int random_programs(const Words& words) {
   std::set<isa::Opcode> sent;
   const int code = test::exit_code_of(programs, [&] {
     return rc::check("the Verilog has the registers and the memory of the SystemC in every clock", [&] {
-      const isa::Program program = unshown(*test::arbitrary_program(machine_of_parameters().array, instructions));
-      const std::string difference = lockstep.run(program);
+      const std::vector<isa::Program> frames = *arbitrary_frames(machine_of_parameters(), instructions);
+      const std::string difference = lockstep.run(frames);
       if (!difference.empty()) RC_FAIL(difference);
-      for (const isa::Segment& segment : program.segments)
-        for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
+      for (const isa::Program& frame : frames)
+        for (const isa::Segment& segment : frame.segments)
+          for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
     });
   });
-  const std::size_t squares = 1;  // which trees of degree 1 do not take
-  if (code == 0 && sent.size() + squares != isa::opcode_table.size())
+  const std::size_t squares = machine_of_parameters().evaluator_degree == 1 ? 1 : 0;  // which such trees do not take
+  constexpr unsigned many = 20;  ///< fewer need not have every instruction
+  if (programs >= many && code == 0 && sent.size() + squares != isa::opcode_table.size())
     throw std::runtime_error("an instruction was never sent");
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
   return code;
@@ -84,20 +86,20 @@ int models(const Words& words) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const testing::Compiled compiled =
         testing::compile_default_view(testing::model_path(words[i]), setup, view::Projection::perspective);
-    const std::string difference = lockstep.run(compiled.program);
+    const std::string difference = lockstep.run({&compiled.program, 1});
     if (!difference.empty()) throw std::runtime_error(words[i] + ": " + difference);
     fmt::print("{}: equal, {} clocks compared so far\n", words[i], lockstep.clocks_compared());
   }
   return 0;
 }
 
-/// The number of random Programs until one notices the fault; 0 if none of so many does.
+/// The number of sequences of random Programs until one notices the fault; 0 if none of so many does.
 unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned programs, std::size_t instructions) {
-  const auto any_program = test::arbitrary_program(machine_of_parameters().array, instructions);
+  const auto any_frames = arbitrary_frames(machine_of_parameters(), instructions);
   constexpr int size = 50;
   for (unsigned i = 1; i <= programs; ++i) {
-    const isa::Program program = unshown(any_program(rc::Random(i), size).value());
-    if (!lockstep.run(program, fault).empty()) return i;
+    const std::vector<isa::Program> frames = any_frames(rc::Random(i), size).value();
+    if (!lockstep.run(frames, fault).empty()) return i;
   }
   return 0;
 }
@@ -164,7 +166,43 @@ int speed(const Words& words) {
   return 0;
 }
 
+/// Asks, skips and is shown.
+bool is_telling(const isa::Program& program, const systemc::RunReport& report) {
+  return !report.answers.empty() && report.skipped > 0 && !report.picture.empty() && program.segments.size() == 1;
+}
+
+int host(const Words& words) {
+  machines::Machine figures = machine_of_parameters();
+  figures.link.latency = static_cast<std::uint32_t>(std::stoul(words.at(2)));
+  figures.link.word_clocks = static_cast<std::uint32_t>(std::stoul(words.at(3)));
+  pixel_planes::PixelPlanes machine("machine", figures);
+  systemc::RunListener nobody;
+  constexpr int size = 50;
+  constexpr std::size_t instructions = 40;
+  const auto any_frames = arbitrary_frames(figures, instructions);
+  for (std::uint64_t seed = std::stoul(words.at(1));; ++seed) {
+    const isa::Program program = any_frames(rc::Random(seed), size).value().front();
+    const systemc::RunReport report = machine.run(program, nobody);
+    if (!is_telling(program, report)) continue;
+    const link::FrameWords frame = link::frame_words(program, figures.link.width);
+    std::ofstream all_words("words.hex");
+    for (const isa::LinkWord& word : frame.words) all_words << fmt::format("{:08x}\n", word.number(0, 32));
+    std::ofstream begins("begins.hex");
+    for (const std::size_t begin : frame.begins) begins << fmt::format("{:x}\n", begin);
+    std::ofstream answers("answers.hex");
+    for (const bool answer : report.answers) answers << (answer ? "1\n" : "0\n");
+    answers << "0\n";
+    std::ofstream picture("picture.hex");
+    for (const std::uint32_t colour : report.picture) picture << fmt::format("{:x}\n", colour);
+    fmt::print("WORDS={} INSTRUCTIONS={} ANSWERS={} CLOCKS={} LATENCY={} WORD_CLOCKS={}\n", frame.words.size(),
+               frame.begins.size() - 1, report.answers.size(), report.clocks, figures.link.latency,
+               figures.link.word_clocks);
+    return 0;
+  }
+}
+
 int run(const Words& words) {
+  if (words.at(0) == "host") return host(words);
   if (words.at(0) == "speed") return speed(words);
   if (words.at(0) == "random") return random_programs(words);
   if (words.at(0) == "models") return models(words);

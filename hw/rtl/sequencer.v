@@ -1,25 +1,27 @@
-// The controller: takes commands from the link, and puts bits of A, B and C and a control word for the pixels on the
-// wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes-4.md.
-`include "faults.vh"
-
-// The control word and coefficient bits of one clock of an instruction.
+// The control word and coefficient bits of one clock of an instruction, from its command: no registers (thesis 7.2.1;
+// hw/isa/opcodes.h has what each instruction means, docs/instruction-set.md its clocks).
 //
-// F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so far, it
-// begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides. Instructions of the
-// table that read two fields with one port latch s first, then meet it with the other.
+// F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so
+// far, it begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides.
+// Instructions of the table that read two fields with one port latch s first, then meet it with the other.
 //
 // A root of w bits has w turns. In turn k, from 0, the k + 3 bits of the field from 2(w - 1 - k) up are four times the
 // remainder and two bits more. From them 4q + 1 is subtracted, q being the k bits of the root so far, which lie above
 // them; or 4q + 3 is added, where the remainder was negative, which G keeps. As a sum, either begins with a bit 1 and,
 // with the carry of a subtraction, another. What comes of the top bit is the sign; its inverse is the root's next bit.
+`include "faults.vh"
+
 module sequencer #(
   parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,
   parameter ADDRESS = 7,
-  parameter SIDE = 5
+  parameter SIDE = 5,
+  parameter DEGREE = 1   // 2: of the linear expression's bits those of squares are a part
 ) (
-  input wire [3:0] fault,
   input wire [COMMAND_BITS-1:0] command,
+  /* verilator lint_off UNUSEDSIGNAL */
+  input wire [SQUARES_BITS-1:0] squares,  // coefficients that the instruction before has left; 0 if that was no `squares`
+  /* verilator lint_on UNUSEDSIGNAL */
   input wire [5:0] at,    // bit of the stream or field, the first of the clock
   input wire pass,        // of two through a stream, or the read after the first
   input wire [5:0] turn,  // of a root, in which `at` counts from 0
@@ -28,6 +30,9 @@ module sequencer #(
   output reg a,
   output reg b,
   output reg c,
+  output reg xx,
+  output reg xy,
+  output reg yy,
   output reg [5:0] next_at,
   output reg next_pass,
   output reg [5:0] next_turn,
@@ -36,7 +41,12 @@ module sequencer #(
 `include "command.vh"
 `include "control_word.vh"
 
+  localparam [31:0] ALU = ALU_BITS;
+  localparam FRACTION = 6;  // of a linear expression's head, the width before it
+
   wire [5:0] number = command[5:0];
+  wire [6:0] at_7 = {1'b0, at};
+  wire [11:0] at_12 = {6'd0, at};
   wire [11:0] base_0 = command[FIELD_0 +: 12];
   wire [11:0] base_1 = command[FIELD_1 +: 12];
   wire [11:0] base_2 = command[FIELD_2 +: 12];
@@ -46,13 +56,15 @@ module sequencer #(
   // The linear expression.
   wire no_field = number == EDGE_NOT_NEGATIVE || number == EDGE_NEGATIVE || number == STRIPE;
   wire [5:0] width = no_field ? command[FIELD_0 +: 6] : command[FIELD_1 +: 6];
-  wire [5:0] shift = no_field ? command[FIELD_0 + 6 +: 6] : command[FIELD_1 + 6 +: 6];
-  wire [7:0] at_a = (no_field ? FIELD_0 + 8'd12 : FIELD_1 + 8'd12) + at;
-  wire [7:0] at_b = at_a + width;
-  wire [7:0] at_c = at_b + width;
+  wire [5:0] shift = no_field ? command[FIELD_0 + FRACTION +: 6] : command[FIELD_1 + FRACTION +: 6];
+  wire [7:0] at_a = (no_field ? 8'd18 : 8'd36) + {2'd0, at};
+  wire [7:0] at_b = at_a + {2'd0, width};
+  wire [7:0] at_c = at_b + {2'd0, width};
+  wire [7:0] at_xy = {2'd0, at} + {2'd0, width};
+  wire [7:0] at_yy = at_xy + {2'd0, width};
   wire twice = number == KEEP_MAX || number == KEEP_MIN;
-  wire stream = number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN || number == STRIPE ||
-                number == LINEAR_PLUS || number == LINEAR_MINUS;
+  wire stream = (number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN) || number == STRIPE || number == LINEAR_PLUS ||
+                number == LINEAR_MINUS;
 
   wire sign = at + 6'd1 == width;
   wire whole = at >= shift;  // not of the fraction
@@ -66,16 +78,18 @@ module sequencer #(
   wire of_root = takes_root && at >= 2 && at < turn + 6'd2;
   wire ends_turn = at == turn + 6'd2;
   wire ends_root = ends_turn && turn + 6'd1 == root_bits;
-  wire [11:0] remainder = base_0 + 12'd2 * (root_bits - 6'd1 - turn) + at;
-  wire [11:0] root = base_0 + 12'd2 * root_bits - turn - 12'd1 + at;
+  wire [5:0] below = root_bits - 6'd1 - turn;
+  wire [11:0] remainder = base_0 + {5'd0, below, 1'b0} + at_12;
+  wire [11:0] root = base_0 + {5'd0, root_bits, 1'b0} - {6'd0, turn} - 12'd1 + at_12;
 
   // Fields.
-  wire one_step = number <= ENABLE_STORE || number == GLOBAL_OR || number == SKIP_IF_NONE;
-  wire two_fields = number >= FIELD_LT && number <= BIT_AND_NOT || number == ADD;
+  wire one_step = number <= ENABLE_STORE || number == GLOBAL_OR || number == SKIP_IF_NONE || number == SQUARES;
+  wire two_fields = (number >= FIELD_LT && number <= BIT_AND_NOT) || number == ADD;
   wire two_clocks = (two_fields || of_root) && MEMORY_READS == 1;
   wire latching = two_clocks && !pass;
-  wire [6:0] end_of_step = at + ALU_BITS;
-  wire ends_field = end_of_step >= width_0;
+  wire [6:0] end_of_step = at_7 + ALU[6:0];
+  wire ends_field = end_of_step >= {1'b0, width_0};
+  /* verilator lint_off UNUSEDSIGNAL */
   wire [31:0] constant = command[24 +: 32] >> at;
 
   reg [1:0] x_select;
@@ -88,6 +102,7 @@ module sequencer #(
   reg [11:0] address_x;
   reg [11:0] address_y;
   reg [11:0] address_w;
+  /* verilator lint_on UNUSEDSIGNAL */
 
   // The fields and s of `add`, where a place has a bit of them.
   wire [ALU_BITS-1:0] in_target;
@@ -95,8 +110,9 @@ module sequencer #(
   genvar i;
   generate
     for (i = 0; i < ALU_BITS; i = i + 1) begin : place_of
-      assign in_target[i] = {1'b0, at} + i < {1'b0, width_0};
-      assign in_second[i] = {1'b0, at} + i < {1'b0, width_1};
+      localparam [31:0] PLACE = i;
+      assign in_target[i] = at_7 + PLACE[6:0] < {1'b0, width_0};
+      assign in_second[i] = at_7 + PLACE[6:0] < {1'b0, width_1};
     end
   endgenerate
 
@@ -104,8 +120,8 @@ module sequencer #(
   task meet(input [11:0] base_x, input [11:0] base_y);
     begin
       x_select = two_clocks && pass ? X_LATCH : X_MEMORY;
-      address_x = base_x + at;
-      address_y = base_y + at;
+      address_x = base_x + at_12;
+      address_y = base_y + at_12;
       y_zero = 1'b0;
     end
   endtask
@@ -134,7 +150,7 @@ module sequencer #(
           y_invert = 1'b0;
         end
       end
-      address_y = base_0 + place;
+      address_y = base_0 + {6'd0, place};
     end
   endtask
 
@@ -146,10 +162,11 @@ module sequencer #(
     {set_enable, and_enable, set_carry, select, question, x_by_flag, set_flag} = 7'b0000000;
     x_zero = {ALU_BITS{1'b0}};
     x_invert = {ALU_BITS{1'b0}};
-    active = {{(ALU_BITS-1){1'b0}}, 1'b1};
-    address_x = base_0 + at;
-    address_y = base_0 + at;
-    address_w = base_0 + at;
+    active = {ALU_BITS{1'b0}};
+    active[0] = 1'b1;
+    address_x = base_0 + at_12;
+    address_y = base_0 + at_12;
+    address_w = base_0 + at_12;
     if (!stream && !one_step && !takes_root) active = in_target;
 
     case (number)
@@ -201,13 +218,13 @@ module sequencer #(
         {set_enable, and_enable} = {2{whole}};
         y_zero = !in_field;
         carry_in = CARRY_ONE;
-        address_y = base_0 + place;
+        address_y = base_0 + {6'd0, place};
       end
       LOAD_LINEAR: begin  // a 1 beyond the field does not fit, nor does a sign
         write = in_field;
         {set_enable, and_enable} = {2{whole && !in_field}};
         x_invert[0] = whole && !in_field;
-        address_w = base_0 + place;
+        address_w = base_0 + {6'd0, place};
       end
       KEEP_MAX, KEEP_MIN: begin
         if (!pass) begin
@@ -223,7 +240,7 @@ module sequencer #(
             carry_in = CARRY_KEPT;
           end
         end
-        address_w = base_0 + place;
+        address_w = base_0 + {6'd0, place};
       end
 
       LINEAR_PLUS, LINEAR_MINUS: begin
@@ -233,8 +250,8 @@ module sequencer #(
         y_invert = number == LINEAR_MINUS;
         carry_in = !begins_field ? CARRY_KEPT
                    : number == LINEAR_MINUS && !`FAULT(`FAULT_DIFFERENCE) ? CARRY_ONE : CARRY_ZERO;
-        address_y = base_0 + place;
-        address_w = base_0 + place;
+        address_y = base_0 + {6'd0, place};
+        address_w = base_0 + {6'd0, place};
       end
       ROOT: begin
         x_select = of_root && (latching || MEMORY_READS > 1) ? X_MEMORY : X_LATCH;
@@ -245,8 +262,8 @@ module sequencer #(
         y_zero = ends_turn && turn == 0;  // its bit is not one of the number
         y_invert = ends_turn;
         x_zero[0] = !of_root;
-        x_invert[0] = at < 2 || ends_turn && turn == 0;
-        x_by_flag = of_root || ends_turn && turn != 0;
+        x_invert[0] = at < 2 || (ends_turn && turn == 0);
+        x_by_flag = of_root || (ends_turn && turn != 0);
         carry_in = at == 0 ? CARRY_ZERO : CARRY_KEPT;
         set_carry = !ends_turn;
         set_flag = ends_turn;
@@ -263,12 +280,12 @@ module sequencer #(
       end
       COPY: begin
         write = 1'b1;
-        address_x = base_1 + at;
+        address_x = base_1 + at_12;
       end
       BIT_NOT: begin
         write = 1'b1;
         x_invert = {ALU_BITS{1'b1}};
-        address_x = base_1 + at;
+        address_x = base_1 + at_12;
       end
       FIELD_LT, FIELD_LE: begin
         meet(base_0, base_1);
@@ -347,6 +364,9 @@ module sequencer #(
     a = stream && command[at_a];
     b = stream && command[at_b];
     c = stream && command[at_c];
+    xx = DEGREE > 1 && stream && squares[{2'd0, at}];
+    xy = DEGREE > 1 && stream && squares[at_xy];
+    yy = DEGREE > 1 && stream && squares[at_yy];
     last = one_step ||
            (stream ? sign && (!twice || pass) : takes_root ? ends_root : ends_field && !latching);
     next_at = stream ? (sign ? 6'd0 : at + 6'd1)
@@ -354,211 +374,5 @@ module sequencer #(
               : takes_root ? (ends_turn ? 6'd0 : at + 6'd1) : end_of_step[5:0];
     next_turn = ends_turn && takes_root ? turn + 6'd1 : turn;
     next_pass = stream ? pass | sign : latching;
-  end
-endmodule
-
-// The words that make memory and registers 0: so many clocks, over which the memory's bits are spread evenly
-// (hw/pixel_planes/clear_step.h has in which of them a bit becomes 0).
-module clearer #(
-  parameter MEMORY_BITS = 72,
-  parameter CLOCKS = 1,
-  parameter ADDRESS = 7
-) (
-  input wire clk,
-  input wire reset,
-  input wire [3:0] fault,
-  input wire begins,
-  input wire goes_on,
-  output wire [ADDRESS-1:0] address,
-  output wire [ADDRESS:0] count,
-  output wire last
-);
-  localparam EACH = MEMORY_BITS / CLOCKS;
-  localparam OVER = MEMORY_BITS % CLOCKS;
-  localparam STEPS = $clog2(CLOCKS + 1) + 1;
-  reg [STEPS-1:0] step;
-  reg [STEPS-1:0] rest;  // of the bits times the clocks that have gone by, over CLOCKS
-  reg [ADDRESS:0] done;
-
-  wire [STEPS-1:0] this_step = begins ? 0 : step;
-  wire [STEPS:0] this_rest = (begins ? 0 : rest) + OVER;
-  wire carry = this_rest >= CLOCKS;
-  wire [ADDRESS:0] from = begins ? 0 : done;
-  wire [ADDRESS:0] bits = EACH + carry;
-  assign last = this_step == CLOCKS - 1;
-  assign address = from[ADDRESS-1:0];
-  assign count = bits - (last & `FAULT(`FAULT_CLEAR));
-
-  always @(posedge clk) begin
-    if (reset) begin
-      step <= 0;
-      rest <= 0;
-      done <= 0;
-    end else if (begins | goes_on) begin
-      step <= this_step + 1;
-      rest <= carry ? this_rest - CLOCKS : this_rest;
-      done <= from + bits;
-    end
-  end
-endmodule
-
-module controller #(
-  parameter MEMORY_BITS = 72,
-  parameter MEMORY_READS = 1,
-  parameter ALU_BITS = 1,
-  parameter LINK = 32,
-  parameter LATENCY = 6,       // of the trees
-  parameter CLEAR_CLOCKS = 1,  // 1 at least
-  parameter ADDRESS = 7,
-  parameter SIDE = 5
-) (
-  input wire clk,
-  input wire reset,
-  input wire [3:0] fault,
-
-  input wire frame,                        // the host has one
-  output reg request,                      // of the words from an instruction on
-  output reg [31:0] request_from,
-  input wire [LINK-1:0] word,
-  input wire word_valid,
-  output wire take_word,
-  output wire drop_words,
-
-  output reg first,                        // the wires to the trees
-  output reg a,
-  output reg b,
-  output reg c,
-  output reg [CONTROL_BITS-1:0] control,   // and to the pixels
-  input wire answer_valid,
-  input wire answer,
-
-  output reg told,                         // the host of an answer
-  output reg told_any,
-  output reg done,                         // with the frame
-  output reg [31:0] clocks                 // of the frame, until it was done
-);
-`include "command.vh"
-`include "control_word.vh"
-
-  localparam IDLE = 3'd0, READY = 3'd1, ISSUING = 3'd2, CLEARING = 3'd3, ANSWERING = 3'd4, DRAINING = 3'd5;
-  reg [2:0] state;
-  reg [COMMAND_BITS-1:0] current;  // that is being carried out
-  reg [5:0] at;
-  reg pass;
-  reg [5:0] turn;
-  reg [31:0] next_instruction;
-  reg drop_again;
-  reg [7:0] drained;
-
-  wire whole;
-  wire [COMMAND_BITS-1:0] received;
-
-  // What an answer does in the clock in which it is there.
-  wire answered = state == ANSWERING && answer_valid;
-  wire asks_skip = current[5:0] == SKIP_IF_NONE;
-  wire jump = answered && asks_skip && !answer;
-  assign drop_words = jump | drop_again;
-
-  // A command begins at an edge at which nothing else has the control wires.
-  wire free = state == READY || (answered && !jump);
-  wire take = free && whole;
-  wire [5:0] number = received[5:0];
-  wire begins_instruction = take && number <= ROOT;
-  wire begins_clear = take && number == SEGMENT;
-  wire begins_drain = take && number == FRAME_END;
-
-  receiver #(.LINK(LINK)) in (
-    .clk(clk), .reset(reset), .drop(drop_words), .word(word), .word_valid(word_valid), .take_word(take_word),
-    .whole(whole), .command(received), .take(take));
-
-  wire [CONTROL_BITS-1:0] step_control;
-  wire step_first, step_a, step_b, step_c, step_last, step_next_pass;
-  wire [5:0] step_next_at;
-  wire [5:0] step_next_turn;
-  wire [COMMAND_BITS-1:0] command = begins_instruction ? received : current;
-  sequencer #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)) steps (
-    .fault(fault), .command(command), .at(begins_instruction ? 6'd0 : at), .pass(begins_instruction ? 1'b0 : pass),
-    .turn(begins_instruction ? 6'd0 : turn),
-    .control(step_control), .first(step_first), .a(step_a), .b(step_b), .c(step_c), .next_at(step_next_at),
-    .next_pass(step_next_pass), .next_turn(step_next_turn), .last(step_last));
-
-  wire [ADDRESS-1:0] clear_address;
-  wire [ADDRESS:0] clear_count;
-  wire clear_last;
-  clearer #(.MEMORY_BITS(MEMORY_BITS), .CLOCKS(CLEAR_CLOCKS), .ADDRESS(ADDRESS)) clears (
-    .clk(clk), .reset(reset), .fault(fault), .begins(begins_clear), .goes_on(state == CLEARING),
-    .address(clear_address), .count(clear_count), .last(clear_last));
-  wire [COMMAND_BITS-1:0] segment = begins_clear ? received : current;
-
-  wire issues = begins_instruction || state == ISSUING;
-  wire is_clearing = begins_clear || state == CLEARING;
-  wire asks = command[5:0] == GLOBAL_OR || command[5:0] == SKIP_IF_NONE;
-
-  always @(posedge clk) begin
-    request <= 1'b0;
-    told <= 1'b0;
-    done <= 1'b0;
-    drop_again <= jump;
-    control <= {CONTROL_BITS{1'b0}};
-    {first, a, b, c} <= 4'b0000;
-    if (state != IDLE) clocks <= clocks + 1;
-
-    if (take) current <= received;
-    if (begins_instruction) next_instruction <= next_instruction + 1;
-
-    if (answered) begin
-      state <= READY;
-      told <= ~asks_skip;
-      told_any <= answer;
-    end
-    if (jump) begin
-      request <= 1'b1;
-      request_from <= next_instruction + current[6 +: 32] + `FAULT(`FAULT_SKIP);
-      next_instruction <= next_instruction + current[6 +: 32];
-    end
-
-    if (issues) begin
-      control <= step_control;
-      {first, a, b, c} <= {step_first, step_a, step_b, step_c};
-      at <= step_next_at;
-      pass <= step_next_pass;
-      turn <= step_next_turn;
-      state <= !step_last ? ISSUING : asks ? ANSWERING : READY;
-    end
-    if (is_clearing) begin
-      control[CW_CLEAR] <= 1'b1;
-      control[CW_W +: ADDRESS] <= clear_address;
-      control[CW_COUNT +: ADDRESS + 1] <= clear_count;
-      control[CW_COLUMNS +: SIDE] <= segment[6 + 32 +: SIDE];
-      control[CW_ROWS +: SIDE] <= segment[6 + 48 +: SIDE];
-      state <= clear_last ? READY : CLEARING;
-    end
-
-    // The frame is done when its last step has been carried out, LATENCY clocks after the edge at which this command
-    // begins.
-    if (begins_drain || state == DRAINING) begin
-      drained <= (begins_drain ? 0 : drained) + 1;
-      state <= DRAINING;
-      if ((begins_drain ? 0 : drained) == LATENCY) begin
-        state <= IDLE;
-        done <= 1'b1;
-      end
-    end
-
-    if (state == IDLE && frame) begin
-      request <= 1'b1;
-      request_from <= 0;
-      next_instruction <= 0;
-      clocks <= 0;
-      state <= READY;
-    end
-
-    if (reset) begin
-      state <= IDLE;
-      request <= 1'b0;
-      drop_again <= 1'b0;
-      control <= {CONTROL_BITS{1'b0}};
-      clocks <= 0;
-    end
   end
 endmodule

@@ -1,0 +1,35 @@
+// The OR of the enable bits of all pixels: gates of FAN_IN inputs with a register behind each, level below level, so
+// that what was asked is answered a clock a level later (docs/machines/pixel-planes-4.md, "Global OR"). With FAN_IN 0
+// one gate has all, and settles within the clock.
+module global_or #(
+  parameter LINES = 64,
+  parameter FAN_IN = 64
+) (
+  /* verilator lint_off UNUSEDSIGNAL */
+  input wire clk,
+  input wire reset,
+  /* verilator lint_on UNUSEDSIGNAL */
+  input wire [LINES-1:0] lines,
+  input wire asked,
+  output wire valid,
+  output wire any
+);
+  localparam GATES = FAN_IN == 0 ? 1 : (LINES + FAN_IN - 1) / FAN_IN;
+  genvar i;
+  generate
+    if (FAN_IN == 0 || LINES == 1) begin : wire_or
+      assign valid = asked;
+      assign any = |lines;
+    end else begin : level
+      reg [GATES-1:0] gates;
+      reg asked_here;
+      always @(posedge clk) asked_here <= asked & ~reset;
+      for (i = 0; i < GATES; i = i + 1) begin : gate
+        localparam INPUTS = (i + 1) * FAN_IN > LINES ? LINES - i * FAN_IN : FAN_IN;
+        always @(posedge clk) gates[i] <= |lines[i*FAN_IN +: INPUTS];
+      end
+      global_or #(.LINES(GATES), .FAN_IN(FAN_IN)) next (
+        .clk(clk), .reset(reset), .lines(gates), .asked(asked_here), .valid(valid), .any(any));
+    end
+  endgenerate
+endmodule

@@ -1,0 +1,25 @@
+// Where the streams in a multiplier tree of LEVELS levels begin: at level k (the root is level 0) k clocks after the
+// root; the last are the leaves. MORE clocks are told besides, so that who takes a window of them knows how long ago a
+// stream began: that at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
+module tree_levels #(
+  parameter LEVELS = 3,
+  parameter MORE = 0
+) (
+  input wire clk,
+  input wire reset,
+  input wire first,                     // a stream's first bit is at the root
+  output wire [LEVELS+MORE:0] begins
+);
+  generate
+    if (LEVELS + MORE == 0) begin : none
+      assign begins = first;
+      /* verilator lint_off UNUSEDSIGNAL */
+      wire unused = clk | reset;
+      /* verilator lint_on UNUSEDSIGNAL */
+    end else begin : some
+      reg [LEVELS+MORE:1] passed;
+      assign begins = {passed, first};
+      always @(posedge clk) passed <= reset ? {(LEVELS+MORE){1'b0}} : begins[LEVELS+MORE-1:0];
+    end
+  endgenerate
+endmodule
