@@ -1,0 +1,129 @@
+// Draws the Program's frame several times, writes the picture that is scanned out as PPM, and tells clocks. Of plusargs:
+//   +picture=FILE  where the last picture goes
+//   +frames=N      pictures, 2 if not given; the frame's interval needs two
+//   +trace=FILE    the clock of the frame in which each instruction begins, a line each, of the first frame
+//   +wave=FILE     all wires as VCD
+module testbench;
+  localparam WIDTH = @WIDTH@;
+  localparam HEIGHT = @HEIGHT@;
+  localparam SCAN_PIXELS = @SCAN_PIXELS@;
+  localparam VIDEO_BITS = @VIDEO_BITS@;  // of a pixel on the wires
+  localparam RED = @RED_BITS@, GREEN = @GREEN_BITS@, BLUE = @BLUE_BITS@;  // bits of a colour, red the highest
+  localparam [31:0] MOST_CLOCKS = 32'd2_000_000_000;
+
+  reg clk;
+  reg reset;
+  reg frame;
+  wire request;
+  wire [31:0] request_from;
+  wire told, told_any, done;
+  wire [31:0] clocks;
+  wire video_valid, video_row, video_frame, shown;
+  wire [SCAN_PIXELS*VIDEO_BITS-1:0] video;
+
+  design dut (
+    .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from), .told(told),
+    .told_any(told_any), .done(done), .clocks(clocks), .video_valid(video_valid), .video_row(video_row),
+    .video_frame(video_frame), .video(video), .shown(shown));
+
+  reg [8*256-1:0] name;
+  reg [31:0] now;
+  reg [31:0] frames, begun, drawn, finished;
+  reg [31:0] began, showing_since;  // edges: of the frame being drawn, and of that being shown
+  reg [31:0] refreshed;             // words since the frame began
+  reg [31:0] instruction;
+  reg [31:0] pixel;
+  reg tracing;
+  reg [23:0] picture [0:WIDTH*HEIGHT-1];
+  integer file, trace, i;
+
+  // Of a channel of so many bits, 0 to 255, rounded to nearest.
+  function [7:0] level(input [23:0] channel, input integer bits);
+    integer top;
+    integer scaled;
+    begin
+      top = (1 << bits) - 1;
+      scaled = top == 0 ? 0 : ({8'd0, channel} * 255 + top / 2) / top;
+      level = scaled[7:0];
+    end
+  endfunction
+
+  function [23:0] colour(input [VIDEO_BITS-1:0] packed_colour);
+    reg [23:0] bits;
+    begin
+      bits = {{(24 - RED - GREEN - BLUE){1'b0}}, packed_colour[RED+GREEN+BLUE-1:0]};
+      colour[23:16] = level(bits >> (GREEN + BLUE), RED);
+      colour[15:8] = level((bits >> BLUE) & ((24'd1 << GREEN) - 24'd1), GREEN);
+      colour[7:0] = level(bits & ((24'd1 << BLUE) - 24'd1), BLUE);
+    end
+  endfunction
+
+  task write_picture;
+    begin
+      if (!$value$plusargs("picture=%s", name)) name = "picture.ppm";
+      file = $fopen(name, "wb");
+      $fwrite(file, "P6\n%0d %0d\n255\n", WIDTH, HEIGHT);
+      for (i = 0; i < WIDTH * HEIGHT; i = i + 1)
+        $fwrite(file, "%c%c%c", picture[i][23:16], picture[i][15:8], picture[i][7:0]);
+      $fclose(file);
+    end
+  endtask
+
+  initial begin
+    clk = 1'b0;
+    reset = 1'b1;
+    frame = 1'b0;
+    now = 0;
+    begun = 0;
+    drawn = 0;
+    finished = 0;
+    began = 0;
+    showing_since = 0;
+    refreshed = 0;
+    instruction = 0;
+    pixel = 0;
+    if (!$value$plusargs("frames=%d", frames)) frames = 2;
+    tracing = 1'b0;
+    if ($value$plusargs("trace=%s", name)) begin
+      trace = $fopen(name, "w");
+      tracing = 1'b1;
+    end
+    if ($value$plusargs("wave=%s", name)) begin
+      $dumpfile(name);
+      $dumpvars(0, testbench);
+    end
+    while (finished != frames && now != MOST_CLOCKS) begin
+      #5 clk = 1'b1;
+      #5 clk = 1'b0;
+    end
+    if (finished == frames) write_picture;
+    else $display("testbench: no picture after %0d clocks", now);
+    $finish;
+  end
+
+  // What was on the wires before the edge.
+  always @(posedge clk) begin
+    now <= now + 1;
+    reset <= now < 2;
+    frame <= now > 2 && begun + (begins_frame ? 1 : 0) < frames;
+    if (begins_frame) begin
+      if (begun != 0) $display("frame %0d: next after %0d clocks", begun - 1, now - began);
+      began <= now;
+      begun <= begun + 1;
+      instruction <= 0;
+    end
+    if (done) $display("frame %0d: drawn after %0d clocks", drawn, clocks);
+    if (done) drawn <= drawn + 1;
+    if (shown) begin
+      $display("frame %0d: shown after %0d clocks, with %0d refresh words", finished, now - showing_since, refreshed);
+      finished <= finished + 1;
+    end
+    if (video_valid) begin
+      for (i = 0; i < SCAN_PIXELS; i = i + 1)
+        if ((video_frame ? 0 : pixel) + i < WIDTH * HEIGHT)
+          picture[(video_frame ? 0 : pixel) + i] <= colour(video[i*VIDEO_BITS +: VIDEO_BITS]);
+      pixel <= (video_frame ? 0 : pixel) + SCAN_PIXELS;
+    end
+  end
+  wire begins_frame = request && request_from == 0;
+endmodule
