@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "hw/base/error.h"
+#include "hw/isa/colour_format.h"
+#include "hw/isa/opcodes.h"
 #include "hw/machines/kind.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/kind.h"
@@ -21,7 +23,8 @@ void refuse_other_kind(const machines::Machine& machine) {
 
 void refuse_above_one(const machines::Machine& machine, std::string_view figure, std::uint32_t value) {
   if (value == 1) return;
-  throw InputError(fmt::format("{}: {} is {}, and the Verilog has 1; add --set {}=1", machine.name, figure, value, figure));
+  throw InputError(
+      fmt::format("{}: {} is {}, and the Verilog has 1; add --set {}=1", machine.name, figure, value, figure));
 }
 
 bool takes_root(const isa::Program& program) {
@@ -58,6 +61,7 @@ std::vector<Parameter> parameters_of(const machines::Machine& machine, const isa
       {"SCAN_PIXELS", std::min(own.scan_out_pixels, machine.array.width), "scan_out.pixels"},
       {"SCAN_SHARED", is_shared ? 1U : 0U, "scan_out.port"},
       {"BUFFERS", own.scan_out_buffers, "scan_out.buffers"},
+      {"COLOUR_BITS", program != nullptr ? program->colour.width : isa::most_colour_bits, ""},
       {"CHIP", std::min(pixels, most_chip_pixels), ""},
   };
 }

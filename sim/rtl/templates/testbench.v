@@ -1,7 +1,7 @@
 // Draws the Program's frame several times, writes the picture that is scanned out as PPM, and tells clocks. Of plusargs:
 //   +picture=FILE  where the last picture goes
 //   +frames=N      pictures, 2 if not given; the frame's interval needs two
-//   +trace=FILE    the clock of the frame in which each instruction begins, a line each, of the first frame
+//   +trace=FILE    of the first frame, the clock in which the controller sends the first step of each instruction
 //   +wave=FILE     all wires as VCD
 module testbench;
   localparam WIDTH = @WIDTH@;
@@ -21,18 +21,29 @@ module testbench;
   wire video_valid, video_row, video_frame, shown;
   wire [SCAN_PIXELS*VIDEO_BITS-1:0] video;
 
-  design dut (
+  system dut (
     .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from), .told(told),
     .told_any(told_any), .done(done), .clocks(clocks), .video_valid(video_valid), .video_row(video_row),
     .video_frame(video_frame), .video(video), .shown(shown));
+
+  // Refresh words that the controller sends for the scan-out, and what it spends its clocks on.
+  wire refreshes = dut.machine.refresh & dut.machine.take_refresh;
+  wire begins_frame = request && request_from == 0;
+  wire [31:0] issuing, clearing, starved, answering, jumping, refreshing, holding, copying, draining, waits;
+  counters account (
+    .clk(clk), .reset(reset), .begins(begins_frame), .spent(dut.machine.spent),
+    .refresh_waits(dut.machine.refresh_waits), .issuing(issuing), .clearing(clearing), .starved(starved),
+    .answering(answering), .jumping(jumping), .refreshing(refreshing), .holding(holding), .copying(copying),
+    .draining(draining), .waits(waits));
 
   reg [8*256-1:0] name;
   reg [31:0] now;
   reg [31:0] frames, begun, drawn, finished;
   reg [31:0] began, showing_since;  // edges: of the frame being drawn, and of that being shown
-  reg [31:0] refreshed;             // words since the frame began
-  reg [31:0] instruction;
-  reg [31:0] pixel;
+  reg [31:0] refreshed;             // words since the frame was drawn
+  reg [31:0] column, row;           // of the pixel to be shown next
+  wire [31:0] column_here = video_row ? 0 : column;
+  wire [31:0] row_here = video_frame ? 0 : video_row ? row + 1 : row;
   reg tracing;
   reg [23:0] picture [0:WIDTH*HEIGHT-1];
   integer file, trace, i;
@@ -40,7 +51,9 @@ module testbench;
   // Of a channel of so many bits, 0 to 255, rounded to nearest.
   function [7:0] level(input [23:0] channel, input integer bits);
     integer top;
+    /* verilator lint_off UNUSEDSIGNAL */
     integer scaled;
+    /* verilator lint_on UNUSEDSIGNAL */
     begin
       top = (1 << bits) - 1;
       scaled = top == 0 ? 0 : ({8'd0, channel} * 255 + top / 2) / top;
@@ -80,8 +93,8 @@ module testbench;
     began = 0;
     showing_since = 0;
     refreshed = 0;
-    instruction = 0;
-    pixel = 0;
+    column = 0;
+    row = 0;
     if (!$value$plusargs("frames=%d", frames)) frames = 2;
     tracing = 1'b0;
     if ($value$plusargs("trace=%s", name)) begin
@@ -110,20 +123,29 @@ module testbench;
       if (begun != 0) $display("frame %0d: next after %0d clocks", begun - 1, now - began);
       began <= now;
       begun <= begun + 1;
-      instruction <= 0;
     end
-    if (done) $display("frame %0d: drawn after %0d clocks", drawn, clocks);
-    if (done) drawn <= drawn + 1;
+    if (done) begin
+      $display("frame %0d: drawn after %0d clocks", drawn, clocks);
+      $display("frame %0d: issuing %0d, clearing %0d, starved %0d, answering %0d, jumping %0d, draining %0d", drawn,
+               issuing, clearing, starved, answering, jumping, draining);
+      $display("frame %0d: refreshing %0d, refresh_waits %0d, holding %0d, copying %0d", drawn, refreshing, waits,
+               holding, copying);
+      drawn <= drawn + 1;
+      showing_since <= began;
+      refreshed <= 0;
+    end else if (refreshes) refreshed <= refreshed + 1;
     if (shown) begin
       $display("frame %0d: shown after %0d clocks, with %0d refresh words", finished, now - showing_since, refreshed);
       finished <= finished + 1;
     end
+    if (told) $display("frame %0d: an enabled pixel: %b", begun - 1, told_any);
+    if (tracing && begun == 1 && dut.machine.sequence_controller.begins_instruction)
+      $fwrite(trace, "%0d\n", now - began + 1);
     if (video_valid) begin
       for (i = 0; i < SCAN_PIXELS; i = i + 1)
-        if ((video_frame ? 0 : pixel) + i < WIDTH * HEIGHT)
-          picture[(video_frame ? 0 : pixel) + i] <= colour(video[i*VIDEO_BITS +: VIDEO_BITS]);
-      pixel <= (video_frame ? 0 : pixel) + SCAN_PIXELS;
+        if (column_here + i < WIDTH) picture[row_here * WIDTH + column_here + i] <= colour(video[i*VIDEO_BITS +: VIDEO_BITS]);
+      column <= column_here + SCAN_PIXELS;
+      row <= row_here;
     end
   end
-  wire begins_frame = request && request_from == 0;
 endmodule
