@@ -1,35 +1,43 @@
+// The words that make memory and registers 0: CLOCKS of them, over which the memory's bits are spread evenly
+// (hw/pixel_planes/clear_step.h: in word k, from 0, those from k * MEMORY_BITS / CLOCKS to before the next word's).
 `include "faults.vh"
 
-// The words that make memory and registers 0: so many clocks, over which the memory's bits are spread evenly
-// (hw/pixel_planes/clear_step.h has in which of them a bit becomes 0).
 module clearer #(
   parameter MEMORY_BITS = 72,
-  parameter CLOCKS = 1,
+  parameter CLOCKS = 1,        // 1 at least
   parameter ADDRESS = 7
 ) (
   input wire clk,
   input wire reset,
-  input wire begins,
-  input wire goes_on,
+  input wire begins,                // a word goes out at this edge, the first
+  input wire goes_on,               // or another
+  input wire [ADDRESS:0] limit,     // bits from this on stay
   output wire [ADDRESS-1:0] address,
   output wire [ADDRESS:0] count,
   output wire last
 );
-  localparam EACH = MEMORY_BITS / CLOCKS;
-  localparam OVER = MEMORY_BITS % CLOCKS;
+  localparam [31:0] EACH = MEMORY_BITS / CLOCKS;
+  localparam [31:0] OVER = MEMORY_BITS % CLOCKS;
+  localparam [31:0] WORDS = CLOCKS;
+  localparam [31:0] END = CLOCKS - 1;
   localparam STEPS = $clog2(CLOCKS + 1) + 1;
   reg [STEPS-1:0] step;
   reg [STEPS-1:0] rest;  // of the bits times the clocks that have gone by, over CLOCKS
   reg [ADDRESS:0] done;
 
   wire [STEPS-1:0] this_step = begins ? 0 : step;
-  wire [STEPS:0] this_rest = (begins ? 0 : rest) + OVER;
-  wire carry = this_rest >= CLOCKS;
+  wire [STEPS-1:0] this_rest = (begins ? 0 : rest) + OVER[STEPS-1:0];
+  wire carry = this_rest >= WORDS[STEPS-1:0];
   wire [ADDRESS:0] from = begins ? 0 : done;
-  wire [ADDRESS:0] bits = EACH + carry;
-  assign last = this_step == CLOCKS - 1;
-  assign address = from[ADDRESS-1:0];
-  assign count = bits - (last & `FAULT(`FAULT_CLEAR));
+  wire [ADDRESS:0] up_to = from + EACH[ADDRESS:0] + (carry ? 1 : 0);
+  assign last = this_step == END[STEPS-1:0];
+
+  /* verilator lint_off UNUSEDSIGNAL */
+  wire [ADDRESS:0] from_here = from < limit ? from : limit;
+  /* verilator lint_on UNUSEDSIGNAL */
+  wire [ADDRESS:0] to_here = up_to < limit ? up_to : limit;
+  assign address = from_here[ADDRESS-1:0];
+  assign count = to_here - from_here - (last & `FAULT(`FAULT_CLEAR) ? 1 : 0);
 
   always @(posedge clk) begin
     if (reset) begin
@@ -38,8 +46,8 @@ module clearer #(
       done <= 0;
     end else if (begins | goes_on) begin
       step <= this_step + 1;
-      rest <= carry ? this_rest - CLOCKS : this_rest;
-      done <= from + bits;
+      rest <= carry ? this_rest - WORDS[STEPS-1:0] : this_rest;
+      done <= up_to;
     end
   end
 endmodule

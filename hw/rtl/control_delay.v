@@ -1,21 +1,16 @@
-// A wire with so many registers.
-module delay #(
-  parameter LENGTH = 0,
-  parameter BITS = 1
+// The control word of each clock on its way to the pixels, where it meets the bits of F that entered the trees with it:
+// LATENCY registers, 1 at least, one for each level of the trees (thesis 7.2.1). A clock before, `early` has the word, so that what decodes
+// addresses of memory has them in registers of its own when the word is there.
+module control_delay #(
+  parameter LATENCY = 6,
+  parameter BITS = 64
 ) (
   input wire clk,
   input wire reset,
   input wire [BITS-1:0] in,
+  output wire [BITS-1:0] early,
   output wire [BITS-1:0] out
 );
-  generate
-    if (LENGTH == 0) begin : none
-      assign out = in;
-    end else begin : some
-      reg [LENGTH*BITS-1:0] line;
-      assign out = line[(LENGTH-1)*BITS +: BITS];
-      if (LENGTH == 1) always @(posedge clk) line <= reset ? {BITS{1'b0}} : in;
-      else always @(posedge clk) line <= reset ? {(LENGTH*BITS){1'b0}} : {line[(LENGTH-1)*BITS-1:0], in};
-    end
-  endgenerate
+  delay #(.LENGTH(LATENCY - 1), .BITS(BITS)) way (.clk(clk), .reset(reset), .in(in), .out(early));
+  delay #(.LENGTH(1), .BITS(BITS)) at_pixels (.clk(clk), .reset(reset), .in(early), .out(out));
 endmodule

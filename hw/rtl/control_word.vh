@@ -5,6 +5,7 @@
 // can be performed in the ALU by a one-bit adder"). At each place it adds p, q and a carry, where p is operand x, blanked
 // and inverted a place, and q is operand y, blanked and inverted as a whole.
 
+/* verilator lint_off UNUSEDPARAM */
 localparam CW_X_SELECT = 0;                                // 2: operand x, see X_...
 localparam CW_Y_ENABLE = CW_X_SELECT + 2;                  // 1: operand y is E; else it is read from memory
 localparam CW_Y_ZERO = CW_Y_ENABLE + 1;                    // 1: and is blanked
@@ -35,7 +36,9 @@ localparam CW_COLUMNS = CW_COUNT + ADDRESS + 1;            // of a clear: pixels
 localparam CW_ROWS = CW_COLUMNS + SIDE;                    // or below these take no part
 localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0: a root subtracts there
 localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G becomes the result, inverted
-localparam CONTROL_BITS = CW_SET_FLAG + 1;
+localparam CW_REFRESH = CW_SET_FLAG + 1;                   // 1: the scan-out latches the bit at x, of the row in CW_ROWS
+localparam CONTROL_BITS = CW_REFRESH + 1;
 
 localparam X_TREE = 2'd0, X_LATCH = 2'd1, X_MEMORY = 2'd2, X_ENABLE = 2'd3;
 localparam CARRY_ZERO = 2'd0, CARRY_ONE = 2'd1, CARRY_KEPT = 2'd2;
+/* verilator lint_on UNUSEDPARAM */

@@ -1,29 +1,36 @@
-// What goes in at an edge can be taken at the next, and a place that becomes free can be filled at the next.
+// A FIFO of DEPTH words of BITS bits, as that of the link (docs/machines/pixel-planes-4.md, "Link"). What goes in at an
+// edge can be taken at the next, and a place that becomes free at an edge can be filled at the next.
 module fifo #(
   parameter DEPTH = 16,
   parameter BITS = 32
 ) (
   input wire clk,
   input wire reset,
-  input wire drop,  // all that is in at this edge
+  input wire drop,            // all that is in before this edge
   input wire [BITS-1:0] in,
   input wire in_valid,
   output wire in_ready,
   output wire [BITS-1:0] out,
   output wire out_valid,
-  input wire take
+  input wire take             // out; only where it is valid
 );
   localparam PLACE = DEPTH > 1 ? $clog2(DEPTH) : 1;
   localparam COUNT = $clog2(DEPTH + 1);
+  localparam [31:0] FULL = DEPTH;
+  localparam [31:0] END = DEPTH - 1;
   reg [BITS-1:0] words [0:DEPTH-1];
   reg [PLACE-1:0] first;
   reg [PLACE-1:0] last;
   reg [COUNT-1:0] count;
 
-  assign in_ready = count != DEPTH;
+  assign in_ready = count != FULL[COUNT-1:0];
   assign out_valid = count != 0;
   assign out = words[first];
   wire push = in_valid & in_ready;
+  wire [COUNT-1:0] one = 1;
+  wire [PLACE-1:0] next = 1;
+
+  always @(posedge clk) if (push) words[last] <= in;
 
   always @(posedge clk) begin
     if (reset) begin
@@ -31,17 +38,12 @@ module fifo #(
       last <= 0;
       count <= 0;
     end else begin
-      if (push) begin
-        words[last] <= in;
-        last <= last == DEPTH - 1 ? 0 : last + 1;
-      end
-      if (drop) begin
-        first <= last;
-        count <= push;
-      end else begin
-        if (take) first <= first == DEPTH - 1 ? 0 : first + 1;
-        count <= count + push - take;
-      end
+      if (push) last <= last == END[PLACE-1:0] ? 0 : last + next;
+      if (drop) first <= last;
+      else if (take) first <= first == END[PLACE-1:0] ? 0 : first + next;
+      if (drop) count <= push ? one : 0;
+      else if (push & ~take) count <= count + one;
+      else if (take & ~push) count <= count - one;
     end
   end
 endmodule

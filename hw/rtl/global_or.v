@@ -1,17 +1,21 @@
-// The OR of all lines: gates of FAN_IN inputs (0: one that has all, within the clock) with a register behind each. What
-// was asked arrives a clock a level later.
+// The OR of the enable bits of all pixels: gates of FAN_IN inputs with a register behind each, level below level, so that
+// what was asked is answered a clock a level later (docs/machines/pixel-planes-4.md, "Global OR"). With FAN_IN 0 one gate has
+// all, and settles within the clock.
 module global_or #(
   parameter LINES = 64,
   parameter FAN_IN = 64
 ) (
+  /* verilator lint_off UNUSEDSIGNAL */
   input wire clk,
   input wire reset,
+  /* verilator lint_on UNUSEDSIGNAL */
   input wire [LINES-1:0] lines,
   input wire asked,
   output wire valid,
   output wire any
 );
   localparam GATES = FAN_IN == 0 ? 1 : (LINES + FAN_IN - 1) / FAN_IN;
+  genvar i;
   generate
     if (FAN_IN == 0 || LINES == 1) begin : wire_or
       assign valid = asked;
@@ -19,11 +23,10 @@ module global_or #(
     end else begin : level
       reg [GATES-1:0] gates;
       reg asked_here;
-      wire [GATES*FAN_IN-1:0] padded = lines;
-      integer i;
-      always @(posedge clk) begin
-        asked_here <= asked & ~reset;
-        for (i = 0; i < GATES; i = i + 1) gates[i] <= |padded[i*FAN_IN +: FAN_IN];
+      always @(posedge clk) asked_here <= asked & ~reset;
+      for (i = 0; i < GATES; i = i + 1) begin : gate
+        localparam INPUTS = (i + 1) * FAN_IN > LINES ? LINES - i * FAN_IN : FAN_IN;
+        always @(posedge clk) gates[i] <= |lines[i*FAN_IN +: INPUTS];
       end
       global_or #(.LINES(GATES), .FAN_IN(FAN_IN)) next (
         .clk(clk), .reset(reset), .lines(gates), .asked(asked_here), .valid(valid), .any(any));

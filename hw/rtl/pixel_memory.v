@@ -1,50 +1,129 @@
+// The memory of a chip's pixels, MEMORY_BITS at each (thesis 7.2.1): one or two ports to read and one to write, a port having
+// ALU_BITS adjacent bits; and with OWN_PORT another to read, one bit wide, for the scan-out. There are as many banks as the
+// ALU has places, or as bits are cleared in a clock, if these are more.
+//
+// Addresses come a clock early, before the control word is at the pixels, for the ports' registers.
 `include "faults.vh"
 
-// Memory with one or two ports to read, and one to write. A port has ALU_BITS adjacent bits, of which those beyond the
-// memory's end read as 0. `clear_line` is 1 for the bits that become 0 at every pixel.
 module pixel_memory #(
-  parameter PIXELS = 1,
+  parameter PIXELS = 64,
   parameter MEMORY_BITS = 72,
+  parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,
+  parameter BANKS = 1,
+  parameter OWN_PORT = 0,
   parameter ADDRESS = 7
 ) (
   input wire clk,
-  input wire reset,
-  input wire [ADDRESS-1:0] address_x,
-  input wire [ADDRESS-1:0] address_y,
-  input wire [ADDRESS-1:0] address_w,
-  input wire [MEMORY_BITS-1:0] clear_line,
-  input wire [PIXELS*ALU_BITS-1:0] written,
+  input wire [ADDRESS-1:0] early_x,
+  /* verilator lint_off UNUSEDSIGNAL */
+  input wire [ADDRESS-1:0] early_y,             // with two reads
+  input wire [ADDRESS-1:0] early_shown,         // with a port of its own
+  /* verilator lint_on UNUSEDSIGNAL */
+  input wire [ADDRESS-1:0] early_w,
+  input wire [ADDRESS:0] early_count,           // bits to clear from there on
+  input wire clear,                             // at every pixel; nothing else is written then
   input wire [ALU_BITS-1:0] write,              // those places
   input wire [PIXELS-1:0] may_write,            // at those pixels
+  input wire [PIXELS*ALU_BITS-1:0] written,
   output reg [PIXELS*ALU_BITS-1:0] read_x,
   output reg [PIXELS*ALU_BITS-1:0] read_y,
-  output reg [PIXELS*MEMORY_BITS-1:0] memory    // bit 0 of every pixel first
+  output reg [PIXELS-1:0] read_shown
 );
-  localparam [ADDRESS:0] END = MEMORY_BITS;
-  wire [ADDRESS:0] from_x = {1'b0, address_x};
-  wire [ADDRESS:0] from_y = {1'b0, address_y};
-  wire [ADDRESS:0] from_w = {1'b0, address_w};
-  wire [ADDRESS:0] end_w = `FAULT(`FAULT_MEMORY_WRITE) ? END - 1 : END;
+  localparam WORDS = (MEMORY_BITS + BANKS - 1) / BANKS;
+  localparam ROW = WORDS > 1 ? $clog2(WORDS) : 1;
+  localparam PORTS = MEMORY_READS + OWN_PORT;
+  localparam OWN = PORTS - 1;
+  localparam [31:0] NUMBER = BANKS;
+  localparam [31:0] TOP_WORD = (MEMORY_BITS - 1) / BANKS;
 
-  integer i;
+  wire [PORTS*BANKS*ROW-1:0] rows;  // by port
+  wire [BANKS*ROW-1:0] rows_w;
+  wire [ALU_BITS*BANKS-1:0] homes_x;
+  wire [ALU_BITS*BANKS-1:0] homes_w;
+  memory_port #(.ALU_BITS(ALU_BITS), .BANKS(BANKS), .ADDRESS(ADDRESS), .ROW(ROW)) port_x (
+    .clk(clk), .early(early_x), .rows(rows[0 +: BANKS*ROW]), .homes(homes_x));
+  memory_port #(.ALU_BITS(ALU_BITS), .BANKS(BANKS), .ADDRESS(ADDRESS), .ROW(ROW)) port_w (
+    .clk(clk), .early(early_w), .rows(rows_w), .homes(homes_w));
+
+  // Which banks a clear meets.
+  wire [ADDRESS:0] start = {1'b0, early_w} % NUMBER[ADDRESS:0];
+  reg [BANKS-1:0] cleared;
+  wire [PORTS*BANKS*PIXELS-1:0] delivered;  // by port, then by bank
+  genvar b, p;
+  generate
+    for (b = 0; b < BANKS; b = b + 1) begin : bank
+      localparam [31:0] HERE = b;
+      localparam [31:0] NEXT = b + BANKS;
+      wire [ADDRESS:0] distance = start > HERE[ADDRESS:0] ? NEXT[ADDRESS:0] - start : HERE[ADDRESS:0] - start;
+      always @(posedge clk) cleared[b] <= distance < early_count;
+
+      integer i;
+      reg [PIXELS-1:0] value;
+      reg any;
+      always @* begin
+        value = {PIXELS{1'b0}};
+        any = 1'b0;
+        for (i = 0; i < ALU_BITS; i = i + 1)
+          if (homes_w[i*BANKS + b]) begin
+            value = value | written[i*PIXELS +: PIXELS];
+            any = any | write[i];
+          end
+      end
+      wire [ROW-1:0] row = rows_w[b*ROW +: ROW];
+      wire held = `FAULT(`FAULT_MEMORY_WRITE) & ~clear & row == TOP_WORD[ROW-1:0] & b == (MEMORY_BITS - 1) % BANKS;
+      wire [PORTS*ROW-1:0] bank_rows;
+      wire [PORTS*PIXELS-1:0] read;
+      for (p = 0; p < PORTS; p = p + 1) begin : port
+        assign bank_rows[p*ROW +: ROW] = rows[(p*BANKS + b)*ROW +: ROW];
+        assign delivered[(p*BANKS + b)*PIXELS +: PIXELS] = read[p*PIXELS +: PIXELS];
+      end
+      memory_bank #(.PIXELS(PIXELS), .WORDS(WORDS), .ROW(ROW), .PORTS(PORTS)) cells (
+        .clk(clk), .rows(bank_rows), .read(read), .write(clear ? cleared[b] : any & ~held), .row(row),
+        .written(clear ? {PIXELS{1'b0}} : value), .mask(clear ? {PIXELS{1'b1}} : may_write));
+    end
+  endgenerate
+
+  // The ALU's places turn to the banks that they meet.
+  integer j, k;
   always @* begin
-    for (i = 0; i < ALU_BITS; i = i + 1) begin
-      read_x[i*PIXELS +: PIXELS] = from_x + i < END ? memory[(from_x + i)*PIXELS +: PIXELS] : {PIXELS{1'b0}};
-      read_y[i*PIXELS +: PIXELS] = from_y + i < END ? memory[(from_y + i)*PIXELS +: PIXELS] : {PIXELS{1'b0}};
-    end
+    read_x = {(PIXELS*ALU_BITS){1'b0}};
+    for (j = 0; j < ALU_BITS; j = j + 1)
+      for (k = 0; k < BANKS; k = k + 1)
+        if (homes_x[j*BANKS + k])
+          read_x[j*PIXELS +: PIXELS] = read_x[j*PIXELS +: PIXELS] | delivered[k*PIXELS +: PIXELS];
   end
 
-  integer j;
-  always @(posedge clk) begin
-    if (reset | |clear_line) begin
-      for (j = 0; j < MEMORY_BITS; j = j + 1)
-        if (reset | clear_line[j]) memory[j*PIXELS +: PIXELS] <= {PIXELS{1'b0}};
-    end else begin
-      for (j = 0; j < ALU_BITS; j = j + 1)
-        if (write[j] && from_w + j < end_w)
-          memory[(from_w + j)*PIXELS +: PIXELS] <= (memory[(from_w + j)*PIXELS +: PIXELS] & ~may_write) |
-                                                   (written[j*PIXELS +: PIXELS] & may_write);
+  generate
+    if (MEMORY_READS > 1) begin : two_reads
+      wire [ALU_BITS*BANKS-1:0] homes_y;
+      memory_port #(.ALU_BITS(ALU_BITS), .BANKS(BANKS), .ADDRESS(ADDRESS), .ROW(ROW)) port_y (
+        .clk(clk), .early(early_y), .rows(rows[BANKS*ROW +: BANKS*ROW]), .homes(homes_y));
+      integer m, n;
+      always @* begin
+        read_y = {(PIXELS*ALU_BITS){1'b0}};
+        for (m = 0; m < ALU_BITS; m = m + 1)
+          for (n = 0; n < BANKS; n = n + 1)
+            if (homes_y[m*BANKS + n])
+              read_y[m*PIXELS +: PIXELS] = read_y[m*PIXELS +: PIXELS] | delivered[(BANKS + n)*PIXELS +: PIXELS];
+        if (`FAULT(`FAULT_SECOND_READ)) read_y = read_x;
+      end
+    end else begin : one_read
+      always @* read_y = read_x;
     end
-  end
+
+    if (OWN_PORT != 0) begin : own_port
+      wire [BANKS-1:0] homes_shown;
+      memory_port #(.ALU_BITS(1), .BANKS(BANKS), .ADDRESS(ADDRESS), .ROW(ROW)) port_shown (
+        .clk(clk), .early(early_shown), .rows(rows[OWN*BANKS*ROW +: BANKS*ROW]), .homes(homes_shown));
+      integer n;
+      always @* begin
+        read_shown = {PIXELS{1'b0}};
+        for (n = 0; n < BANKS; n = n + 1)
+          if (homes_shown[n]) read_shown = read_shown | delivered[(OWN*BANKS + n)*PIXELS +: PIXELS];
+      end
+    end else begin : shared_port
+      always @* read_shown = read_x[PIXELS-1:0];
+    end
+  endgenerate
 endmodule

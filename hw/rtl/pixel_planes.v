@@ -1,112 +1,154 @@
-// The whole machine: link, controller, multiplier trees, a pixel processor at every pixel, and the OR of their enable bits.
-// Parts of docs/machines/pixel-planes-4.md that are not here: the scan-out with its refresh words, and a second buffer. Wires of the
-// pixels for who looks on are at the end of the ports; pixel (x, y) is number y * WIDTH + x.
+// The whole machine (docs/machines/pixel-planes-4.md, and docs/machines/pixel-powers.md of degree 2): link, controller, delay
+// of the control word, multiplier trees, a pixel processor with its memory at every pixel, the OR of their enable bits, and
+// the scan-out. Pixel (x, y) is number y * WIDTH + x. All of it has one clock; every output but word_ready comes from a
+// register.
+//
+// The host has words of LINK bits for a frame, and holds `frame` at 1 until the machine asks for those from instruction 0 on.
+// A request that is out in a clock is with the host at the edge that ends it. A word moves at an edge at which it is valid
+// and the machine ready.
 `include "faults.vh"
 
 module pixel_planes #(
-  parameter WIDTH = 8,
+  parameter WIDTH = 8,          // pixels: two in all, at least
   parameter HEIGHT = 8,
-  parameter MEMORY_BITS = 40,
-  parameter MEMORY_READS = 1,
-  parameter ALU_BITS = 1,
-  parameter LINK = 32,
-  parameter FIFO_DEPTH = 16,
-  parameter CLEAR_CLOCKS = 1,
-  parameter FAN_IN = 64
+  parameter MEMORY_BITS = 40,   // of a pixel
+  parameter MEMORY_READS = 1,   // a clock, or 2
+  parameter ALU_BITS = 1,       // places of the ALU
+  parameter DEGREE = 1,         // of expressions, or 2
+  parameter ROOTS = 1,          // 0: Programs have no `root`
+  parameter LINK = 32,          // bits of a word
+  parameter FIFO_DEPTH = 16,    // words
+  parameter CLEAR_CLOCKS = 1,   // in which memory becomes 0
+  parameter HAS_OR = 1,         // 0: Programs ask nothing
+  parameter FAN_IN = 64,        // inputs of a gate of that OR; 0: one gate has all
+  parameter SCAN_PIXELS = 1,    // shown a clock; 0: nothing is
+  parameter SCAN_SHARED = 0,    // 1: colours are read through the pixels' one port
+  parameter BUFFERS = 1,        // pictures in memory, or 2
+  parameter COLOUR_BITS = 24,   // of a pixel that is shown, at most
+  parameter CHIP = 64,          // pixels that share word lines and their decoders
+  // How many wires `video` has at least.
+  parameter VIDEO = SCAN_PIXELS > 0 ? SCAN_PIXELS * COLOUR_BITS : 1
 ) (
   input wire clk,
   input wire reset,
 `ifdef CSGSIM_PLANTED_FAULTS
-  input wire [4:0] fault,
+  input wire [7:0] fault,
 `endif
 
-  // From the host, and to it.
-  input wire frame,
-  output wire request,
+  input wire frame,                 // the host has one
+  output wire request,              // of the words from that instruction of the frame on
   output wire [31:0] request_from,
   input wire [LINK-1:0] word,
   input wire word_valid,
   output wire word_ready,
-  output wire told,
+  output wire told,                 // the answer to a global_or
   output wire told_any,
-  output wire done,
-  output wire [31:0] clocks,
+  output wire done,                 // with the frame: it is drawn, and copied if there are two buffers
+  output wire [31:0] clocks,        // of the frame
 
-  // To look at.
-  output wire [WIDTH*HEIGHT-1:0] enable,
-  output wire [WIDTH*HEIGHT-1:0] carry,
-  output wire [WIDTH*HEIGHT-1:0] flag,
-  output wire [WIDTH*HEIGHT-1:0] tree,
-  output wire tree_valid,
-  output wire [WIDTH*HEIGHT*ALU_BITS-1:0] latch,     // place 0 of every pixel first
-  output wire [WIDTH*HEIGHT*MEMORY_BITS-1:0] memory  // bit 0 of every pixel first
+  output wire video_valid,          // pixels are shown in this clock,
+  output wire video_row,            // the first of a row,
+  output wire video_frame,          // and of a picture
+  output wire [VIDEO-1:0] video,    // from the left, COLOUR_BITS each; beyond the end of a row 0
+  output wire shown                 // a picture has been, to its end
 );
   localparam ADDRESS = MEMORY_BITS > 1 ? $clog2(MEMORY_BITS) : 1;
   localparam SIDE = $clog2((WIDTH > HEIGHT ? WIDTH : HEIGHT) + 1);
   localparam LEVELS_X = $clog2(WIDTH);
   localparam LEVELS_Y = $clog2(HEIGHT);
   localparam LATENCY = LEVELS_X + LEVELS_Y;
-  localparam PIXELS = WIDTH * HEIGHT;
+  localparam SHOWS = SCAN_PIXELS > 0 ? 1 : 0;
 `include "control_word.vh"
 
   wire [LINK-1:0] fifo_word;
-  wire fifo_valid;
-  wire take_word;
-  wire drop_words;
-  wire first, a, b, c;
+  wire fifo_valid, take_word, drop_words;
+  wire first, a, b, c, xx, xy, yy;
   wire [CONTROL_BITS-1:0] control;
+  wire [CONTROL_BITS-1:0] early;
   wire [CONTROL_BITS-1:0] at_pixels;
-  wire answer_valid;
-  wire answer;
+  wire [WIDTH*HEIGHT-1:0] tree;
+  wire [WIDTH*HEIGHT-1:0] enable;
+  wire answer_valid, answer;
+  wire picture, take_picture;
+  wire [11:0] picture_base;
+  wire [5:0] picture_width;
+  wire refresh, take_refresh, latched;
+  wire [ADDRESS-1:0] refresh_address;
+  wire [SIDE-1:0] refresh_row;
+  wire [ADDRESS-1:0] shown_address;
+  wire [SIDE-1:0] shown_row;
+  wire [WIDTH-1:0] line;
+  /* verilator lint_off UNUSEDSIGNAL */
+  wire [3:0] spent;     // for counters.v
+  wire refresh_waits;
+  /* verilator lint_on UNUSEDSIGNAL */
 
   fifo #(.DEPTH(FIFO_DEPTH), .BITS(LINK)) link (
     .clk(clk), .reset(reset), .drop(drop_words), .in(word), .in_valid(word_valid), .in_ready(word_ready),
     .out(fifo_word), .out_valid(fifo_valid), .take(take_word));
 
   controller #(
-    .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .LINK(LINK), .LATENCY(LATENCY),
-    .CLEAR_CLOCKS(CLEAR_CLOCKS), .ADDRESS(ADDRESS), .SIDE(SIDE)
+    .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .DEGREE(DEGREE), .LINK(LINK),
+    .LATENCY(LATENCY), .CLEAR_CLOCKS(CLEAR_CLOCKS), .SHOWS(SHOWS), .BUFFERS(BUFFERS), .ADDRESS(ADDRESS), .SIDE(SIDE)
   ) sequence_controller (
-    .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from),
-    .word(fifo_word), .word_valid(fifo_valid), .take_word(take_word), .drop_words(drop_words),
-    .first(first), .a(a), .b(b), .c(c), .control(control), .answer_valid(answer_valid), .answer(answer),
-    .told(told), .told_any(told_any), .done(done), .clocks(clocks));
+    .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from), .word(fifo_word),
+    .word_valid(fifo_valid), .take_word(take_word), .drop_words(drop_words), .refresh(refresh),
+    .refresh_address(refresh_address), .refresh_row(refresh_row), .take_refresh(take_refresh), .latched(latched),
+    .picture(picture), .picture_base(picture_base), .picture_width(picture_width), .take_picture(take_picture),
+    .first(first), .a(a), .b(b), .c(c), .xx(xx), .xy(xy), .yy(yy), .control(control), .answer_valid(answer_valid),
+    .answer(answer), .told(told), .told_any(told_any), .done(done), .clocks(clocks), .spent(spent),
+    .refresh_waits(refresh_waits));
 
-  // A word meets the bits of F that entered the trees with it.
-  delay #(.LENGTH(LATENCY), .BITS(CONTROL_BITS)) control_delay (
-    .clk(clk), .reset(reset), .in(control), .out(at_pixels));
+  control_delay #(.LATENCY(LATENCY), .BITS(CONTROL_BITS)) way (
+    .clk(clk), .reset(reset), .in(control), .early(early), .out(at_pixels));
 
-  linear_expression_evaluator #(.WIDTH(WIDTH), .HEIGHT(HEIGHT), .LEVELS_X(LEVELS_X), .LEVELS_Y(LEVELS_Y)) evaluator (
-    .clk(clk), .reset(reset), .first(first), .a(a), .b(b), .c(c), .leaves(tree));
-  assign tree_valid = at_pixels[CW_STREAM];
-
-  // Lines along columns, rows and memory addresses, shared by the pixels.
-  wire clear = at_pixels[CW_CLEAR];
-  wire [SIDE-1:0] columns = at_pixels[CW_COLUMNS +: SIDE];
-  wire [SIDE-1:0] rows = at_pixels[CW_ROWS +: SIDE];
-  wire [ADDRESS:0] clear_count = at_pixels[CW_COUNT +: ADDRESS + 1];
-  wire [ADDRESS-1:0] clear_from = at_pixels[CW_W +: ADDRESS];
-  wire [MEMORY_BITS:0] cleared = ({{MEMORY_BITS{1'b0}}, 1'b1} << clear_count) - 1'b1;
-  wire [MEMORY_BITS-1:0] clear_line = cleared[MEMORY_BITS-1:0] << clear_from & {MEMORY_BITS{clear}};
-
-  wire [PIXELS-1:0] in_region;
-  genvar x, y;
-  generate
-    for (y = 0; y < HEIGHT; y = y + 1) begin : row
-      for (x = 0; x < WIDTH; x = x + 1) begin : column
-        assign in_region[y*WIDTH + x] = (x < columns | `FAULT(`FAULT_REGION)) & y < rows;
-      end
-    end
-  endgenerate
+  linear_expression_evaluator #(
+    .WIDTH(WIDTH), .HEIGHT(HEIGHT), .LEVELS_X(LEVELS_X), .LEVELS_Y(LEVELS_Y), .DEGREE(DEGREE)
+  ) evaluator (
+    .clk(clk), .reset(reset), .first(first), .a(a), .b(b), .c(c), .xx(xx), .xy(xy), .yy(yy), .leaves(tree));
 
   pixel_processors #(
-    .PIXELS(PIXELS), .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS),
-    .SIDE(SIDE)
+    .WIDTH(WIDTH), .HEIGHT(HEIGHT), .CHIP(CHIP), .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS),
+    .ALU_BITS(ALU_BITS), .ROOTS(ROOTS), .CLEAR_CLOCKS(CLEAR_CLOCKS), .OWN_PORT(SHOWS != 0 && SCAN_SHARED == 0 ? 1 : 0),
+    .ADDRESS(ADDRESS), .SIDE(SIDE)
   ) processors (
-    .clk(clk), .reset(reset), .control(at_pixels), .clear_line(clear_line), .in_region(in_region),
-    .tree(tree), .enable(enable), .carry(carry), .flag(flag), .latch(latch), .memory(memory));
+    .clk(clk), .reset(reset), .early(early), .control(at_pixels), .tree(tree), .enable(enable),
+    .shown_address(shown_address), .shown_row(shown_row), .line(line));
 
-  wire [PIXELS-1:0] counted = `FAULT(`FAULT_QUESTION) ? enable & ~({PIXELS{1'b1}} << PIXELS / 2) : enable;
-  global_or #(.LINES(PIXELS), .FAN_IN(FAN_IN)) enabled (
-    .clk(clk), .reset(reset), .lines(counted), .asked(at_pixels[CW_QUESTION]), .valid(answer_valid), .any(answer));
+  generate
+    if (HAS_OR != 0) begin : asks
+      wire [WIDTH*HEIGHT-1:0] half = {WIDTH*HEIGHT{1'b1}} >> ((WIDTH * HEIGHT + 1) / 2);
+      wire [WIDTH*HEIGHT-1:0] counted = `FAULT(`FAULT_QUESTION) ? enable & half : enable;
+      global_or #(.LINES(WIDTH * HEIGHT), .FAN_IN(FAN_IN)) enabled (
+        .clk(clk), .reset(reset), .lines(counted), .asked(at_pixels[CW_QUESTION]), .valid(answer_valid), .any(answer));
+    end else begin : asks_nothing
+      assign answer_valid = 1'b0;
+      assign answer = 1'b0;
+      /* verilator lint_off UNUSEDSIGNAL */
+      wire unused = |enable;
+      /* verilator lint_on UNUSEDSIGNAL */
+    end
+
+    if (SHOWS != 0) begin : shows
+      scan_out #(
+        .WIDTH(WIDTH), .HEIGHT(HEIGHT), .PIXELS(SCAN_PIXELS), .COLOUR_BITS(COLOUR_BITS), .SHARED(SCAN_SHARED),
+        .ADDRESS(ADDRESS), .SIDE(SIDE)
+      ) screen (
+        .clk(clk), .reset(reset), .picture(picture), .picture_base(picture_base), .picture_width(picture_width),
+        .take_picture(take_picture), .refresh(refresh), .refresh_address(refresh_address), .refresh_row(refresh_row),
+        .take_refresh(take_refresh), .refreshes(at_pixels[CW_REFRESH]), .shown_address(shown_address),
+        .shown_row(shown_row), .line(line), .latched(latched), .video_valid(video_valid), .video_row(video_row),
+        .video_frame(video_frame), .video(video), .shown(shown));
+    end else begin : shows_nothing
+      assign {take_picture, refresh, latched, video_valid, video_row, video_frame, shown} = 7'b0000000;
+      assign refresh_address = 0;
+      assign refresh_row = 0;
+      assign shown_address = 0;
+      assign shown_row = 0;
+      assign video = 0;
+      /* verilator lint_off UNUSEDSIGNAL */
+      wire unused = picture | |picture_base | |picture_width | take_refresh | |line;
+      /* verilator lint_on UNUSEDSIGNAL */
+    end
+  endgenerate
 endmodule

@@ -1,6 +1,10 @@
+// Pixels that obey the same control word: at each a bit-serial processor of ALU_BITS places with enable E, carry K, a latch
+// for what a memory with one port reads first, and with ROOTS a flag G. Written from the meanings of the instruction table
+// (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md and thesis 7.2.1: "logical operations and comparisons of values can be performed in
+// the ALU by a one-bit adder". Vectors have a bit a pixel; where they have several places of the ALU, the least significant
+// first.
 `include "faults.vh"
 
-// ALU and registers.
 module pixel_processor #(
   parameter PIXELS = 1,
   parameter MEMORY_READS = 1,  // with two nothing is ever latched
@@ -11,20 +15,23 @@ module pixel_processor #(
 ) (
   input wire clk,
   input wire reset,
+  /* verilator lint_off UNUSEDSIGNAL */
   input wire [CONTROL_BITS-1:0] control,
+  /* verilator lint_on UNUSEDSIGNAL */
   input wire [PIXELS-1:0] in_region,              // of a word that clears
   input wire [PIXELS-1:0] tree,                   // bits of F
   input wire [PIXELS*ALU_BITS-1:0] memory_x,      // what the read ports deliver
   input wire [PIXELS*ALU_BITS-1:0] memory_y,
   output reg [PIXELS*ALU_BITS-1:0] written,
   output wire [PIXELS-1:0] may_write,
-  output reg [PIXELS-1:0] enable,
-  output reg [PIXELS-1:0] carry,
-  output wire [PIXELS-1:0] flag,
-  output reg [PIXELS*ALU_BITS-1:0] latch
+  output reg [PIXELS-1:0] enable
 );
 `include "control_word.vh"
   localparam ALL = {PIXELS{1'b1}};
+
+  reg [PIXELS-1:0] carry;
+  reg [PIXELS*ALU_BITS-1:0] latch;
+  wire [PIXELS-1:0] flag;
 
   wire [1:0] x_select = control[CW_X_SELECT +: 2];
   wire [1:0] carry_in = control[CW_CARRY_IN +: 2];
@@ -36,17 +43,17 @@ module pixel_processor #(
   wire [PIXELS-1:0] result;
   wire [PIXELS-1:0] turned;  // where operand x is inverted, as a root subtracts there
   generate
-    if (ROOTS) begin : roots
+    if (ROOTS != 0) begin : roots
       reg [PIXELS-1:0] negative;
       always @(posedge clk) begin
         if (reset | clear) negative <= {PIXELS{1'b0}};
         else if (control[CW_SET_FLAG]) negative <= ~result;
       end
       assign flag = negative;
-      assign turned = {PIXELS{control[CW_X_BY_FLAG]}} & (`FAULT(`FAULT_FLAG) ? ALL : ~negative);
+      assign turned = {PIXELS{control[CW_X_BY_FLAG]}} & (`FAULT(`FAULT_FLAG) ? ALL : ~flag);
     end else begin : no_roots
       assign flag = {PIXELS{1'b0}};
-      assign turned = {PIXELS{1'b0}};
+      assign turned = flag;
     end
   endgenerate
   reg [PIXELS*ALU_BITS-1:0] x;

@@ -1,47 +1,89 @@
-// Pixels that obey the same control word and share their word lines: a bit-serial processor with enable, carry and latch,
-// and its memory, at each; with CSGSIM_ROOTS a flag for roots too. Written from the meanings of the instruction table
-// (hw/isa/opcodes.h), docs/machines/pixel-planes-4.md
-// and thesis 7.2.1. Vectors have a bit a pixel; where they have several places of the ALU, the least significant first.
+// The pixel processors and memories, in chips of CHIP pixels (the last may have fewer), which carry out one control word a
+// clock; and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number
+// y * WIDTH + x, and in chip number / CHIP.
 `include "faults.vh"
 
 module pixel_processors #(
-  parameter PIXELS = 64,
+  parameter WIDTH = 8,
+  parameter HEIGHT = 8,
+  parameter CHIP = 64,
   parameter MEMORY_BITS = 72,
   parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,
+  parameter ROOTS = 1,
+  parameter CLEAR_CLOCKS = 1,
+  parameter OWN_PORT = 0,          // for the scan-out; else it reads through the pixels'
   parameter ADDRESS = 7,
   parameter SIDE = 5
 ) (
   input wire clk,
   input wire reset,
+  input wire [CONTROL_BITS-1:0] early,          // the control word that will be here in the next clock
   input wire [CONTROL_BITS-1:0] control,
-  input wire [MEMORY_BITS-1:0] clear_line,
-  input wire [PIXELS-1:0] in_region,
-  input wire [PIXELS-1:0] tree,
-  output wire [PIXELS-1:0] enable,
-  output wire [PIXELS-1:0] carry,
-  output wire [PIXELS-1:0] flag,
-  output wire [PIXELS*ALU_BITS-1:0] latch,
-  output wire [PIXELS*MEMORY_BITS-1:0] memory
+  input wire [WIDTH*HEIGHT-1:0] tree,           // bits of F
+  output wire [WIDTH*HEIGHT-1:0] enable,
+  /* verilator lint_off UNUSEDSIGNAL */
+  input wire [ADDRESS-1:0] shown_address,       // at an edge, of the port of its own
+  input wire [SIDE-1:0] shown_row,
+  /* verilator lint_on UNUSEDSIGNAL */
+  output reg [WIDTH-1:0] line                   // in the clock after that edge, or after that with a refresh word
 );
 `include "control_word.vh"
 
-  wire [PIXELS*ALU_BITS-1:0] read_x;
-  wire [PIXELS*ALU_BITS-1:0] read_y;
-  wire [PIXELS*ALU_BITS-1:0] written;
-  wire [PIXELS-1:0] may_write;
-  wire [ALU_BITS-1:0] write = control[CW_ACTIVE +: ALU_BITS] & {ALU_BITS{control[CW_WRITE]}};
+  localparam PIXELS = WIDTH * HEIGHT;
+  localparam CHIPS = (PIXELS + CHIP - 1) / CHIP;
+  // So that a bank has one word to clear in a clock at most.
+  localparam CLEARED = (MEMORY_BITS + CLEAR_CLOCKS - 1) / CLEAR_CLOCKS;
+  localparam BANKS = CLEARED > ALU_BITS ? CLEARED : ALU_BITS;
 
-  pixel_processor #(
-    .PIXELS(PIXELS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS), .SIDE(SIDE)
-  ) alus (
-    .clk(clk), .reset(reset), .control(control), .in_region(in_region), .tree(tree),
-    .memory_x(read_x), .memory_y(MEMORY_READS == 1 | `FAULT(`FAULT_SECOND_READ) ? read_x : read_y),
-    .written(written), .may_write(may_write), .enable(enable), .carry(carry), .flag(flag),
-    .latch(latch));
+  // Lines along columns and rows.
+  wire [PIXELS-1:0] in_region;
+  wire [SIDE-1:0] columns = control[CW_COLUMNS +: SIDE];
+  wire [SIDE-1:0] rows = control[CW_ROWS +: SIDE];
+  genvar x, y, c;
+  generate
+    for (y = 0; y < HEIGHT; y = y + 1) begin : row
+      localparam [31:0] ROW = y;
+      for (x = 0; x < WIDTH; x = x + 1) begin : column
+        localparam [31:0] COLUMN = x;
+        assign in_region[y*WIDTH + x] = (COLUMN[SIDE-1:0] < columns | `FAULT(`FAULT_REGION)) & ROW[SIDE-1:0] < rows;
+      end
+    end
+  endgenerate
 
-  pixel_memory #(.PIXELS(PIXELS), .MEMORY_BITS(MEMORY_BITS), .ALU_BITS(ALU_BITS), .ADDRESS(ADDRESS)) memories (
-    .clk(clk), .reset(reset), .address_x(control[CW_X +: ADDRESS]), .address_y(control[CW_Y +: ADDRESS]),
-    .address_w(control[CW_W +: ADDRESS]), .clear_line(clear_line), .written(written), .write(write),
-    .may_write(may_write), .read_x(read_x), .read_y(read_y), .memory(memory));
+  wire [PIXELS-1:0] shown;
+  generate
+    for (c = 0; c < CHIPS; c = c + 1) begin : chip
+      localparam FIRST = c * CHIP;
+      localparam HERE = FIRST + CHIP > PIXELS ? PIXELS - FIRST : CHIP;
+      pixel_chip #(
+        .PIXELS(HERE), .MEMORY_BITS(MEMORY_BITS), .MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ROOTS(ROOTS),
+        .BANKS(BANKS), .OWN_PORT(OWN_PORT), .ADDRESS(ADDRESS), .SIDE(SIDE)
+      ) pixels (
+        .clk(clk), .reset(reset), .early(early), .control(control), .early_shown(shown_address),
+        .in_region(in_region[FIRST +: HERE]), .tree(tree[FIRST +: HERE]), .enable(enable[FIRST +: HERE]),
+        .shown(shown[FIRST +: HERE]));
+    end
+  endgenerate
+
+  // The row's bits, from all columns' lines.
+  wire [SIDE-1:0] chosen;
+  reg [WIDTH-1:0] read;
+  integer i;
+  always @* begin
+    read = {WIDTH{1'b0}};
+    for (i = 0; i < HEIGHT; i = i + 1)
+      if ({{(32-SIDE){1'b0}}, chosen} == i) read = read | shown[i*WIDTH +: WIDTH];
+  end
+  generate
+    if (OWN_PORT != 0) begin : own_port
+      reg [SIDE-1:0] row_here;
+      always @(posedge clk) row_here <= shown_row;
+      assign chosen = row_here;
+      always @* line = read;
+    end else begin : shared_port
+      assign chosen = rows;
+      always @(posedge clk) line <= read;
+    end
+  endgenerate
 endmodule

@@ -14,9 +14,13 @@ module sequencer #(
   parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,
   parameter ADDRESS = 7,
-  parameter SIDE = 5
+  parameter SIDE = 5,
+  parameter DEGREE = 1   // 2: of the linear expression's bits those of squares are a part
 ) (
   input wire [COMMAND_BITS-1:0] command,
+  /* verilator lint_off UNUSEDSIGNAL */
+  input wire [SQUARES_BITS-1:0] squares,  // coefficients that the instruction before has left; 0 if that was no `squares`
+  /* verilator lint_on UNUSEDSIGNAL */
   input wire [5:0] at,    // bit of the stream or field, the first of the clock
   input wire pass,        // of two through a stream, or the read after the first
   input wire [5:0] turn,  // of a root, in which `at` counts from 0
@@ -25,6 +29,9 @@ module sequencer #(
   output reg a,
   output reg b,
   output reg c,
+  output reg xx,
+  output reg xy,
+  output reg yy,
   output reg [5:0] next_at,
   output reg next_pass,
   output reg [5:0] next_turn,
@@ -33,7 +40,12 @@ module sequencer #(
 `include "command.vh"
 `include "control_word.vh"
 
+  localparam [31:0] ALU = ALU_BITS;
+  localparam FRACTION = 6;  // of a linear expression's head, the width before it
+
   wire [5:0] number = command[5:0];
+  wire [6:0] at_7 = {1'b0, at};
+  wire [11:0] at_12 = {6'd0, at};
   wire [11:0] base_0 = command[FIELD_0 +: 12];
   wire [11:0] base_1 = command[FIELD_1 +: 12];
   wire [11:0] base_2 = command[FIELD_2 +: 12];
@@ -43,13 +55,15 @@ module sequencer #(
   // The linear expression.
   wire no_field = number == EDGE_NOT_NEGATIVE || number == EDGE_NEGATIVE || number == STRIPE;
   wire [5:0] width = no_field ? command[FIELD_0 +: 6] : command[FIELD_1 +: 6];
-  wire [5:0] shift = no_field ? command[FIELD_0 + 6 +: 6] : command[FIELD_1 + 6 +: 6];
-  wire [7:0] at_a = (no_field ? FIELD_0 + 8'd12 : FIELD_1 + 8'd12) + at;
-  wire [7:0] at_b = at_a + width;
-  wire [7:0] at_c = at_b + width;
+  wire [5:0] shift = no_field ? command[FIELD_0 + FRACTION +: 6] : command[FIELD_1 + FRACTION +: 6];
+  wire [7:0] at_a = (no_field ? 8'd18 : 8'd36) + {2'd0, at};
+  wire [7:0] at_b = at_a + {2'd0, width};
+  wire [7:0] at_c = at_b + {2'd0, width};
+  wire [7:0] at_xy = {2'd0, at} + {2'd0, width};
+  wire [7:0] at_yy = at_xy + {2'd0, width};
   wire twice = number == KEEP_MAX || number == KEEP_MIN;
-  wire stream = number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN || number == STRIPE ||
-                number == LINEAR_PLUS || number == LINEAR_MINUS;
+  wire stream = (number >= EDGE_NOT_NEGATIVE && number <= KEEP_MIN) || number == STRIPE || number == LINEAR_PLUS ||
+                number == LINEAR_MINUS;
 
   wire sign = at + 6'd1 == width;
   wire whole = at >= shift;  // not of the fraction
@@ -63,16 +77,18 @@ module sequencer #(
   wire of_root = takes_root && at >= 2 && at < turn + 6'd2;
   wire ends_turn = at == turn + 6'd2;
   wire ends_root = ends_turn && turn + 6'd1 == root_bits;
-  wire [11:0] remainder = base_0 + 12'd2 * (root_bits - 6'd1 - turn) + at;
-  wire [11:0] root = base_0 + 12'd2 * root_bits - turn - 12'd1 + at;
+  wire [5:0] below = root_bits - 6'd1 - turn;
+  wire [11:0] remainder = base_0 + {5'd0, below, 1'b0} + at_12;
+  wire [11:0] root = base_0 + {5'd0, root_bits, 1'b0} - {6'd0, turn} - 12'd1 + at_12;
 
   // Fields.
-  wire one_step = number <= ENABLE_STORE || number == GLOBAL_OR || number == SKIP_IF_NONE;
-  wire two_fields = number >= FIELD_LT && number <= BIT_AND_NOT || number == ADD;
+  wire one_step = number <= ENABLE_STORE || number == GLOBAL_OR || number == SKIP_IF_NONE || number == SQUARES;
+  wire two_fields = (number >= FIELD_LT && number <= BIT_AND_NOT) || number == ADD;
   wire two_clocks = (two_fields || of_root) && MEMORY_READS == 1;
   wire latching = two_clocks && !pass;
-  wire [6:0] end_of_step = at + ALU_BITS;
-  wire ends_field = end_of_step >= width_0;
+  wire [6:0] end_of_step = at_7 + ALU[6:0];
+  wire ends_field = end_of_step >= {1'b0, width_0};
+  /* verilator lint_off UNUSEDSIGNAL */
   wire [31:0] constant = command[24 +: 32] >> at;
 
   reg [1:0] x_select;
@@ -85,6 +101,7 @@ module sequencer #(
   reg [11:0] address_x;
   reg [11:0] address_y;
   reg [11:0] address_w;
+  /* verilator lint_on UNUSEDSIGNAL */
 
   // The fields and s of `add`, where a place has a bit of them.
   wire [ALU_BITS-1:0] in_target;
@@ -92,8 +109,9 @@ module sequencer #(
   genvar i;
   generate
     for (i = 0; i < ALU_BITS; i = i + 1) begin : place_of
-      assign in_target[i] = {1'b0, at} + i < {1'b0, width_0};
-      assign in_second[i] = {1'b0, at} + i < {1'b0, width_1};
+      localparam [31:0] PLACE = i;
+      assign in_target[i] = at_7 + PLACE[6:0] < {1'b0, width_0};
+      assign in_second[i] = at_7 + PLACE[6:0] < {1'b0, width_1};
     end
   endgenerate
 
@@ -101,8 +119,8 @@ module sequencer #(
   task meet(input [11:0] base_x, input [11:0] base_y);
     begin
       x_select = two_clocks && pass ? X_LATCH : X_MEMORY;
-      address_x = base_x + at;
-      address_y = base_y + at;
+      address_x = base_x + at_12;
+      address_y = base_y + at_12;
       y_zero = 1'b0;
     end
   endtask
@@ -131,7 +149,7 @@ module sequencer #(
           y_invert = 1'b0;
         end
       end
-      address_y = base_0 + place;
+      address_y = base_0 + {6'd0, place};
     end
   endtask
 
@@ -143,10 +161,11 @@ module sequencer #(
     {set_enable, and_enable, set_carry, select, question, x_by_flag, set_flag} = 7'b0000000;
     x_zero = {ALU_BITS{1'b0}};
     x_invert = {ALU_BITS{1'b0}};
-    active = {{(ALU_BITS-1){1'b0}}, 1'b1};
-    address_x = base_0 + at;
-    address_y = base_0 + at;
-    address_w = base_0 + at;
+    active = {ALU_BITS{1'b0}};
+    active[0] = 1'b1;
+    address_x = base_0 + at_12;
+    address_y = base_0 + at_12;
+    address_w = base_0 + at_12;
     if (!stream && !one_step && !takes_root) active = in_target;
 
     case (number)
@@ -198,13 +217,13 @@ module sequencer #(
         {set_enable, and_enable} = {2{whole}};
         y_zero = !in_field;
         carry_in = CARRY_ONE;
-        address_y = base_0 + place;
+        address_y = base_0 + {6'd0, place};
       end
       LOAD_LINEAR: begin  // a 1 beyond the field does not fit, nor does a sign
         write = in_field;
         {set_enable, and_enable} = {2{whole && !in_field}};
         x_invert[0] = whole && !in_field;
-        address_w = base_0 + place;
+        address_w = base_0 + {6'd0, place};
       end
       KEEP_MAX, KEEP_MIN: begin
         if (!pass) begin
@@ -220,7 +239,7 @@ module sequencer #(
             carry_in = CARRY_KEPT;
           end
         end
-        address_w = base_0 + place;
+        address_w = base_0 + {6'd0, place};
       end
 
       LINEAR_PLUS, LINEAR_MINUS: begin
@@ -230,8 +249,8 @@ module sequencer #(
         y_invert = number == LINEAR_MINUS;
         carry_in = !begins_field ? CARRY_KEPT
                    : number == LINEAR_MINUS && !`FAULT(`FAULT_DIFFERENCE) ? CARRY_ONE : CARRY_ZERO;
-        address_y = base_0 + place;
-        address_w = base_0 + place;
+        address_y = base_0 + {6'd0, place};
+        address_w = base_0 + {6'd0, place};
       end
       ROOT: begin
         x_select = of_root && (latching || MEMORY_READS > 1) ? X_MEMORY : X_LATCH;
@@ -242,8 +261,8 @@ module sequencer #(
         y_zero = ends_turn && turn == 0;  // its bit is not one of the number
         y_invert = ends_turn;
         x_zero[0] = !of_root;
-        x_invert[0] = at < 2 || ends_turn && turn == 0;
-        x_by_flag = of_root || ends_turn && turn != 0;
+        x_invert[0] = at < 2 || (ends_turn && turn == 0);
+        x_by_flag = of_root || (ends_turn && turn != 0);
         carry_in = at == 0 ? CARRY_ZERO : CARRY_KEPT;
         set_carry = !ends_turn;
         set_flag = ends_turn;
@@ -260,12 +279,12 @@ module sequencer #(
       end
       COPY: begin
         write = 1'b1;
-        address_x = base_1 + at;
+        address_x = base_1 + at_12;
       end
       BIT_NOT: begin
         write = 1'b1;
         x_invert = {ALU_BITS{1'b1}};
-        address_x = base_1 + at;
+        address_x = base_1 + at_12;
       end
       FIELD_LT, FIELD_LE: begin
         meet(base_0, base_1);
@@ -344,6 +363,9 @@ module sequencer #(
     a = stream && command[at_a];
     b = stream && command[at_b];
     c = stream && command[at_c];
+    xx = DEGREE > 1 && stream && squares[{2'd0, at}];
+    xy = DEGREE > 1 && stream && squares[at_xy];
+    yy = DEGREE > 1 && stream && squares[at_yy];
     last = one_step ||
            (stream ? sign && (!twice || pass) : takes_root ? ends_root : ends_field && !latching);
     next_at = stream ? (sign ? 6'd0 : at + 6'd1)

@@ -1,26 +1,25 @@
-`include "faults.vh"
-
-// What the levels of a tree share: where streams begin, and from when on the multiplicand counts. At level k that is from
-// bit n - 1 - k of its stream on; until then the wire has the end of the stream before.
+// Where the streams in a multiplier tree of LEVELS levels begin: at level k (the root is level 0) k clocks after the root; the
+// last are the leaves. MORE clocks are told besides, so that who takes a window of them knows how long ago a stream began:
+// that at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
 module tree_levels #(
-  parameter LEVELS = 3
+  parameter LEVELS = 3,
+  parameter MORE = 0
 ) (
   input wire clk,
   input wire reset,
-  input wire first,                // a stream's first bit is at the root
-  output wire [LEVELS:0] begins,   // or at level k; the last are the leaves
-  output wire [LEVELS:0] counts
+  input wire first,                     // a stream's first bit is at the root
+  output wire [LEVELS+MORE:0] begins
 );
-  reg [LEVELS:0] passed;
-  assign begins = passed | first;
-  always @(posedge clk) passed <= reset ? {(LEVELS+1){1'b0}} : begins << 1;
-
-  genvar k;
   generate
-    for (k = 0; k <= LEVELS; k = k + 1) begin : level
-      // The stream at level k began j clocks ago if begins[k + j] is 1.
-      if (k + 1 < LEVELS) assign counts[k] = ~|begins[LEVELS-2:k] | `FAULT(`FAULT_TREE_SELECT);
-      else assign counts[k] = 1'b1;
+    if (LEVELS + MORE == 0) begin : none
+      assign begins = first;
+      /* verilator lint_off UNUSEDSIGNAL */
+      wire unused = clk | reset;
+      /* verilator lint_on UNUSEDSIGNAL */
+    end else begin : some
+      reg [LEVELS+MORE:1] passed;
+      assign begins = {passed, first};
+      always @(posedge clk) passed <= reset ? {(LEVELS+MORE){1'b0}} : begins[LEVELS+MORE-1:0];
     end
   endgenerate
 endmodule

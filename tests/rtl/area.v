@@ -54,8 +54,7 @@ module area_pixel #(
 
   pixel_processor #(.MEMORY_READS(MEMORY_READS), .ALU_BITS(ALU_BITS), .ROOTS(ROOTS), .ADDRESS(ADDRESS), .SIDE(SIDE)) processor (
     .clk(clk), .reset(1'b0), .control(control), .in_region(in_region), .tree(tree),
-    .memory_x(memory_x), .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable),
-    .carry(), .flag(), .latch());
+    .memory_x(memory_x), .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable));
 endmodule
 
 module area_node (

@@ -8,6 +8,7 @@
 
 #include "hw/array/plane.h"
 #include "hw/link/frame_words.h"
+#include "hw/pixel_planes/figures.h"
 
 namespace csgsim::rtl {
 
@@ -42,7 +43,8 @@ Lockstep::Lockstep(const machines::Machine& machine)
       figures_(machine),
       machine_("machine", machine),
       rtl_(std::make_unique<Machine>()),
-      host_(machine.link) {
+      host_(machine.link),
+      screen_(machine.array.width, machines::own<pixel_planes::Figures>(machine).scan_out_pixels, colour_wires()) {
   SC_HAS_PROCESS(Lockstep);
   SC_METHOD(watch);
 }
@@ -51,25 +53,31 @@ std::uint64_t Lockstep::edges() const {
   return static_cast<std::uint64_t>(std::floor(sc_core::sc_time_stamp() / machine_.period()));
 }
 
-std::string Lockstep::run(const isa::Program& program, std::uint8_t fault) {
+std::string Lockstep::run(std::span<const isa::Program> programs, std::uint8_t fault) {
   fault_ = fault;
-  host_.load(link::frame_words(program, figures_.link.width));
-  answers_.clear();
-  frames_done_ = 0;
+  programs_ = programs;
+  frames_.clear();
+  drawn_ = 0;
+  scanned_out_ = 0;
   begin_ = edges() + 1;
+  next_frame();
   comparing_ = true;
   systemc::RunListener nobody;
-  const systemc::RunReport report = machine_.run(program, nobody);
+  const std::vector<systemc::RunListener*> listeners(programs.size(), &nobody);
+  const std::vector<systemc::RunReport> reports = machine_.run_sequence(programs, listeners);
   look();
   comparing_ = false;
+  compare_frames(reports);
   std::string difference = std::move(difference_);
   difference_.clear();
-  if (difference.empty() && frames_done_ != 1) difference = "the Verilog is not done with the frame";
-  if (difference.empty() && clocks_ != report.clocks)
-    difference = fmt::format("{} clocks in SystemC, {} in Verilog", report.clocks, clocks_);
-  if (difference.empty() && answers_ != report.answers) difference = "the answers differ";
   if (!difference.empty()) clear();
   return difference;
+}
+
+/// Puts the next frame into the host's memory.
+void Lockstep::next_frame() {
+  host_.load(link::frame_words(programs_[drawn_], figures_.link.width));
+  waiting_ = true;
 }
 
 /// After a difference: all is 0 on both.
@@ -99,15 +107,76 @@ void Lockstep::look() {
 }
 
 void Lockstep::edge() {
-  Inputs inputs{.frame = seen_ == begin_, .fault = fault_};
+  Inputs inputs{.frame = waiting_, .fault = fault_};
   host_.drive(rtl_->outputs(), inputs);
   rtl_->edge(inputs);
   const Outputs& outputs = rtl_->outputs();
-  if (outputs.told) answers_.push_back(outputs.told_any);
-  if (outputs.done) {
-    ++frames_done_;
-    clocks_ = outputs.clocks;
+  screen_.show(outputs);
+  if (waiting_ && outputs.request && outputs.request_from == 0) {
+    waiting_ = false;
+    frames_.push_back({.begun = seen_});
   }
+  if (frames_.empty()) return;
+  if (outputs.told) frames_.back().answers.push_back(outputs.told_any);
+  if (outputs.done) finish_frame();
+  if (!outputs.shown) return;
+  while (scanned_out_ < frames_.size() && isa::frame_header(programs_[scanned_out_]).colour.width == 0) ++scanned_out_;
+  if (scanned_out_ == frames_.size()) return tell("the Verilog shows a picture that there is not");
+  frames_[scanned_out_].shown = seen_;
+  frames_[scanned_out_++].picture = screen_.picture();
+}
+
+/// The Verilog is done with the one that it has begun.
+void Lockstep::finish_frame() {
+  if (drawn_ == frames_.size()) return tell("the Verilog is done with a frame that there is not");
+  Frame& frame = frames_[drawn_];
+  frame.clocks = rtl_->outputs().clocks;
+  frame.counts = rtl_->outputs().counts;
+  const isa::Field colour = isa::frame_header(programs_[drawn_]).colour;
+  const array::PixelArray& pixels = machine_.processors().pixels();
+  for (std::uint32_t i = 0; colour.width > 0 && i < figures_.array.width * figures_.array.height; ++i) {
+    std::uint32_t& pixel = frame.drawn.emplace_back(0);
+    for (std::uint32_t bit = 0; bit < colour.width; ++bit) {
+      const bool one = array::bit_of(pixels.memory(colour.base + bit), pixels.shape(), i % figures_.array.width,
+                                     i / figures_.array.width);
+      pixel |= (one ? 1U : 0U) << bit;
+    }
+  }
+  if (++drawn_ < programs_.size()) next_frame();
+}
+
+void Lockstep::tell(std::string difference) {
+  if (difference_.empty()) difference_ = std::move(difference);
+}
+
+void Lockstep::compare_frames(const std::vector<systemc::RunReport>& reports) {
+  if (drawn_ != programs_.size()) return tell("the Verilog is not done with the frames");
+  for (std::size_t i = 0; i < frames_.size(); ++i) compare_frame(i, reports[i]);
+}
+
+void Lockstep::compare_frame(std::size_t number, const systemc::RunReport& report) {
+  const Frame& frame = frames_[number];
+  const auto expect = [&](std::string_view what, std::uint64_t expected, std::uint64_t actual) {
+    if (expected != actual)
+      tell(fmt::format("frame {}: {} {} in SystemC, {} in Verilog", number, what, expected, actual));
+  };
+  expect("clocks", report.clocks, frame.clocks);
+  if (frame.answers != report.answers) tell(fmt::format("frame {}: the answers differ", number));
+  const auto& activities = report.account.parts.front().clocks;
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    const auto found = std::find_if(activities.begin(), activities.end(),
+                                    [&](const auto& activity) { return activity.activity == counted.at(i); });
+    if (found != activities.end()) expect(counted.at(i), found->clocks, frame.counts.at(i));
+  }
+  const bool tells_waits = machines::own<pixel_planes::Figures>(figures_).scan_out_buffers > 1;
+  if (tells_waits) expect("refresh_waits", report.account.count("refresh_waits"), frame.counts.back());
+  if (number + 1 < frames_.size())
+    expect("interval_clocks", report.interval_clocks, frames_[number + 1].begun - frame.begun);
+  if (isa::frame_header(programs_[number]).colour.width == 0) return;
+  expect("shown_clocks", report.shown_clocks, frame.shown - frame.begun);
+  if (frame.picture != frame.drawn) tell(fmt::format("frame {}: what is scanned out is not what was drawn", number));
+  if (!report.picture.empty() && frame.picture != report.picture)
+    tell(fmt::format("frame {}: the pictures differ", number));
 }
 
 void Lockstep::compare_plane(const char* what, const Vector& expected, const Vector& actual, std::string_view which) {

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <systemc>
@@ -11,6 +14,7 @@
 #include "hw/pixel_planes/pixel_planes.h"
 #include "tests/rtl/host_link.h"
 #include "tests/rtl/rtl_machine.h"
+#include "tests/rtl/screen.h"
 
 namespace csgsim::rtl {
 
@@ -20,17 +24,34 @@ class Lockstep final : public sc_core::sc_module {
  public:
   explicit Lockstep(const machines::Machine& machine);
 
-  /// Returns where the two differ first, or nothing if they agree to the end, in the answers and in the clocks too.
-  /// With the planted fault of that number in the Verilog; 0: none.
-  std::string run(const isa::Program& program, std::uint8_t fault = 0);
+  /// Draws the Programs one after the other. Returns where the two differ first, or nothing if they agree to the end,
+  /// in answers, clocks, what these were spent on, intervals and pictures too. With the planted fault of that number in
+  /// the Verilog; 0: none.
+  std::string run(std::span<const isa::Program> programs, std::uint8_t fault = 0);
 
   [[nodiscard]] std::uint64_t clocks_compared() const { return clocks_compared_; }
 
  private:
+  /// What the Verilog made of a frame.
+  struct Frame {
+    std::uint64_t begun = 0;   ///< edge
+    std::uint64_t shown = 0;   ///< edge
+    std::uint32_t clocks = 0;  ///< until it was drawn
+    std::vector<bool> answers{};
+    std::array<std::uint32_t, counted.size()> counts{};
+    std::vector<std::uint32_t> drawn{};    ///< the colours that stood in the SystemC's memory then
+    std::vector<std::uint32_t> picture{};  ///< that was scanned out
+  };
+
   void watch();
   void look();
   void edge();
+  void next_frame();
+  void finish_frame();
   void compare();
+  void compare_frames(const std::vector<systemc::RunReport>& reports);
+  void compare_frame(std::size_t number, const systemc::RunReport& report);
+  void tell(std::string difference);
   void compare_plane(const char* what, const Vector& expected, const Vector& actual, std::string_view which = {});
   void clear();
   [[nodiscard]] std::uint64_t edges() const;
@@ -44,9 +65,12 @@ class Lockstep final : public sc_core::sc_module {
   std::uint64_t begin_ = 0;  ///< edge at which the frame begins
   std::uint64_t seen_ = 0;   ///< edges that the Verilog has had
   std::uint64_t clocks_compared_ = 0;
-  std::uint32_t frames_done_ = 0;
-  std::uint32_t clocks_ = 0;  ///< that the Verilog counted for the frame
-  std::vector<bool> answers_;
+  std::span<const isa::Program> programs_;
+  std::vector<Frame> frames_;    ///< those that the Verilog has begun
+  std::size_t drawn_ = 0;        ///< of these
+  std::size_t scanned_out_ = 0;  ///< of these, those before that one are
+  bool waiting_ = false;         ///< a frame lies in the host's memory
+  Screen screen_;
   std::string difference_;
   Vector plane_;
 };

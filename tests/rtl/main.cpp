@@ -1,10 +1,12 @@
-// rtl_NAME random PROGRAMS INSTRUCTIONS [KEY=NUMBER...]: random Programs, with so many instructions a segment at most,
-// on
-//   the machine in SystemC and on the Verilog, in lockstep. latency= and word= are clocks of the link.
-// rtl_NAME models MODEL...: test models, drawn by both.
-// rtl_NAME speed PRIMITIVES: seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some
-// runs. rtl_NAME faults PROGRAMS INSTRUCTIONS NUMBER...: every planted fault but those is noticed within so many random
-// Programs. RC_PARAMS overrides seed and number of the random ones.
+// rtl_NAME random SEQUENCES INSTRUCTIONS [KEY=NUMBER...]
+//   So many sequences of random Programs, with so many instructions a segment at most, on the machine in SystemC and on
+//   the Verilog, in lockstep. latency= and word= are clocks of the link. RC_PARAMS overrides seed and number.
+// rtl_NAME models MODEL...
+//   Test models, drawn by both.
+// rtl_NAME faults SEQUENCES INSTRUCTIONS NUMBER...
+//   Every planted fault but those is noticed within so many random sequences, and those are not.
+// rtl_NAME speed PRIMITIVES
+//   Seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some runs.
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -24,22 +26,16 @@
 #include "tests/bench/typical_mix.h"
 #include "tests/lockstep/row.h"
 #include "tests/rtl/lockstep.h"
+#include "tests/rtl/random_frames.h"
 #include "tests/support/drawing.h"
-#include "tests/support/random_program.h"
 
 namespace csgsim::rtl {
 
 namespace {
 
-constexpr std::uint8_t planted_faults = 15;  ///< in faults.vh
+constexpr std::uint8_t planted_faults = 23;  ///< in hw/rtl/faults.vh
 
 using Words = std::vector<std::string>;
-
-/// Nothing is scanned out, which the Verilog does not have.
-isa::Program unshown(isa::Program program) {
-  program.facts.fields.clear();
-  return program;
-}
 
 /// The figures that are the host's: latency= and word= are clocks of the link.
 machines::Machine machine_with(const Words& words, std::size_t first) {
@@ -60,14 +56,15 @@ int random_programs(const Words& words) {
   std::set<isa::Opcode> sent;
   const int code = test::exit_code_of(programs, [&] {
     return rc::check("the Verilog has the registers and the memory of the SystemC in every clock", [&] {
-      const isa::Program program = unshown(*test::arbitrary_program(machine_of_parameters().array, instructions));
-      const std::string difference = lockstep.run(program);
+      const std::vector<isa::Program> frames = *arbitrary_frames(machine_of_parameters(), instructions);
+      const std::string difference = lockstep.run(frames);
       if (!difference.empty()) RC_FAIL(difference);
-      for (const isa::Segment& segment : program.segments)
-        for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
+      for (const isa::Program& frame : frames)
+        for (const isa::Segment& segment : frame.segments)
+          for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
     });
   });
-  const std::size_t squares = 1;  // which trees of degree 1 do not take
+  const std::size_t squares = machine_of_parameters().evaluator_degree == 1 ? 1 : 0;  // which such trees do not take
   if (code == 0 && sent.size() + squares != isa::opcode_table.size())
     throw std::runtime_error("an instruction was never sent");
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
@@ -84,20 +81,20 @@ int models(const Words& words) {
   for (std::size_t i = 1; i < words.size(); ++i) {
     const testing::Compiled compiled =
         testing::compile_default_view(testing::model_path(words[i]), setup, view::Projection::perspective);
-    const std::string difference = lockstep.run(compiled.program);
+    const std::string difference = lockstep.run({&compiled.program, 1});
     if (!difference.empty()) throw std::runtime_error(words[i] + ": " + difference);
     fmt::print("{}: equal, {} clocks compared so far\n", words[i], lockstep.clocks_compared());
   }
   return 0;
 }
 
-/// The number of random Programs until one notices the fault; 0 if none of so many does.
+/// The number of sequences of random Programs until one notices the fault; 0 if none of so many does.
 unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned programs, std::size_t instructions) {
-  const auto any_program = test::arbitrary_program(machine_of_parameters().array, instructions);
+  const auto any_frames = arbitrary_frames(machine_of_parameters(), instructions);
   constexpr int size = 50;
   for (unsigned i = 1; i <= programs; ++i) {
-    const isa::Program program = unshown(any_program(rc::Random(i), size).value());
-    if (!lockstep.run(program, fault).empty()) return i;
+    const std::vector<isa::Program> frames = any_frames(rc::Random(i), size).value();
+    if (!lockstep.run(frames, fault).empty()) return i;
   }
   return 0;
 }

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "Vpixel_planes.h"
+#include "Vprobed_planes.h"
 #include "hw/pixel_planes/figures.h"
 #include "tests/lockstep/lockstep.h"
 
@@ -43,17 +43,24 @@ void put(VlWide<Words>& to, const isa::LinkWord& word) {
 machines::Machine machine_of_parameters() {
   machines::Machine machine = test::machine_of({CSGSIM_RTL_WIDTH, CSGSIM_RTL_HEIGHT, CSGSIM_RTL_MEMORY_BITS},
                                                CSGSIM_RTL_MEMORY_READS, CSGSIM_RTL_ALU_BITS);
-  machine.evaluator_degree = 1;
+  machine.evaluator_degree = CSGSIM_RTL_DEGREE;
   machine.link.width = CSGSIM_RTL_LINK;
   machine.link.fifo_depth = CSGSIM_RTL_FIFO_DEPTH;
   machine.clear_clocks = CSGSIM_RTL_CLEAR_CLOCKS;
-  machines::own<pixel_planes::Figures>(machine).or_fan_in = CSGSIM_RTL_FAN_IN;
+  auto& own = machines::own<pixel_planes::Figures>(machine);
+  own.has_global_or = CSGSIM_RTL_HAS_OR != 0;
+  own.or_fan_in = CSGSIM_RTL_FAN_IN;
+  own.scan_out_pixels = CSGSIM_RTL_SCAN_PIXELS;
+  own.scan_out_port = CSGSIM_RTL_SCAN_SHARED != 0 ? pixel_planes::ScanOutPort::shared : pixel_planes::ScanOutPort::own;
+  own.scan_out_buffers = CSGSIM_RTL_BUFFERS;
   return machine;
 }
 
+std::uint32_t colour_wires() { return CSGSIM_RTL_COLOUR_BITS; }
+
 struct Machine::Verilated {
   VerilatedContext context;
-  Vpixel_planes top{&context};
+  Vprobed_planes top{&context};
 };
 
 Machine::Machine() : verilated_(std::make_unique<Verilated>()) { edge({.reset = true}); }
@@ -72,7 +79,7 @@ void Machine::edge_for_host(const Inputs& inputs) {
 }
 
 void Machine::clock(const Inputs& inputs) {
-  Vpixel_planes& top = verilated_->top;
+  Vprobed_planes& top = verilated_->top;
   top.reset = inputs.reset ? 1 : 0;
   top.fault = inputs.fault;
   top.frame = inputs.frame ? 1 : 0;
@@ -85,7 +92,7 @@ void Machine::clock(const Inputs& inputs) {
 }
 
 void Machine::read_host() {
-  const Vpixel_planes& top = verilated_->top;
+  const Vprobed_planes& top = verilated_->top;
   outputs_.request = top.request != 0;
   outputs_.request_from = top.request_from;
   outputs_.word_ready = top.word_ready != 0;
@@ -93,10 +100,16 @@ void Machine::read_host() {
   outputs_.told_any = top.told_any != 0;
   outputs_.done = top.done != 0;
   outputs_.clocks = top.clocks;
+  outputs_.video_valid = top.video_valid != 0;
+  outputs_.video_row = top.video_row != 0;
+  outputs_.video_frame = top.video_frame != 0;
+  assign(outputs_.video, top.video);
+  outputs_.shown = top.shown != 0;
+  for (std::size_t i = 0; i < counted.size(); ++i) outputs_.counts.at(i) = top.counts[i];
 }
 
 void Machine::read_pixels() {
-  const Vpixel_planes& top = verilated_->top;
+  const Vprobed_planes& top = verilated_->top;
   outputs_.tree_valid = top.tree_valid != 0;
   assign(outputs_.tree, top.tree);
   assign(outputs_.enable, top.enable);

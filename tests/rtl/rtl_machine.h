@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "hw/isa/link_word.h"
@@ -13,17 +16,25 @@ namespace csgsim::rtl {
 /// What the parameters say of a frame-buffer machine, the rest being up to the host.
 machines::Machine machine_of_parameters();
 
+/// Wires of `video`, a pixel.
+std::uint32_t colour_wires();
+
 /// On the wires to the machine at an edge.
 struct Inputs {
   bool reset = false;
   bool frame = false;  ///< the host has one
   bool word_valid = false;
   isa::LinkWord word{};
-  std::uint8_t fault = 0;  ///< number of the planted fault (faults.vh); 0: none
+  std::uint8_t fault = 0;  ///< number of the planted fault (hw/rtl/faults.vh); 0: none
 };
 
 /// Bit i of a vector is bit i % 64 of word i / 64.
 using Vector = std::vector<std::uint64_t>;
+
+/// The counters of hw/rtl/counters.v, as the machine's stats have them.
+inline constexpr auto counted =
+    std::to_array<std::string_view>({"issuing", "clearing", "starved", "answering", "jumping", "refreshing", "holding",
+                                     "copying", "draining", "refresh_waits"});
 
 /// On the wires from the machine after an edge. Pixel (x, y) has bit y * width + x.
 struct Outputs {
@@ -34,7 +45,13 @@ struct Outputs {
   bool told_any = false;
   bool done = false;         ///< with the frame, in this clock
   std::uint32_t clocks = 0;  ///< of the frame
-  bool tree_valid = false;   ///< bits of F are at the pixels
+  bool video_valid = false;  ///< pixels are shown
+  bool video_row = false;    ///< the first of a row
+  bool video_frame = false;  ///< or a picture
+  Vector video;
+  bool shown = false;  ///< a picture, to its end
+  std::array<std::uint32_t, counted.size()> counts{};
+  bool tree_valid = false;  ///< bits of F are at the pixels
   Vector tree;
   Vector enable;
   Vector carry;

@@ -1,0 +1,37 @@
+// Words of a bit at each of PIXELS pixels: a word line is an address, a bit line a pixel. Each port has a row that comes out
+// of a register in the same clock, so that block RAM, which takes addresses at an edge, can be this; what was written at the
+// edge before is read, for which synthesis adds registers beside a RAM that does not say so.
+module memory_bank #(
+  parameter PIXELS = 64,
+  parameter WORDS = 72,
+  parameter ROW = 7,
+  parameter PORTS = 1          // to read
+) (
+  input wire clk,
+  input wire [PORTS*ROW-1:0] rows,
+  output wire [PORTS*PIXELS-1:0] read,
+  input wire write,
+  input wire [ROW-1:0] row,
+  input wire [PIXELS-1:0] written,
+  input wire [PIXELS-1:0] mask  // the pixels that are written
+);
+  localparam DEPTH = WORDS > 1 ? 1 << ROW : 1;
+  reg [PIXELS-1:0] words [0:DEPTH-1];
+
+  genvar i;
+  generate
+    for (i = 0; i < PORTS; i = i + 1) begin : port
+      assign read[i*PIXELS +: PIXELS] = words[rows[i*ROW +: ROW]];
+    end
+  endgenerate
+
+  // The same twice: synthesis makes a RAM's write mask of one, the other is fast to simulate.
+`ifdef SYNTHESIS
+  integer j;
+  always @(posedge clk)
+    for (j = 0; j < PIXELS; j = j + 1)
+      if (write & mask[j]) words[row][j] <= written[j];
+`else
+  always @(posedge clk) if (write) words[row] <= (words[row] & ~mask) | (written & mask);
+`endif
+endmodule
