@@ -7,7 +7,7 @@ icarus.ppm: icarus.vvp $(MEMORIES)
 verilator: verilator.png
 verilated/testbench: testbench.v $(DESIGN) $(wildcard rtl/*.vh)
 	verilator --binary -O3 -Wall --top-module testbench -Irtl --Mdir verilated -o testbench \
-	  -MAKEFLAGS "OPT_FAST=-O2 OPT_SLOW=-O0" testbench.v $(DESIGN) >verilated.log
+	  -MAKEFLAGS "OPT_FAST=$(OPTIMISE) OPT_SLOW=-O0" testbench.v $(DESIGN) >verilated.log
 verilator.ppm: verilated/testbench $(MEMORIES)
 	verilated/testbench +picture=$@ +frames=$(FRAMES)
 

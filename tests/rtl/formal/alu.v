@@ -16,12 +16,17 @@ module alu_check #(
   input wire [ALU_BITS-1:0] memory_y
 );
 `include "control_word.vh"
-  wire [ALU_BITS-1:0] written, latch;
-  wire may_write, enable, carry, flag;
+  wire [ALU_BITS-1:0] written;
+  wire may_write, enable;
   pixel_processor #(.ALU_BITS(ALU_BITS), .MEMORY_READS(MEMORY_READS), .ROOTS(1), .ADDRESS(ADDRESS), .SIDE(SIDE)) dut (
     .clk(clk), .reset(reset), .control(control), .in_region(in_region), .tree(tree), .memory_x(memory_x),
-    .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable), .carry(carry), .flag(flag),
-    .latch(latch));
+    .memory_y(memory_y), .written(written), .may_write(may_write), .enable(enable));
+  (* hierconn *) wire [ALU_BITS-1:0] \dut.latch ;
+  (* hierconn *) wire \dut.carry ;
+  (* hierconn *) wire \dut.flag ;
+  wire [ALU_BITS-1:0] latch = \dut.latch ;
+  wire carry = \dut.carry ;
+  wire flag = \dut.flag ;
   (* hierconn *) wire \dut.present ;
 
   // {carry out, sum} of p, q and carry: 0 to 3 ones.

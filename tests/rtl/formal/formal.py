@@ -31,15 +31,18 @@ class Proof:
 
 PROOFS = [
     Proof("fifo", "fifo", [{"DEPTH": 1}, {"DEPTH": 2}, {"DEPTH": 3}, {"DEPTH": 4}],
-          [("count + push - take", "count + push"), ("count != DEPTH", "count != DEPTH - 1"), ("first <= last;", "first <= first;"),
-           ("words[last] <= in;", "words[last] <= in | 1'b1;"), ("count <= push;", "count <= 0;")]),
+          [("take & ~push", "take"), ("count != FULL", "count != END"), ("first <= last;", "first <= first;"),
+           ("words[last] <= in;", "words[last] <= in | 1'b1;"), ("push ? one : 0", "0")]),
     Proof("receiver", "receiver", [{"LINK": 75}],
-          [("linear ? {3'd0, width} + {2'd0, width, 1'b0}", "linear ? {3'd0, width}"), ("(~whole | take)", "~whole"),
-           ("gathered | placed", "placed")]),
+          [("width + (width << 1)", "width"), ("(~whole | take)", "~whole"), ("gathered) | (take_word", "0) | (take_word")]),
     Proof("pixel_processor", "alu", [{"ALU_BITS": 1}, {"ALU_BITS": 3}, {"ALU_BITS": 1, "MEMORY_READS": 2}],
           [("| (q & carry_here)", ""), ("present & result", "result"), ("enable & carry", "carry"), ("negative <= ~result", "negative <= result")], steps=2),
     Proof("sequencer", "sequencer", [{"ALU_BITS": 1}, {"ALU_BITS": 4}, {"ALU_BITS": 1, "MEMORY_READS": 2}],
-          [("at + ALU_BITS", "at"), ("latching ? at", "latching ? 6'd0"), ("turn + 6'd1 : turn", "turn : turn")]),
+          [("at_7 + ALU[6:0]", "at_7"), ("latching ? at", "latching ? 6'd0"), ("turn + 6'd1 : turn", "turn : turn")]),
+    Proof("controller", "controller", [{"BUFFERS": 1}, {"BUFFERS": 2}, {"BUFFERS": 1, "MEMORY_READS": 2}],
+          [("free && whole", "free && whole && !refresh_waits"), ("drained <= drained_here + 1", "drained <= drained_here"),
+           ("at <= step_next_at", "at <= 0"), ("state <= clear_last ? READY : CLEARING", "state <= CLEARING")],
+          ["receiver", "sequencer", "clearer"]),
 ]
 
 
@@ -50,10 +53,8 @@ def command_bits():
         sys.exit(f"formal.py: {INSTRUCTIONS} has {len(rows)} commands with bits on a link, and 40 were expected")
     cases, numbers = [], []
     for number, bits, more in rows:
-        width_at = int(bits) - 12 if more == "3w" else 18
+        width_at = 6 if int(bits) < 36 else 24  # behind the number, or a field too
         more_bits = {"3w": f" + 3 * command[{width_at} +: 6]", "n": " + command[18 +: 6]", "": ""}[more]
-        if number == "33":  # of trees of degree 2: see there
-            continue
         cases.append(f"    6'd{number}: command_bits = 9'd{bits}{more_bits};")
         numbers.append(f"number == 6'd{number}")
     return ("function [8:0] command_bits(input [COMMAND_BITS-1:0] command);\n  case (command[5:0])\n" + "\n".join(cases) +
@@ -68,7 +69,7 @@ def proved(proof, parameters, source, folder):
     top = f"{proof.name}_check"
     files = " ".join([str(text), *(str(RTL / f"{name}.v") for name in proof.beside), str(HERE / f"{proof.name}.v")])
     values = " ".join(f"-chparam {name} {value}" for name, value in parameters.items())
-    script = (f"read_verilog -formal -sv -I{RTL} -I{folder} {files}; hierarchy -top {top} {values}; proc; memory -nordff; memory_map; flatten; "
+    script = (f"read_verilog -formal -sv -I{RTL} -I{HERE} -I{folder} {files}; hierarchy -top {top} {values}; proc; memory -nordff; memory_map; flatten; "
               f"opt -full; sat -verify -prove-asserts -set-assumes -seq 1 -tempinduct -maxsteps {proof.steps} {top}")
     done = subprocess.run(["yosys", "-q", "-p", script], capture_output=True, text=True)
     if done.returncode != 0 and "proof did fail" not in done.stdout + done.stderr:

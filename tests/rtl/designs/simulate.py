@@ -2,8 +2,8 @@
 """Designs of `csgsim rtl`, drawn by Icarus and Verilator, held against csgsim's clocked level: the picture byte for byte, the
 clocks of a frame, where they go, when it has been shown, and those from one frame to the next. Neither simulator warns.
 
-  designs.py CSGSIM SIMULATOR NAME...   rows of that name, with icarus or verilator
-  designs.py CSGSIM SIMULATOR long      all of them
+  simulate.py CSGSIM SIMULATOR NAME...   rows of that name, with icarus or verilator
+  simulate.py CSGSIM SIMULATOR long      all of them
 
 The exit code is 77 where the simulator is not there."""
 
@@ -17,7 +17,7 @@ import sys
 import tempfile
 from dataclasses import dataclass
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
+ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAMS = {"icarus": ["iverilog", "vvp"], "verilator": ["verilator"]}
 SKIPPED = 77
 PARTS = ["issuing", "clearing", "starved", "answering", "jumping", "draining"]
@@ -34,11 +34,12 @@ class Row:
 
 
 ROWS = {
-    "small": Row("thesis_fig_2_3", "16x16"),
+    "small": Row("thesis_fig_2_3", "8x8"),
+    "16": Row("thesis_fig_2_3", "16x16"),
     "odd": Row("thesis_fig_2_3", "13x10", options=("--set", "scan_out.pixels=3", "--colour-bits", "16", "--set", "link.width=10")),
     "buffers": Row("thesis_fig_2_3", "16x16", options=("--set", "scan_out.buffers=2", "--memory-bits", "96"), frames=4),
     "own port": Row("thesis_fig_2_3", "16x16", options=("--set", "scan_out.port=own", "--set", "memory.reads=2", "--set", "alu.bits=2")),
-    "powers": Row("one_sphere", "16x16", "pixel-powers", ("--memory-bits", "128")),
+    "powers": Row("sphere", "16x16", "pixel-powers"),
     "32": Row("carburettor", "32x32"),
     "64": Row("carburettor", "64x64"),
 }
@@ -47,8 +48,17 @@ ROWS = {
 def run(command, folder=None):
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode != 0:
-        sys.exit(f"designs.py: {' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
+        sys.exit(f"simulate.py: {' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
     return done.stdout, done.stderr
+
+
+def begins_of_instructions(csgsim, words, row, folder):
+    """The clock in which the controller sends the first step of each instruction, by csgsim."""
+    run([csgsim, "wave", *words, "--machine", row.machine, "-o", folder / "parts.json", "--quiet"])
+    events = json.loads((folder / "parts.json").read_text())["traceEvents"]
+    lane = next(event["tid"] for event in events if event["ph"] == "M" and event["name"] == "thread_name" and
+                event["pid"] == 2 and event["args"]["name"] == "text")
+    return sorted(event["args"]["clock"] for event in events if event["ph"] == "X" and event["tid"] == lane)
 
 
 def compare(csgsim, simulator, name, folder):
@@ -60,7 +70,7 @@ def compare(csgsim, simulator, name, folder):
     run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "-o", folder / "csgsim.ppm",
          "--stats", folder / "csgsim.json", "--quiet"])
     stats = json.loads((folder / "csgsim.json").read_text())
-    told, warned = run(["make", "-s", "-C", folder, simulator, f"FRAMES={row.frames}"])
+    told, warned = run(["make", "-s", "-C", folder, simulator, f"FRAMES={row.frames}", "OPTIMISE=-O0"])
     wrong = []
 
     def expect(what, ours, theirs):
@@ -77,6 +87,13 @@ def compare(csgsim, simulator, name, folder):
     expect("clocks", stats["clocks"], of_frame(0, r"drawn after (\d+) clocks"))
     expect("shown_clocks", stats["shown_clocks"], of_frame(0, r"shown after (\d+) clocks"))
     expect("interval_clocks", stats["interval_clocks"], of_frame(last - 1, r"next after (\d+) clocks"))
+    if simulator == "icarus":
+        run(["vvp", "-n", folder / "icarus.vvp", "+picture=again.ppm", "+frames=1", "+trace=trace.txt"], folder)
+        expect("clocks in which instructions begin", begins_of_instructions(csgsim, words, row, folder),
+               [int(line) for line in (folder / "trace.txt").read_text().split()])
+    shared = "scan_out.port=own" not in row.options
+    bits = int(re.search(r"VIDEO_BITS = (\d+)", (folder / "testbench.v").read_text())[1])
+    expect("refresh words", int(row.size.split("x")[1]) * bits if shared else 0, of_frame(0, r"with (\d+) refresh words"))
     for part in PARTS + [part for part in OF_TWO_BUFFERS if part in controller]:
         expect(part, controller[part], of_frame(0, rf"\b{part} (\d+)"))
     expect("the picture's bytes", hash((folder / "csgsim.ppm").read_bytes()), hash((folder / f"{simulator}.ppm").read_bytes()))
