@@ -8,6 +8,7 @@
 
 #include "hw/array/plane.h"
 #include "hw/link/frame_words.h"
+#include "hw/machines/regions.h"
 #include "hw/pixel_planes/figures.h"
 
 namespace csgsim::rtl {
@@ -88,6 +89,7 @@ void Lockstep::clear() {
   program.segments[0].region = {0, 0, figures_.array.width, figures_.array.height};
   systemc::RunListener nobody;
   machine_.run(program, nobody);
+  look();
   rtl_ = std::make_unique<Machine>();
 }
 
@@ -132,7 +134,8 @@ void Lockstep::finish_frame() {
   Frame& frame = frames_[drawn_];
   frame.clocks = rtl_->outputs().clocks;
   frame.counts = rtl_->outputs().counts;
-  const isa::Field colour = isa::frame_header(programs_[drawn_]).colour;
+  isa::Field colour = isa::frame_header(programs_[drawn_]).colour;
+  if (const isa::Field copied = machines::second_buffer(colour.width, figures_); copied.width > 0) colour = copied;
   const array::PixelArray& pixels = machine_.processors().pixels();
   for (std::uint32_t i = 0; colour.width > 0 && i < figures_.array.width * figures_.array.height; ++i) {
     std::uint32_t& pixel = frame.drawn.emplace_back(0);
