@@ -60,11 +60,14 @@ def main():
         cells = [name, PARTS[part], size.replace("x", " × "), *placed(csgsim, DESIGNS[name], part, size)]
         lines.append("| " + " | ".join(cells) + " |")
         print(lines[-1], flush=True)
-    table = "\n".join(lines) + "\n"
+    write("\n".join(lines) + "\n")
+    return 0
+
+
+def write(table):
     README.write_text(table)
     page = PAGE.read_text()
     PAGE.write_text(re.sub(f"({re.escape(BEGIN)}).*?({re.escape(END)})", lambda found: found[1] + table + found[2], page, flags=re.S))
-    return 0
 
 
 if __name__ == "__main__":

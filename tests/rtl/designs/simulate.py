@@ -52,6 +52,15 @@ def run(command, folder=None):
     return done.stdout, done.stderr
 
 
+def drawn(simulator, frames, folder):
+    """What the testbench tells, and what was warned of."""
+    program, command = {"icarus": ("icarus.vvp", ["vvp", "-n", "icarus.vvp"]), "verilator": ("verilated/testbench", ["verilated/testbench"])}[simulator]
+    _, warned = run(["make", "-s", program, "OPTIMISE=-O0"], folder)
+    told, more = run([*command, f"+picture={simulator}.ppm", f"+frames={frames}", "+trace=trace.txt"], folder)
+    run(["make", "-s", f"{simulator}.png"], folder)
+    return told, warned + more
+
+
 def begins_of_instructions(csgsim, words, row, folder):
     """The clock in which the controller sends the first step of each instruction, by csgsim."""
     run([csgsim, "wave", *words, "--machine", row.machine, "-o", folder / "parts.json", "--quiet"])
@@ -70,7 +79,7 @@ def compare(csgsim, simulator, name, folder):
     run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "-o", folder / "csgsim.ppm",
          "--stats", folder / "csgsim.json", "--quiet"])
     stats = json.loads((folder / "csgsim.json").read_text())
-    told, warned = run(["make", "-s", "-C", folder, simulator, f"FRAMES={row.frames}", "OPTIMISE=-O0"])
+    told, warned = drawn(simulator, row.frames, folder)
     wrong = []
 
     def expect(what, ours, theirs):
@@ -87,10 +96,8 @@ def compare(csgsim, simulator, name, folder):
     expect("clocks", stats["clocks"], of_frame(0, r"drawn after (\d+) clocks"))
     expect("shown_clocks", stats["shown_clocks"], of_frame(0, r"shown after (\d+) clocks"))
     expect("interval_clocks", stats["interval_clocks"], of_frame(last - 1, r"next after (\d+) clocks"))
-    if simulator == "icarus":
-        run(["vvp", "-n", folder / "icarus.vvp", "+picture=again.ppm", "+frames=1", "+trace=trace.txt"], folder)
-        expect("clocks in which instructions begin", begins_of_instructions(csgsim, words, row, folder),
-               [int(line) for line in (folder / "trace.txt").read_text().split()])
+    expect("clocks in which instructions begin", begins_of_instructions(csgsim, words, row, folder),
+           [int(line) for line in (folder / "trace.txt").read_text().split()])
     shared = "scan_out.port=own" not in row.options
     bits = int(re.search(r"VIDEO_BITS = (\d+)", (folder / "testbench.v").read_text())[1])
     expect("refresh words", int(row.size.split("x")[1]) * bits if shared else 0, of_frame(0, r"with (\d+) refresh words"))
