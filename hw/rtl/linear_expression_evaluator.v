@@ -37,7 +37,6 @@ module linear_expression_evaluator #(
   tree_levels #(.LEVELS(LEVELS_Y), .MORE(MORE_Y)) y_levels (
     .clk(clk), .reset(reset), .first(begins_x[LEVELS_X]), .begins(begins_y));
 
-  genvar x, y;
   generate
     if (DEGREE == 1) begin : linear
       // A wire that no level looks at has no length; B is needed when C's sums come out of the X tree, and later.
@@ -54,15 +53,9 @@ module linear_expression_evaluator #(
 
       multiplier_tree #(.LEAVES(WIDTH), .LEVELS(LEVELS_X)) x_tree (
         .clk(clk), .reset(reset), .begins(begins_x), .multiplicand(late_a), .in(c), .out(columns));
-      for (x = 0; x < WIDTH; x = x + 1) begin : column
-        wire [HEIGHT-1:0] rows;
-        multiplier_tree #(.LEAVES(HEIGHT), .LEVELS(LEVELS_Y)) y_tree (
-          .clk(clk), .reset(reset), .begins(begins_y), .multiplicand(`FAULT(`FAULT_TREE_DELAY) ? early_b : late_b),
-          .in(columns[x]), .out(rows));
-        for (y = 0; y < HEIGHT; y = y + 1) begin : row
-          assign leaves[y*WIDTH + x] = rows[y];
-        end
-      end
+      multiplier_tree #(.LEAVES(HEIGHT), .LEVELS(LEVELS_Y), .LANES(WIDTH)) y_trees (
+        .clk(clk), .reset(reset), .begins(begins_y), .multiplicand(`FAULT(`FAULT_TREE_DELAY) ? early_b : late_b),
+        .in(columns), .out(leaves));
     end else begin : quadratic
       // The slope along a column is B + XY*x, from a linear tree.
       localparam DELAY_XY = LEVELS_X > 0 ? LEVELS_X - 1 : 0;
@@ -76,15 +69,9 @@ module linear_expression_evaluator #(
         .clk(clk), .reset(reset), .begins(begins_x), .square(xx), .value(c), .slope(a), .out(columns));
       multiplier_tree #(.LEAVES(WIDTH), .LEVELS(LEVELS_X)) slope_tree (
         .clk(clk), .reset(reset), .begins(begins_x[LEVELS_X:0]), .multiplicand(late_xy), .in(b), .out(slopes));
-      for (x = 0; x < WIDTH; x = x + 1) begin : column
-        wire [HEIGHT-1:0] rows;
-        square_tree #(.LEAVES(HEIGHT), .LEVELS(LEVELS_Y), .MORE(MORE_Y)) y_tree (
-          .clk(clk), .reset(reset), .begins(begins_y), .square(`FAULT(`FAULT_TREE_DELAY) ? yy : late_yy),
-          .value(columns[x]), .slope(slopes[x]), .out(rows));
-        for (y = 0; y < HEIGHT; y = y + 1) begin : row
-          assign leaves[y*WIDTH + x] = rows[y];
-        end
-      end
+      square_tree #(.LEAVES(HEIGHT), .LEVELS(LEVELS_Y), .MORE(MORE_Y), .LANES(WIDTH)) y_trees (
+        .clk(clk), .reset(reset), .begins(begins_y), .square(`FAULT(`FAULT_TREE_DELAY) ? yy : late_yy), .value(columns),
+        .slope(slopes), .out(leaves));
     end
   endgenerate
 endmodule

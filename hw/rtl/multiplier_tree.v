@@ -1,5 +1,5 @@
-// A serial multiplier tree (thesis 7.2.1 and fig. 7.1): adds multiplicand * i to the stream for each leaf i, LEVELS clocks
-// later. Node 1 is the root, those below node n are 2n and 2n + 1, and leaf i is number 2^LEVELS + i. Nodes that have no
+// LANES serial multiplier trees (thesis 7.2.1 and fig. 7.1): each adds multiplicand * i to its stream for each leaf i, LEVELS
+// clocks later. Node 1 is the root, those below node n are 2n and 2n + 1, and leaf i is number 2^LEVELS + i. Nodes that have no
 // leaf are left out.
 //
 // The multiplicand enters LEVELS - 1 clocks after the stream, on a wire that all levels share, so that at level k it is
@@ -9,23 +9,24 @@
 
 module multiplier_tree #(
   parameter LEAVES = 8,
-  parameter LEVELS = 3   // $clog2(LEAVES)
+  parameter LEVELS = 3,  // $clog2(LEAVES)
+  parameter LANES = 1
 ) (
   input wire clk,
   input wire reset,
   input wire [LEVELS:0] begins,   // a stream, at each level
   input wire multiplicand,
-  input wire in,
-  output wire [LEAVES-1:0] out
+  input wire [LANES-1:0] in,
+  output wire [LEAVES*LANES-1:0] out   // the lanes of leaf 0 first
 );
   localparam ROUNDED = 1 << LEVELS;
   /* verilator lint_off UNUSEDSIGNAL */
-  wire [2*ROUNDED-1:0] stream;
+  wire [2*ROUNDED*LANES-1:0] stream;
   wire unused = clk | reset | multiplicand | |begins;
   /* verilator lint_on UNUSEDSIGNAL */
-  assign stream[0] = 1'b0;
-  assign stream[1] = in;
-  assign out = stream[ROUNDED +: LEAVES];
+  assign stream[0 +: LANES] = {LANES{1'b0}};
+  assign stream[LANES +: LANES] = in;
+  assign out = stream[ROUNDED*LANES +: LEAVES*LANES];
 
   genvar k, i;
   generate
@@ -37,12 +38,14 @@ module multiplier_tree #(
         assign counts = 1'b1;
       end
       for (i = 0; i < (1 << k); i = i + 1) begin : at
+        localparam NODE = (1 << k) + i;
         if (i << (LEVELS - k) < LEAVES) begin : there
-          tree_node node (
+          tree_node #(.LANES(LANES)) node (
             .clk(clk), .reset(reset), .first(begins[k]), .multiplicand(multiplicand & counts),
-            .in(stream[(1 << k) + i]), .left(stream[2 * ((1 << k) + i)]), .right(stream[2 * ((1 << k) + i) + 1]));
+            .in(stream[NODE*LANES +: LANES]), .left(stream[2*NODE*LANES +: LANES]),
+            .right(stream[(2*NODE+1)*LANES +: LANES]));
         end else begin : missing
-          assign stream[2 * ((1 << k) + i) +: 2] = 2'b00;
+          assign stream[2*NODE*LANES +: 2*LANES] = {(2*LANES){1'b0}};
         end
       end
     end

@@ -40,14 +40,16 @@ module pixel_processors #(
   wire [PIXELS-1:0] in_region;
   wire [SIDE-1:0] columns = control[CW_COLUMNS +: SIDE];
   wire [SIDE-1:0] rows = control[CW_ROWS +: SIDE];
+  wire [WIDTH-1:0] in_columns;
   genvar x, y, c;
   generate
+    for (x = 0; x < WIDTH; x = x + 1) begin : column
+      localparam [31:0] COLUMN = x;
+      assign in_columns[x] = COLUMN[SIDE-1:0] < columns | `FAULT(`FAULT_REGION);
+    end
     for (y = 0; y < HEIGHT; y = y + 1) begin : row
       localparam [31:0] ROW = y;
-      for (x = 0; x < WIDTH; x = x + 1) begin : column
-        localparam [31:0] COLUMN = x;
-        assign in_region[y*WIDTH + x] = (COLUMN[SIDE-1:0] < columns | `FAULT(`FAULT_REGION)) & ROW[SIDE-1:0] < rows;
-      end
+      assign in_region[y*WIDTH +: WIDTH] = ROW[SIDE-1:0] < rows ? in_columns : {WIDTH{1'b0}};
     end
   endgenerate
 

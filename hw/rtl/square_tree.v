@@ -1,4 +1,4 @@
-// A multiplier tree of degree 2 (docs/machines/pixel-powers.md, "Trees"): of a value and a slope it makes
+// LANES multiplier trees of degree 2 (docs/machines/pixel-powers.md, "Trees"): of its value and slope each makes
 // value + slope * i + C * i * i for each leaf i, LEVELS clocks later. Nodes are numbered as in multiplier_tree.v.
 //
 // The coefficient C of the square comes with the streams, and goes through registers that all nodes of a level share. At
@@ -9,15 +9,16 @@
 module square_tree #(
   parameter LEAVES = 8,
   parameter LEVELS = 3,  // $clog2(LEAVES)
-  parameter MORE = 0     // LEVELS - 3, or 0 if that is less
+  parameter MORE = 0,    // LEVELS - 3, or 0 if that is less
+  parameter LANES = 1
 ) (
   input wire clk,
   input wire reset,
   input wire [LEVELS+MORE:0] begins,  // streams, at each level and so many clocks later (tree_levels.v)
   input wire square,                  // bit of C
-  input wire value,
-  input wire slope,
-  output wire [LEAVES-1:0] out
+  input wire [LANES-1:0] value,
+  input wire [LANES-1:0] slope,
+  output wire [LEAVES*LANES-1:0] out  // the lanes of leaf 0 first
 );
   localparam ROUNDED = 1 << LEVELS;
   localparam WIRE = LEVELS > 1 ? 2 * LEVELS - 2 : LEVELS;  // the longest delay of C
@@ -32,13 +33,13 @@ module square_tree #(
   endgenerate
 
   /* verilator lint_off UNUSEDSIGNAL */
-  wire [2*ROUNDED-1:0] values;
-  wire [2*ROUNDED-1:0] slopes;
+  wire [2*ROUNDED*LANES-1:0] values;
+  wire [2*ROUNDED*LANES-1:0] slopes;
   wire unused = clk | reset | |begins | |squares;
   /* verilator lint_on UNUSEDSIGNAL */
-  assign values[1:0] = {value, 1'b0};
-  assign slopes[1:0] = {slope, 1'b0};
-  assign out = values[ROUNDED +: LEAVES];
+  assign values[0 +: 2*LANES] = {value, {LANES{1'b0}}};
+  assign slopes[0 +: 2*LANES] = {slope, {LANES{1'b0}}};
+  assign out = values[ROUNDED*LANES +: LEAVES*LANES];
 
   generate
     for (k = 0; k < LEVELS; k = k + 1) begin : level
@@ -56,14 +57,16 @@ module square_tree #(
       for (i = 0; i < (1 << k); i = i + 1) begin : at
         localparam NODE = (1 << k) + i;
         if (i << (LEVELS - k) < LEAVES) begin : there
-          square_node #(.DELAY(S)) node (
+          localparam LEFT = 2 * NODE * LANES;
+          localparam RIGHT = LEFT + LANES;
+          square_node #(.DELAY(S), .LANES(LANES)) node (
             .clk(clk), .reset(reset), .first(begins[k]), .counts(counts), .square(squares[k+2*S] & counts_square),
-            .square_slope(squares[k+S+1] & counts_slope), .value(values[NODE]), .slope(slopes[NODE]),
-            .left_value(values[2*NODE]), .left_slope(slopes[2*NODE]), .right_value(values[2*NODE+1]),
-            .right_slope(slopes[2*NODE+1]));
+            .square_slope(squares[k+S+1] & counts_slope), .value(values[NODE*LANES +: LANES]),
+            .slope(slopes[NODE*LANES +: LANES]), .left_value(values[LEFT +: LANES]), .left_slope(slopes[LEFT +: LANES]),
+            .right_value(values[RIGHT +: LANES]), .right_slope(slopes[RIGHT +: LANES]));
         end else begin : missing
-          assign values[2*NODE +: 2] = 2'b00;
-          assign slopes[2*NODE +: 2] = 2'b00;
+          assign values[2*NODE*LANES +: 2*LANES] = {(2*LANES){1'b0}};
+          assign slopes[2*NODE*LANES +: 2*LANES] = {(2*LANES){1'b0}};
         end
       end
     end

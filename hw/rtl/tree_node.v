@@ -1,27 +1,30 @@
-// A node of a multiplier tree (thesis 7.2.1 and fig. 7.1): a one-bit adder that keeps its carry. Streams come least
-// significant bit first and back to back, and leave a clock later.
+// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one place: at each a one-bit adder that keeps its carry.
+// Streams come least significant bit first and back to back, and leave a clock later.
 `include "faults.vh"
 
-module tree_node (
+module tree_node #(
+  parameter LANES = 1
+) (
   input wire clk,
   input wire reset,
   input wire first,         // bit of a stream
   input wire multiplicand,
-  input wire in,
-  output reg left,          // the same
-  output reg right          // the sum
+  input wire [LANES-1:0] in,
+  output reg [LANES-1:0] left,    // the same
+  output reg [LANES-1:0] right    // the sum
 );
-  reg carry;
-  wire kept = carry & (~first | `FAULT(`FAULT_TREE_ADDER));
+  reg [LANES-1:0] carry;
+  wire [LANES-1:0] kept = carry & {LANES{~first | `FAULT(`FAULT_TREE_ADDER)}};
+  wire [LANES-1:0] added = {LANES{multiplicand}};
   always @(posedge clk) begin
     if (reset) begin
-      left <= 1'b0;
-      right <= 1'b0;
-      carry <= 1'b0;
+      left <= {LANES{1'b0}};
+      right <= {LANES{1'b0}};
+      carry <= {LANES{1'b0}};
     end else begin
       left <= in;
-      right <= in ^ multiplicand ^ kept;
-      carry <= (in & multiplicand) | (in & kept) | (multiplicand & kept);
+      right <= in ^ added ^ kept;
+      carry <= (in & added) | (in & kept) | (added & kept);
     end
   end
 endmodule

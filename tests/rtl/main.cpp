@@ -5,6 +5,9 @@
 //   Test models, drawn by both.
 // rtl_NAME faults SEQUENCES INSTRUCTIONS NUMBER...
 //   Every planted fault but those is noticed within so many random sequences, and those are not.
+// rtl_NAME host SEED LATENCY WORD_CLOCKS
+//   Writes what host_test.v takes, into files here, of a random Program that asks, skips and is shown; and prints its
+//   parameters. The clocks are the SystemC's.
 // rtl_NAME speed PRIMITIVES
 //   Seconds of both on the benchmarks' typical mix, by pixel and clock; the fastest of some runs.
 
@@ -15,6 +18,7 @@
 #include <cstdio>
 #include <ctime>
 #include <exception>
+#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
@@ -161,7 +165,43 @@ int speed(const Words& words) {
   return 0;
 }
 
+/// Asks, skips and is shown.
+bool is_telling(const isa::Program& program, const systemc::RunReport& report) {
+  return !report.answers.empty() && report.skipped > 0 && !report.picture.empty() && program.segments.size() == 1;
+}
+
+int host(const Words& words) {
+  machines::Machine figures = machine_of_parameters();
+  figures.link.latency = static_cast<std::uint32_t>(std::stoul(words.at(2)));
+  figures.link.word_clocks = static_cast<std::uint32_t>(std::stoul(words.at(3)));
+  pixel_planes::PixelPlanes machine("machine", figures);
+  systemc::RunListener nobody;
+  constexpr int size = 50;
+  constexpr std::size_t instructions = 40;
+  const auto any_frames = arbitrary_frames(figures, instructions);
+  for (std::uint64_t seed = std::stoul(words.at(1));; ++seed) {
+    const isa::Program program = any_frames(rc::Random(seed), size).value().front();
+    const systemc::RunReport report = machine.run(program, nobody);
+    if (!is_telling(program, report)) continue;
+    const link::FrameWords frame = link::frame_words(program, figures.link.width);
+    std::ofstream all_words("words.hex");
+    for (const isa::LinkWord& word : frame.words) all_words << fmt::format("{:08x}\n", word.number(0, 32));
+    std::ofstream begins("begins.hex");
+    for (const std::size_t begin : frame.begins) begins << fmt::format("{:x}\n", begin);
+    std::ofstream answers("answers.hex");
+    for (const bool answer : report.answers) answers << (answer ? "1\n" : "0\n");
+    answers << "0\n";
+    std::ofstream picture("picture.hex");
+    for (const std::uint32_t colour : report.picture) picture << fmt::format("{:x}\n", colour);
+    fmt::print("WORDS={} INSTRUCTIONS={} ANSWERS={} CLOCKS={} LATENCY={} WORD_CLOCKS={}\n", frame.words.size(),
+               frame.begins.size() - 1, report.answers.size(), report.clocks, figures.link.latency,
+               figures.link.word_clocks);
+    return 0;
+  }
+}
+
 int run(const Words& words) {
+  if (words.at(0) == "host") return host(words);
   if (words.at(0) == "speed") return speed(words);
   if (words.at(0) == "random") return random_programs(words);
   if (words.at(0) == "models") return models(words);

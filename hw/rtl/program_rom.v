@@ -1,0 +1,75 @@
+// The host as a memory: the words of a frame, as `csgsim rtl` writes them, sent whenever the machine asks. It does what the host's end of the link does
+// (docs/machines/pixel-planes-4.md, "Link"): a request names the instruction to go on from; LATENCY clocks after the edge at which
+// it has come the first word is on the link, for WORD_CLOCKS clocks, and then until there is room for it.
+//
+// WORDS_FILE has a word of LINK bits a line, in hexadecimal, as $readmemh takes it. BEGINS_FILE has, for each of INSTRUCTIONS
+// instructions and one more, the number of the word to go on with when all before it are over.
+module program_rom #(
+  parameter LINK = 32,
+  parameter WORDS = 1,
+  parameter INSTRUCTIONS = 1,
+  parameter LATENCY = 0,
+  parameter WORD_CLOCKS = 1,
+  parameter FRAMES = 1,                 // that the same words are drawn so often; 0: without end
+  parameter WORDS_FILE = "",
+  parameter BEGINS_FILE = ""
+) (
+  input wire clk,
+  input wire reset,
+  output wire frame,
+  input wire request,
+  input wire [31:0] request_from,
+  output wire [LINK-1:0] word,
+  output wire word_valid,
+  input wire word_ready
+);
+  localparam PLACE = $clog2(WORDS + 1);
+  localparam NUMBER = $clog2(INSTRUCTIONS + 1);
+  localparam [31:0] END = WORDS;
+  localparam [31:0] LAST = INSTRUCTIONS;
+  localparam [31:0] WAY = LATENCY;
+  localparam [31:0] EACH = WORD_CLOCKS > 1 ? WORD_CLOCKS : 1;
+  localparam [31:0] TIMES = FRAMES;
+
+  reg [LINK-1:0] words [0:WORDS-1];
+  reg [PLACE-1:0] begins [0:INSTRUCTIONS];
+  generate
+    if (WORDS_FILE != "") begin : filled
+      initial begin
+        $readmemh(WORDS_FILE, words);
+        $readmemh(BEGINS_FILE, begins);
+      end
+    end
+  endgenerate
+
+  reg [PLACE-1:0] next;     // the word on the link, or that will be
+  reg [31:0] latent;        // clocks until it is
+  reg [31:0] on_link;       // clocks that it still has to be there
+  reg [31:0] frames;        // that the machine has begun
+
+  wire sends = latent == 0 && next != END[PLACE-1:0];
+  assign frame = FRAMES == 0 || frames != TIMES;
+  assign word = words[next];
+  assign word_valid = sends && on_link == 1 && !request;
+
+  always @(posedge clk) begin
+    if (request) begin
+      next <= request_from > LAST ? END[PLACE-1:0] : begins[request_from[NUMBER-1:0]];
+      latent <= WAY;
+      on_link <= EACH;
+      if (request_from == 0 && FRAMES != 0) frames <= frames + 1;
+    end else if (latent != 0) begin
+      latent <= latent - 1;
+    end else if (sends && on_link != 1) begin
+      on_link <= on_link - 1;
+    end else if (word_valid && word_ready) begin
+      next <= next + 1;
+      on_link <= EACH;
+    end
+    if (reset) begin
+      next <= END[PLACE-1:0];
+      latent <= 0;
+      frames <= 0;
+    end
+  end
+endmodule

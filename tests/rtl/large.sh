@@ -1,0 +1,17 @@
+#!/bin/sh
+# What CI has no time for, in a built tree: the lockstep at 64 x 64, and on machines that numbers make up.
+#   large.sh BUILD    for instance build/release
+set -eu
+build=$1
+cmake --build "$build" --target rtl_64x64 rtl_64x64_squares rtl_random_machines
+
+"$build"/rtl_64x64 random 3 20 latency=4
+"$build"/rtl_64x64 models thesis_fig_2_3
+"$build"/rtl_64x64_squares random 3 20 latency=4
+"$build"/rtl_64x64 speed 40
+number=0
+for machine in "$build"/rtl_random_[0-9]*; do
+  number=$((number + 1))
+  echo "$machine:"
+  "$machine" random 40 40 latency=$((number * 5 % 13)) word=$((1 + number % 3))
+done
