@@ -44,11 +44,12 @@ void add_board(std::vector<Filling>& fillings, const BoardWires& wires) {
   fillings.push_back({"CHANNEL_BITS", fmt::format("{}", channel)});
   fillings.push_back({"BOARD_VIDEO", video_lines(wires, channel)});
   fillings.push_back(
-      {"BOARD_PORTS", wires.has_line ? "  input wire receive,  // the host's serial line\n  output wire send,\n" : ""});
-  fillings.push_back({"BOARD_CONNECTIONS", wires.has_line ? ".receive(receive), .send(send), "
-                                                          : ".frame(1'b1), .request(), .request_from(), "});
-  fillings.push_back({"BOARD_LINE_HX", wires.has_line ? "set_io receive B10\nset_io send B12" : ""});
-  fillings.push_back({"BOARD_LINE_UP", wires.has_line ? "set_io receive 6\nset_io send 9" : ""});
+      {"BOARD_PORTS",
+       wires.has_line ? "  input wire from_computer,  // the host's serial line\n  output wire to_computer,\n" : ""});
+  fillings.push_back({"BOARD_CONNECTIONS", wires.has_line ? ".from_computer(from_computer), .to_computer(to_computer), "
+                                                          : ".request(), .request_from(), "});
+  fillings.push_back({"BOARD_LINE_HX", wires.has_line ? "set_io from_computer B10\nset_io to_computer B12" : ""});
+  fillings.push_back({"BOARD_LINE_UP", wires.has_line ? "set_io from_computer 6\nset_io to_computer 9" : ""});
 }
 
 }  // namespace csgsim::rtl

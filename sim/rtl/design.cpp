@@ -83,7 +83,7 @@ std::vector<DesignFile> design_files(const machines::Machine& machine, const isa
   if (program != nullptr) {
     ProgramMemory memory = program_memory(*program, machine.link.width);
     fillings.push_back({"WORDS", number(memory.word_count)});
-    fillings.push_back({"BEGINS", number(memory.begin_count)});
+    fillings.push_back({"INSTRUCTIONS", number(memory.begin_count - 1)});
     files.push_back({"program.hex", std::move(memory.words)});
     files.push_back({"begins.hex", std::move(memory.begins)});
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <iterator>
 
 #include "hw/link/frame_words.h"
@@ -11,7 +12,6 @@ namespace csgsim::rtl {
 namespace {
 
 constexpr unsigned digit_bits = 4;
-constexpr unsigned begin_digits = 8;
 
 /// Digits of a word, the highest first.
 void append_word(std::string& text, const isa::LinkWord& word, unsigned link_width) {
@@ -28,9 +28,9 @@ ProgramMemory program_memory(const isa::Program& program, unsigned link_width) {
   const link::FrameWords frame = link::frame_words(program, link_width);
   ProgramMemory memory;
   for (const isa::LinkWord& word : frame.words) append_word(memory.words, word, link_width);
-  for (const std::size_t begin : frame.begins) {
-    fmt::format_to(std::back_inserter(memory.begins), "{:0{}x}\n", begin, begin_digits);
-  }
+  const auto number_bits = static_cast<unsigned>(std::bit_width(frame.words.size()));
+  for (const std::size_t begin : frame.begins)
+    fmt::format_to(std::back_inserter(memory.begins), "{:0{}x}\n", begin, (number_bits + digit_bits - 1) / digit_bits);
   memory.word_count = frame.words.size();
   memory.begin_count = frame.begins.size();
   return memory;

@@ -154,7 +154,7 @@ def header(pixels, nodes):
 #include <array>
 #include <cstdint>
 
-/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in tests/rtl: transistors of static CMOS.
+/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in hw/rtl: transistors of static CMOS.
 namespace csgsim::machines {{
 
 /// A pixel processor with its registers and the turning of its memory ports, without its memory; where expressions are

@@ -1,11 +1,11 @@
 // @MACHINE@, whose host is at the other end of a serial line.
 module system #(
-  parameter CLOCKS_A_BIT = 104  // of the line: 115,200 bits a second at 12 MHz
+  parameter BIT = 104  // clocks: 115,200 bits a second at 12 MHz
 ) (
   input wire clk,
   input wire reset,
-  input wire receive,
-  output wire send,
+  input wire from_computer,
+  output wire to_computer,
   output wire told,
   output wire told_any,
   output wire done,
@@ -20,8 +20,9 @@ module system #(
   wire word_valid, word_ready, frame, request;
   wire [31:0] request_from;
 
-  uart_host #(.LINK(@LINK@), .CLOCKS_A_BIT(CLOCKS_A_BIT)) host (
-    .clk(clk), .reset(reset), .receive(receive), .send(send), .frame(frame), .request(request),
-    .request_from(request_from), .word(word), .word_valid(word_valid), .word_ready(word_ready));
+  uart_host #(.LINK(@LINK@), .BIT(BIT)) host (
+    .clk(clk), .reset(reset), .from_computer(from_computer), .to_computer(to_computer), .frame(frame), .request(request),
+    .request_from(request_from), .word(word), .word_valid(word_valid), .word_ready(word_ready), .told(told),
+    .told_any(told_any), .done(done), .clocks(clocks));
 
 @PIXEL_PLANES@endmodule

@@ -13,7 +13,6 @@ module testbench;
 
   reg clk;
   reg reset;
-  reg frame;
   wire request;
   wire [31:0] request_from;
   wire told, told_any, done;
@@ -22,7 +21,7 @@ module testbench;
   wire [SCAN_PIXELS*VIDEO_BITS-1:0] video;
 
   system dut (
-    .clk(clk), .reset(reset), .frame(frame), .request(request), .request_from(request_from), .told(told),
+    .clk(clk), .reset(reset), .request(request), .request_from(request_from), .told(told),
     .told_any(told_any), .done(done), .clocks(clocks), .video_valid(video_valid), .video_row(video_row),
     .video_frame(video_frame), .video(video), .shown(shown));
 
@@ -85,7 +84,6 @@ module testbench;
   initial begin
     clk = 1'b0;
     reset = 1'b1;
-    frame = 1'b0;
     now = 0;
     begun = 0;
     drawn = 0;
@@ -118,7 +116,6 @@ module testbench;
   always @(posedge clk) begin
     now <= now + 1;
     reset <= now < 2;
-    frame <= now > 2 && begun + (begins_frame ? 1 : 0) < frames;
     if (begins_frame) begin
       if (begun != 0) $display("frame %0d: next after %0d clocks", begun - 1, now - began);
       began <= now;
