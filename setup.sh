@@ -47,6 +47,7 @@ Usage: ./setup.sh COMMAND
   cluster
          run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
          with srun, mpirun and GNU Parallel (as root)
+  rtl    hold the machine in Verilog against the SystemC at 64 x 64 pixels, and machines that numbers make up
   mutate test the tests: 400 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
@@ -55,7 +56,7 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation python3-dev python3-numpy pybind11-dev"
-test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys valgrind iverilog make
+test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind make
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
 clang_packages="clang libclang-rt-14-dev lld"
 rtl_packages="make iverilog verilator yosys nextpnr-ice40 fpga-icestorm"
@@ -325,6 +326,7 @@ case "${1:-}" in
     need $build_packages $test_packages $rtl_packages
     build release -DCSGSIM_BUILD_TESTS=ON
     ctest --preset release -L rtl -j "$(nproc)"
+    tests/rtl/large.sh build/release
     python3 tests/rtl/formal/formal.py
     for simulator in verilator icarus; do python3 tests/rtl/designs/simulate.py build/release/csgsim $simulator long; done
     python3 tests/rtl/designs/place.py build/release/csgsim
@@ -361,6 +363,12 @@ case "${1:-}" in
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;
   lint) lint "${2:-}" ;;
+  rtl)
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages
+    build release -DCSGSIM_RTL=ON
+    exec tests/rtl/large.sh build/release
+    ;;
   mutate)
     shift
     # shellcheck disable=SC2086

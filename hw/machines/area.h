@@ -6,7 +6,7 @@
 #include "hw/machines/machine.h"
 
 /// What the pixels of a machine take in silicon. A model (docs/area.md): logic as Yosys synthesises the Verilog of
-/// tests/rtl, in transistors of static CMOS, and memory as a number of transistors a bit, which is assumed.
+/// hw/rtl, in transistors of static CMOS, and memory as a number of transistors a bit, which is assumed.
 namespace csgsim::machines {
 
 /// Of a memory bit in a dynamic cell that can be read and written in the same clock: one to write, and two for each

@@ -105,7 +105,7 @@ class Kind {
   /// Its parts, those that may bound a frame, with the clocks in which each works from one frame to the next; none from
   /// a kind that does not tell. Of several that are alike the one that works most.
   [[nodiscard]] virtual std::vector<Load> loads(const FrameTiming& /*timing*/) const { return {}; }
-  /// Whether its processors are the pixels of tests/rtl, whose area is known (hw/machines/area.h).
+  /// Whether its processors are the pixels of hw/rtl, whose area is known (hw/machines/area.h).
   [[nodiscard]] virtual bool bit_serial_pixels() const { return false; }
 };
 

@@ -290,7 +290,7 @@ module controller #(
     else if (take_refresh) spent <= SPENT_REFRESHING;
     else if (drains) spent <= SPENT_DRAINING;
     else if (begins_hold || state == HOLDING) spent <= SPENT_HOLDING;
-    else if (waits_for_command) spent <= jump || (jumped && !take && !begins_frame) ? SPENT_JUMPING : SPENT_STARVED;
+    else if (waits_for_command) spent <= jump || (jumped && !take && !begins_frame && !`FAULT(`FAULT_COUNT)) ? SPENT_JUMPING : SPENT_STARVED;
     else spent <= SPENT_ANSWERING;
   end
 endmodule

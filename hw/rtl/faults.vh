@@ -29,3 +29,7 @@
 `define FAULT_HOLD 21               // a picture is copied while the one before is still being latched
 `define FAULT_COPY 22               // a copy inverts
 `define FAULT_CLEAR_LIMIT 23        // a clear takes what is still to be latched
+`define FAULT_DROP 24               // a jump leaves in the FIFO what it holds
+`define FAULT_CONSTANT 25           // a command is taken for whole without its constant
+`define FAULT_BANK 26               // bits that lie a word on are looked for in the word before
+`define FAULT_COUNT 27              // clocks after a jump are counted as those of a starved controller

@@ -1,5 +1,7 @@
 // A FIFO of DEPTH words of BITS bits, as that of the link (docs/machines/pixel-planes-4.md, "Link"). What goes in at an
 // edge can be taken at the next, and a place that becomes free at an edge can be filled at the next.
+`include "faults.vh"
+
 module fifo #(
   parameter DEPTH = 16,
   parameter BITS = 32
@@ -27,6 +29,7 @@ module fifo #(
   assign out_valid = count != 0;
   assign out = words[first];
   wire push = in_valid & in_ready;
+  wire drops = drop & ~`FAULT(`FAULT_DROP);
   wire [COUNT-1:0] one = 1;
   wire [PLACE-1:0] next = 1;
 
@@ -39,9 +42,9 @@ module fifo #(
       count <= 0;
     end else begin
       if (push) last <= last == END[PLACE-1:0] ? 0 : last + next;
-      if (drop) first <= last;
+      if (drops) first <= last;
       else if (take) first <= first == END[PLACE-1:0] ? 0 : first + next;
-      if (drop) count <= push ? one : 0;
+      if (drops) count <= push ? one : 0;
       else if (push & ~take) count <= count + one;
       else if (take & ~push) count <= count - one;
     end

@@ -1,6 +1,8 @@
 // What a port of pixel memory decodes, once for all pixels of a chip: a clock before it is used the address of place 0 of
 // the ALU comes, and in the clock itself the registers say which word line is chosen in each bank. Bit a of memory is in
 // bank a mod BANKS, word a / BANKS, so that adjacent bits are in different banks.
+`include "faults.vh"
+
 module memory_port #(
   parameter ALU_BITS = 1,
   parameter BANKS = 1,     // ALU_BITS at least
@@ -25,7 +27,7 @@ module memory_port #(
     for (b = 0; b < BANKS; b = b + 1) begin : bank
       localparam [31:0] BANK = b;
       /* verilator lint_off UNUSEDSIGNAL */
-      wire [ADDRESS:0] here = row + (BANK[ADDRESS:0] < turn ? 1 : 0);
+      wire [ADDRESS:0] here = row + (BANK[ADDRESS:0] < turn & ~`FAULT(`FAULT_BANK) ? 1 : 0);
       /* verilator lint_on UNUSEDSIGNAL */
       always @(posedge clk) rows[b*ROW +: ROW] <= here[ROW-1:0];
       for (i = 0; i < ALU_BITS; i = i + 1) begin : place

@@ -31,8 +31,10 @@ module program_rom #(
   localparam [31:0] EACH = WORD_CLOCKS > 1 ? WORD_CLOCKS : 1;
   localparam [31:0] TIMES = FRAMES;
 
+  /* verilator lint_off UNDRIVEN */
   reg [LINK-1:0] words [0:WORDS-1];
   reg [PLACE-1:0] begins [0:INSTRUCTIONS];
+  /* verilator lint_on UNDRIVEN */
   generate
     if (WORDS_FILE != "") begin : filled
       initial begin

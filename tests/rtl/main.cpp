@@ -37,7 +37,7 @@ namespace csgsim::rtl {
 
 namespace {
 
-constexpr std::uint8_t planted_faults = 23;  ///< in hw/rtl/faults.vh
+constexpr std::uint8_t planted_faults = 27;  ///< in hw/rtl/faults.vh
 
 using Words = std::vector<std::string>;
 
