@@ -19,7 +19,7 @@ MODEL = ROOT / "tests/models/thesis_fig_2_3.csg"
 BEGIN, END = "<!-- placed -->\n", "<!-- end -->"
 
 PARTS = {"hx8k": "HX8K", "up5k": "UP5K"}
-SMALL = ["--colour-bits", "12", "--set", "scan_out.pixels=1", "--set", "link.width=16", "--set", "link.fifo_depth=4"]
+SMALL = ["--colour-bits", "12", "--set", "scan_out.pixels=1", "--set", "link.width=64", "--set", "link.fifo_depth=4"]
 DESIGNS = {"`pixel-planes-4`": [], "smaller": SMALL}
 SIZES = [("`pixel-planes-4`", "hx8k", "8x8"), ("`pixel-planes-4`", "hx8k", "16x8"), ("`pixel-planes-4`", "up5k", "8x4"),
          ("`pixel-planes-4`", "up5k", "8x8"), ("smaller", "hx8k", "8x8"), ("smaller", "hx8k", "16x8"), ("smaller", "hx8k", "16x16"),
