@@ -1,6 +1,6 @@
 // The control word of each clock on its way to the pixels, where it meets the bits of F that entered the trees with it:
-// LATENCY registers, 1 at least, one for each level of the trees (thesis 7.2.1). A clock before, `early` has the word, so that what decodes
-// addresses of memory has them in registers of its own when the word is there.
+// LATENCY registers, 1 at least, one for each level of the trees (thesis 7.2.1). A clock before, `early` has the word,
+// so that what decodes addresses of memory has them in registers of its own when the word is there.
 module control_delay #(
   parameter LATENCY = 6,
   parameter BITS = 64

@@ -1,10 +1,10 @@
-// The controller: takes commands from the link, and puts bits of the coefficients and a control word for the pixels on the
-// wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes-4.md, "Controller", "Segments",
-// "Global OR", "Scan-out" and "Buffers" (thesis 7.2.1).
+// The controller: takes commands from the link, and puts bits of the coefficients and a control word for the pixels on
+// the wires at each edge. Written from the instruction table (hw/isa/opcodes.h) and docs/machines/pixel-planes-4.md,
+// "Controller", "Segments", "Global OR", "Scan-out" and "Buffers" (thesis 7.2.1).
 //
 // An instruction has the wires as long as it has steps; a refresh word that the scan-out asks for goes before the next
-// command, and wherever the controller waits for something. With two buffers a finished picture is copied into the topmost
-// bits as soon as the last row of the one before has been latched.
+// command, and wherever the controller waits for something. With two buffers a finished picture is copied into the
+// topmost bits as soon as the last row of the one before has been latched.
 `include "faults.vh"
 
 module controller #(
@@ -281,6 +281,7 @@ module controller #(
   // For counters.v.
   wire waits_for_command = begins_frame || ((state == READY || answered) && !begins_instruction && !begins_clear &&
                                             !ends_frame);
+  wire after_jump_still = (jump || (jumped && !take && !begins_frame)) && !`FAULT(`FAULT_COUNT);
   always @(posedge clk) begin
     refresh_waits <= refresh & ~take_refresh & ~reset;
     if (issues) spent <= SPENT_ISSUING;
@@ -290,7 +291,7 @@ module controller #(
     else if (take_refresh) spent <= SPENT_REFRESHING;
     else if (drains) spent <= SPENT_DRAINING;
     else if (begins_hold || state == HOLDING) spent <= SPENT_HOLDING;
-    else if (waits_for_command) spent <= jump || (jumped && !take && !begins_frame && !`FAULT(`FAULT_COUNT)) ? SPENT_JUMPING : SPENT_STARVED;
+    else if (waits_for_command) spent <= after_jump_still ? SPENT_JUMPING : SPENT_STARVED;
     else spent <= SPENT_ANSWERING;
   end
 endmodule

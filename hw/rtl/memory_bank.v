@@ -1,6 +1,6 @@
-// Words of a bit at each of PIXELS pixels: a word line is an address, a bit line a pixel. Each port has a row that comes out
-// of a register in the same clock, so that block RAM, which takes addresses at an edge, can be this; what was written at the
-// edge before is read, for which synthesis adds registers beside a RAM that does not say so.
+// Words of a bit at each of PIXELS pixels: a word line is an address, a bit line a pixel. Each port has a row that
+// comes out of a register in the same clock, so that block RAM, which takes addresses at an edge, can be this; what was
+// written at the edge before is read, for which synthesis adds registers beside a RAM that does not say so.
 module memory_bank #(
   parameter PIXELS = 64,
   parameter WORDS = 72,

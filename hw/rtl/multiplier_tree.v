@@ -1,10 +1,10 @@
-// LANES serial multiplier trees (thesis 7.2.1 and fig. 7.1): each adds multiplicand * i to its stream for each leaf i, LEVELS
-// clocks later. Node 1 is the root, those below node n are 2n and 2n + 1, and leaf i is number 2^LEVELS + i. Nodes that have no
-// leaf are left out.
+// LANES serial multiplier trees (thesis 7.2.1 and fig. 7.1): each adds multiplicand * i to its stream for each leaf i,
+// LEVELS clocks later. Node 1 is the root, those below node n are 2n and 2n + 1, and leaf i is number 2^LEVELS + i.
+// Nodes that have no leaf are left out.
 //
 // The multiplicand enters LEVELS - 1 clocks after the stream, on a wire that all levels share, so that at level k it is
-// worth h = 2^(LEVELS - 1 - k) times itself. It counts there from bit LEVELS - 1 - k of the stream on; until then the wire
-// has the end of the stream before.
+// worth h = 2^(LEVELS - 1 - k) times itself. It counts there from bit LEVELS - 1 - k of the stream on; until then the
+// wire has the end of the stream before.
 `include "faults.vh"
 
 module multiplier_tree #(

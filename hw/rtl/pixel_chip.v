@@ -1,6 +1,6 @@
-// A chip of PIXELS pixels (thesis 7.2.1: 64 to 128), which obey the same control word: a bit-serial processor with its registers at each,
-// and memory whose word lines they share. Vectors have a bit a pixel; where they have several places of the ALU, the least
-// significant first.
+// A chip of PIXELS pixels (thesis 7.2.1: 64 to 128), which obey the same control word: a bit-serial processor with its
+// registers at each, and memory whose word lines they share. Vectors have a bit a pixel; where they have several places
+// of the ALU, the least significant first.
 module pixel_chip #(
   parameter PIXELS = 64,
   parameter MEMORY_BITS = 72,

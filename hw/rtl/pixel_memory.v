@@ -1,6 +1,6 @@
-// The memory of a chip's pixels, MEMORY_BITS at each (thesis 7.2.1): one or two ports to read and one to write, a port having
-// ALU_BITS adjacent bits; and with OWN_PORT another to read, one bit wide, for the scan-out. There are as many banks as the
-// ALU has places, or as bits are cleared in a clock, if these are more.
+// The memory of a chip's pixels, MEMORY_BITS at each (thesis 7.2.1): one or two ports to read and one to write, a port
+// having ALU_BITS adjacent bits; and with OWN_PORT another to read, one bit wide, for the scan-out. There are as many
+// banks as the ALU has places, or as bits are cleared in a clock, if these are more.
 //
 // Addresses come a clock early, before the control word is at the pixels, for the ports' registers.
 `include "faults.vh"

@@ -1,11 +1,11 @@
-// The whole machine (docs/machines/pixel-planes-4.md, and docs/machines/pixel-powers.md of degree 2): link, controller, delay
-// of the control word, multiplier trees, a pixel processor with its memory at every pixel, the OR of their enable bits, and
-// the scan-out. Pixel (x, y) is number y * WIDTH + x. All of it has one clock; every output but word_ready comes from a
-// register.
+// The whole machine (docs/machines/pixel-planes-4.md, and docs/machines/pixel-powers.md of degree 2): link, controller,
+// delay of the control word, multiplier trees, a pixel processor with its memory at every pixel, the OR of their enable
+// bits, and the scan-out. Pixel (x, y) is number y * WIDTH + x. All of it has one clock; every output but word_ready
+// comes from a register.
 //
-// The host has words of LINK bits for a frame, and holds `frame` at 1 until the machine asks for those from instruction 0 on.
-// A request that is out in a clock is with the host at the edge that ends it. A word moves at an edge at which it is valid
-// and the machine ready.
+// The host has words of LINK bits for a frame, and holds `frame` at 1 until the machine asks for those from instruction
+// 0 on. A request that is out in a clock is with the host at the edge that ends it. A word moves at an edge at which it
+// is valid and the machine ready.
 `include "faults.vh"
 
 module pixel_planes #(
@@ -117,7 +117,8 @@ module pixel_planes #(
 
   generate
     if (HAS_OR != 0) begin : asks
-      wire [WIDTH*HEIGHT-1:0] half = {WIDTH*HEIGHT{1'b1}} >> ((WIDTH * HEIGHT + 1) / 2);
+      wire [WIDTH*HEIGHT-1:0] none = 0;
+      wire [WIDTH*HEIGHT-1:0] half = ~none >> ((WIDTH * HEIGHT + 1) / 2);
       wire [WIDTH*HEIGHT-1:0] counted = `FAULT(`FAULT_QUESTION) ? enable & half : enable;
       global_or #(.LINES(WIDTH * HEIGHT), .FAN_IN(FAN_IN)) enabled (
         .clk(clk), .reset(reset), .lines(counted), .asked(at_pixels[CW_QUESTION]), .valid(answer_valid), .any(answer));

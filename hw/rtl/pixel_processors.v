@@ -1,6 +1,6 @@
-// The pixel processors and memories, in chips of CHIP pixels (the last may have fewer), which carry out one control word a
-// clock; and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number
-// y * WIDTH + x, and in chip number / CHIP.
+// The pixel processors and memories, in chips of CHIP pixels (the last may have fewer), which carry out one control
+// word a clock; and the port through which the scan-out reads a memory bit of a row of pixels. Pixel (x, y) is number y
+// * WIDTH + x, and in chip number / CHIP.
 `include "faults.vh"
 
 module pixel_processors #(

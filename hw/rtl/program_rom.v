@@ -1,9 +1,10 @@
-// The host as a memory: the words of a frame, as `csgsim rtl` writes them, sent whenever the machine asks. It does what the host's end of the link does
-// (docs/machines/pixel-planes-4.md, "Link"): a request names the instruction to go on from; LATENCY clocks after the edge at which
-// it has come the first word is on the link, for WORD_CLOCKS clocks, and then until there is room for it.
+// The host as a memory: the words of a frame, as `csgsim rtl` writes them, sent whenever the machine asks. It does what
+// the host's end of the link does (docs/machines/pixel-planes-4.md, "Link"): a request names the instruction to go on
+// from; LATENCY clocks after the edge at which it has come the first word is on the link, for WORD_CLOCKS clocks, and
+// then until there is room for it.
 //
-// WORDS_FILE has a word of LINK bits a line, in hexadecimal, as $readmemh takes it. BEGINS_FILE has, for each of INSTRUCTIONS
-// instructions and one more, the number of the word to go on with when all before it are over.
+// WORDS_FILE has a word of LINK bits a line, in hexadecimal, as $readmemh takes it. BEGINS_FILE has, for each of
+// INSTRUCTIONS instructions and one more, the number of the word to go on with when all before it are over.
 module program_rom #(
   parameter LINK = 32,
   parameter WORDS = 1,

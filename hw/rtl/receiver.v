@@ -1,6 +1,7 @@
-// The machine's end of the link: a register that gathers words of LINK bits until a command is whole, and holds it until
-// it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes-4.md, "Link"). A word goes in at an edge; a
-// command whose last word came at an edge can be taken at the next, at which the next command's first word is taken.
+// The machine's end of the link: a register that gathers words of LINK bits until a command is whole, and holds it
+// until it is taken (docs/instruction-set.md, "On a link"; docs/machines/pixel-planes-4.md, "Link"). A word goes in at
+// an edge; a command whose last word came at an edge can be taken at the next, at which the next command's first word
+// is taken.
 `include "faults.vh"
 
 module receiver #(
@@ -67,7 +68,8 @@ module receiver #(
   end
   wire [8:0] width = {3'd0, behind_field ? gathered[FIELD_1 +: 6] : gathered[FIELD_0 +: 6]};
   wire [8:0] target_width = {3'd0, gathered[FIELD_0 + BASE_BITS +: 6]};
-  wire [8:0] bits = fixed + (linear ? width + (width << 1) : 9'd0) + (constant & ~`FAULT(`FAULT_CONSTANT) ? target_width : 9'd0);
+  wire [8:0] bits = fixed + (linear ? width + (width << 1) : 9'd0) +
+                    (constant & ~`FAULT(`FAULT_CONSTANT) ? target_width : 9'd0);
 
   assign whole = count >= 6 && count >= fixed && count >= bits;
   assign take_word = word_valid & ~drop & (~whole | take);

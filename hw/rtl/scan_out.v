@@ -1,10 +1,11 @@
-// Shows each picture that the controller has finished, once (docs/machines/pixel-planes-4.md, "Scan-out"; thesis 7.2.1). A
-// row's colour bits are latched, one bit of all its pixels at a time; then the row is shifted out, PIXELS of them a clock,
-// while the next is latched. At a port of its own a bit is latched in each clock; at a shared port the controller is asked
-// for a refresh word for each bit, and the bit is latched in the clock in which that is at the pixels.
+// Shows each picture that the controller has finished, once (docs/machines/pixel-planes-4.md, "Scan-out"; thesis
+// 7.2.1). A row's colour bits are latched, one bit of all its pixels at a time; then the row is shifted out, PIXELS of
+// them a clock, while the next is latched. At a port of its own a bit is latched in each clock; at a shared port the
+// controller is asked for a refresh word for each bit, and the bit is latched in the clock in which that is at the
+// pixels.
 //
-// What is read comes a clock after it counts as latched (pixel_processors.v), and joins the row then, or goes with it where
-// the row is shifted at that edge. Rows are held a plane of WIDTH pixels a bit of colour.
+// What is read comes a clock after it counts as latched (pixel_processors.v), and joins the row then, or goes with it
+// where the row is shifted at that edge. Rows are held a plane of WIDTH pixels a bit of colour.
 `include "faults.vh"
 
 module scan_out #(

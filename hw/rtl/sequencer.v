@@ -1,15 +1,16 @@
-`include "faults.vh"
-
-// The control word and coefficient bits of one clock of an instruction.
+// The control word and coefficient bits of one clock of an instruction, from its command: no registers (thesis 7.2.1;
+// hw/isa/opcodes.h has what each instruction means, docs/instruction-set.md its clocks).
 //
-// F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so far, it
-// begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides. Instructions of the
-// table that read two fields with one port latch s first, then meet it with the other.
+// F meets a field from its lowest bit, after `shift` bits of fraction. So that K is the comparison with the bits so
+// far, it begins as the answer for two empty numbers; beyond the field F meets zeros, and its sign decides.
+// Instructions of the table that read two fields with one port latch s first, then meet it with the other.
 //
 // A root of w bits has w turns. In turn k, from 0, the k + 3 bits of the field from 2(w - 1 - k) up are four times the
 // remainder and two bits more. From them 4q + 1 is subtracted, q being the k bits of the root so far, which lie above
 // them; or 4q + 3 is added, where the remainder was negative, which G keeps. As a sum, either begins with a bit 1 and,
 // with the carry of a subtraction, another. What comes of the top bit is the sign; its inverse is the root's next bit.
+`include "faults.vh"
+
 module sequencer #(
   parameter MEMORY_READS = 1,
   parameter ALU_BITS = 1,

@@ -1,5 +1,6 @@
-// The nodes of LANES multiplier trees of degree 2 (docs/machines/pixel-powers.md, "Trees") at one place: the streams of each, the
-// value and the slope, are passed on to the left child a clock later; the right child, h rows or columns on, gets
+// The nodes of LANES multiplier trees of degree 2 (docs/machines/pixel-powers.md, "Trees") at one place: the streams of
+// each, the value and the slope, are passed on to the left child a clock later; the right child, h rows or columns on,
+// gets
 //   value + h * (slope + h * C)   and   slope + 2h * C
 // for the coefficient C of the square. h times the slope is the slope DELAY = log2 h clocks later, from registers of the
 // node's own; h * h * C and 2h * C come on wires that all nodes of a level share.

@@ -1,6 +1,6 @@
-// Where the streams in a multiplier tree of LEVELS levels begin: at level k (the root is level 0) k clocks after the root; the
-// last are the leaves. MORE clocks are told besides, so that who takes a window of them knows how long ago a stream began:
-// that at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
+// Where the streams in a multiplier tree of LEVELS levels begin: at level k (the root is level 0) k clocks after the
+// root; the last are the leaves. MORE clocks are told besides, so that who takes a window of them knows how long ago a
+// stream began: that at level k began less than m clocks ago if one of the m wires from begins[k] on is 1.
 module tree_levels #(
   parameter LEVELS = 3,
   parameter MORE = 0

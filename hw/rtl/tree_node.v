@@ -1,5 +1,5 @@
-// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one place: at each a one-bit adder that keeps its carry.
-// Streams come least significant bit first and back to back, and leave a clock later.
+// The nodes of LANES multiplier trees (thesis 7.2.1 and fig. 7.1) at one place: at each a one-bit adder that keeps its
+// carry. Streams come least significant bit first and back to back, and leave a clock later.
 `include "faults.vh"
 
 module tree_node #(

@@ -1,5 +1,5 @@
-// The host behind a serial line (uart_receiver.v: 8N1, BIT clocks a bit): a board is fed from a computer. Messages are bytes, numbers least significant byte
-// first.
+// The host behind a serial line (uart_receiver.v: 8N1, BIT clocks a bit): a board is fed from a computer. Messages are
+// bytes, numbers least significant byte first.
 //
 //   to the board                          to the computer
 //   'F'            a frame waits          'R' and 4 bytes   send the words from that instruction of the frame on
@@ -7,9 +7,10 @@
 //   'W' and bytes  a word                 'A' and 1 byte    the answer to a question: is any pixel enabled?
 //                                         'D' and 4 bytes   the frame is done, after so many clocks
 //
-// A word has as many bytes as its LINK bits take. Words that were sent before an 'S' are dropped: it is sent once for each
-// 'R', before the words that this asks for. The computer has WINDOW words at most under way that no 'K' has been sent
-// for since the 'S'; so nothing is lost, however long the machine takes. Unknown bytes where a message should begin are passed over.
+// A word has as many bytes as its LINK bits take. Words that were sent before an 'S' are dropped: it is sent once for
+// each 'R', before the words that this asks for. The computer has WINDOW words at most under way that no 'K' has been
+// sent for since the 'S'; so nothing is lost, however long the machine takes. Unknown bytes where a message should
+// begin are passed over.
 module uart_host #(
   parameter LINK = 32,
   parameter BIT = 104,        // 115,200 bits a second at 12 MHz

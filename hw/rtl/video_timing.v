@@ -1,6 +1,7 @@
-// Sync signals for a monitor, counted a pixel clock: WIDTH pixels of a line are active, then come front porch, sync pulse and back porch; then HEIGHT
-// lines with the same. The scan-out itself has no pauses and shows each picture once; who drives a monitor from it puts a
-// memory of a picture between the two, which is read at x and y. The figures are those of 640 x 480 at 60 Hz, 25.175 MHz.
+// Sync signals for a monitor, counted a pixel clock: WIDTH pixels of a line are active, then come front porch, sync
+// pulse and back porch; then HEIGHT lines with the same. The scan-out itself has no pauses and shows each picture once;
+// who drives a monitor from it puts a memory of a picture between the two, which is read at x and y. The figures are
+// those of 640 x 480 at 60 Hz, 25.175 MHz.
 module video_timing #(
   parameter WIDTH = 640,       // pixels
   parameter FRONT_X = 16,

@@ -3,12 +3,12 @@
 #   large.sh BUILD    for instance build/release
 set -eu
 build=$1
-cmake --build "$build" --target rtl_64x64 rtl_64x64_squares rtl_random_machines
+cmake --build "$build" --target rtl_64x64 rtl_64x64_squares rtl_64x64_bare rtl_random_machines
 
 "$build"/rtl_64x64 random 3 20 latency=4
 "$build"/rtl_64x64 models thesis_fig_2_3
 "$build"/rtl_64x64_squares random 3 20 latency=4
-"$build"/rtl_64x64 speed 40
+"$build"/rtl_64x64_bare speed 40
 number=0
 for machine in "$build"/rtl_random_[0-9]*; do
   number=$((number + 1))

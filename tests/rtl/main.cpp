@@ -69,7 +69,8 @@ int random_programs(const Words& words) {
     });
   });
   const std::size_t squares = machine_of_parameters().evaluator_degree == 1 ? 1 : 0;  // which such trees do not take
-  if (code == 0 && sent.size() + squares != isa::opcode_table.size())
+  constexpr unsigned many = 20;  ///< fewer need not have every instruction
+  if (programs >= many && code == 0 && sent.size() + squares != isa::opcode_table.size())
     throw std::runtime_error("an instruction was never sent");
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
   return code;

@@ -1,4 +1,5 @@
-// The machine of hw/rtl with its pixels on wires, for who compares them: pixel (x, y) is number y * WIDTH + x.
+// The machine of hw/rtl with its pixels on wires, for who compares them: pixel (x, y) is number y * WIDTH + x. With PROBES 0
+// these are 0, for who measures how fast the machine is simulated.
 module probed_planes #(
   parameter WIDTH = 8,
   parameter HEIGHT = 8,
@@ -16,6 +17,7 @@ module probed_planes #(
   parameter BUFFERS = 1,
   parameter COLOUR_BITS = 24,
   parameter CHIP = 64,
+  parameter PROBES = 1,
   parameter VIDEO = SCAN_PIXELS > 0 ? SCAN_PIXELS * COLOUR_BITS : 1
 ) (
   input wire clk,
@@ -63,12 +65,16 @@ module probed_planes #(
   localparam CLEARED = (MEMORY_BITS + CLEAR_CLOCKS - 1) / CLEAR_CLOCKS;
   localparam BANKS = CLEARED > ALU_BITS ? CLEARED : ALU_BITS;
 
-  assign tree = machine.tree;
-  assign tree_valid = machine.at_pixels[CW_STREAM];
-  assign enable = machine.enable;
   genvar c, a, i;
   generate
-    for (c = 0; c < CHIPS; c = c + 1) begin : chip
+    if (PROBES == 0) begin : bare
+      assign {tree, tree_valid, enable, carry, flag, latch, memory} = 0;
+    end else begin : probed
+      assign tree = machine.tree;
+      assign tree_valid = machine.at_pixels[CW_STREAM];
+      assign enable = machine.enable;
+    end
+    for (c = 0; c < (PROBES == 0 ? 0 : CHIPS); c = c + 1) begin : chip
       localparam FIRST = c * CHIP;
       localparam HERE = FIRST + CHIP > PIXELS ? PIXELS - FIRST : CHIP;
       assign carry[FIRST +: HERE] = machine.processors.chip[c].pixels.processor.carry;
