@@ -32,6 +32,8 @@ Usage: ./setup.sh COMMAND
   site   make the pages a book: build/site/index.html, which can be searched, and build/csgsim.pdf
   reproduce
          make every table of the thesis again, ours beside its own, and show what changed: docs/reproduction.md
+  rtl    hold the machine in Verilog against csgsim: all designs in Icarus and Verilator, and all proofs; and place
+         and route what docs/hardware.md has of FPGAs (an hour)
   screenshots
          draw the pictures of docs/waves.md again: GTKWave, with a wave of each kind of machine
   report-test
@@ -54,9 +56,10 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
   libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation python3-dev python3-numpy pybind11-dev"
-test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind
+test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind make
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
 clang_packages="clang libclang-rt-14-dev lld"
+rtl_packages="make iverilog verilator yosys nextpnr-ice40 fpga-icestorm"
 web_packages="clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 emscripten
   dpkg-dev"
 
@@ -318,6 +321,17 @@ case "${1:-}" in
     need $build_packages $test_packages libbenchmark-dev
     build release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
     for benchmark in build/release/bench_*; do "$benchmark"; done
+    ;;
+  rtl)
+    # shellcheck disable=SC2086
+    need $build_packages $test_packages $rtl_packages
+    build release -DCSGSIM_BUILD_TESTS=ON
+    ctest --preset release -L rtl -j "$(nproc)"
+    tests/rtl/large.sh build/release
+    python3 tests/rtl/formal/formal.py
+    for simulator in verilator icarus; do python3 tests/rtl/designs/simulate.py build/release/csgsim $simulator long; done
+    python3 tests/rtl/designs/place.py build/release/csgsim
+    git --no-pager diff --stat -- docs sim/rtl
     ;;
   screenshots)
     # shellcheck disable=SC2086

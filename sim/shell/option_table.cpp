@@ -156,6 +156,7 @@ struct CommandSubject {
 
 constexpr std::string_view drawing = "Models and Programs";
 constexpr std::string_view looking = "Looking into a run";
+constexpr std::string_view hardware = "Hardware";
 constexpr std::string_view studies = "Studies";
 constexpr std::string_view manuals = "Manual";
 
@@ -172,6 +173,7 @@ constexpr auto commands = std::to_array<CommandSubject>({
     {looking, "view"},
     {looking, "explain"},
     {looking, "wave"},
+    {hardware, "rtl"},
     {manuals, "manual"},
 });
 

@@ -111,7 +111,8 @@ TEST_CASE("whatever word an option takes, a wrong one is told with the nearest a
       std::swap(wrong[1], wrong[2]);
       CAPTURE(command);
       CAPTURE(option);
-      const Outcome outcome = run_words({command, "m.csg", option, wrong});
+      const std::string operand = command == "rtl" ? "pixel-planes-4" : "m.csg";
+      const Outcome outcome = run_words({command, operand, option, wrong});
       CAPTURE(outcome.err);
       CHECK(outcome.code == 2);
       CHECK(one_line(outcome.err));

@@ -50,6 +50,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/functional": ["functional", "functional_lockstep", "lockstep_functional", "threads", "golden"],
     "sim/cycle": ["cycle", "elaboration", "lockstep_cycle", "golden"],
     "sim/waves": ["waves", "cli"],
+    "sim/rtl": ["rtl", "cli"],
     "sim/story": ["story", "cli"],
     "sim/checkpoint": ["checkpoint", "cli"],
     "sim/lockstep": ["lockstep", "cli"],

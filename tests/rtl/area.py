@@ -6,7 +6,7 @@
 
 Transistors are those of static CMOS that `stat -tech cmos` counts, mapped for area to NAND, NOR, AOI and OAI gates.
 FILE is a liberty library, such as osu05_stdcells.lib of Debian's qflow-tech-osu050; without it the columns of areas stay
-as they are.
+as they are. Tables and flip-flops of an iCE40 are what synth_ice40 makes of the same.
 """
 
 import argparse
@@ -55,7 +55,16 @@ def synthesised(top, parameters, liberty, sources=SOURCES):
         text = yosys(begin + [f"dfflibmap -liberty {liberty}", f"abc -liberty {liberty} -script {SCRIPT}", "opt_clean",
                               f"stat -liberty {liberty}"])
         area = round(float(re.search(r"Chip area for module .*: ([\d.]+)", text)[1]))
-    return {"gates": cells - flip_flops, "flip_flops": flip_flops, "transistors": transistors, "area": area}
+    luts, registers = ice40(top, values, sources)
+    return {"gates": cells - flip_flops, "flip_flops": flip_flops, "transistors": transistors, "area": area, "luts": luts,
+            "registers": registers}
+
+
+def ice40(top, values, sources):
+    """Four-input tables and flip-flops of an iCE40."""
+    text = yosys([f"read_verilog -I{RTL} {sources}", f"hierarchy -top {top} {values}", f"synth_ice40 -top {top}", "stat"])
+    count = lambda cell: sum(int(number) for number in re.findall(rf"{cell}\w* +(\d+)", text))
+    return count("SB_LUT4"), count("SB_DFF")
 
 
 def pixel(alu_bits, reads, degree, liberty):
@@ -96,13 +105,13 @@ def table(head, rows):
 
 def area_on_page(name):
     """What the page has, for runs without a library."""
-    row = re.search(rf"^\| {re.escape(name)} \|.*\| ([\d,.]*) \|$", PAGE.read_text(), re.M)
-    return row[1] if row else ""
+    row = re.search(rf"^\| {re.escape(name)} \|(.*)\|$", PAGE.read_text(), re.M)
+    return row[1].split("|")[3].strip() if row else ""
 
 
 def figures(name, row):
     area = area_on_page(name) if row["area"] is None else grouped(row["area"])
-    return [name, grouped(row["gates"]), grouped(row["flip_flops"]), grouped(row["transistors"]), area]
+    return [name, grouped(row["gates"]), grouped(row["flip_flops"]), grouped(row["transistors"]), area, grouped(row["luts"]), grouped(row["registers"])]
 
 
 def pixel_name(alu, reads, degree):
@@ -117,7 +126,7 @@ def node_name(bits, degree):
 
 def tables(pixels, nodes, wired_or, rest):
     """The tables of the page, by mark."""
-    head = ["", "gates", "flip-flops", "transistors", "area, µm²"]
+    head = ["", "gates", "flip-flops", "transistors", "area, µm²", "iCE40 tables", "iCE40 flip-flops"]
     shown = [(alu, reads, 1) for alu in PAGE_ALU_BITS for reads in READS] + [(1, reads, 2) for reads in READS]
     logic = [figures(pixel_name(*key), pixels[key]) for key in shown]
     logic += [figures(node_name(bits, degree), nodes[bits, degree]) for degree in (1, 2) for bits in PAGE_ALU_BITS]
@@ -145,7 +154,7 @@ def header(pixels, nodes):
 #include <array>
 #include <cstdint>
 
-/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in tests/rtl: transistors of static CMOS.
+/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in hw/rtl: transistors of static CMOS.
 namespace csgsim::machines {{
 
 /// A pixel processor with its registers and the turning of its memory ports, without its memory; where expressions are

@@ -70,42 +70,24 @@ module area_node (
     .right(right));
 endmodule
 
-// A node of the Y trees of degree 2, as docs/machines/pixel-powers.md has it: its value and its slope, each passed on to
-// one child a clock later, and to the other with what h rows on make of them. The slope times h comes from DELAY
-// registers of the node's own, log2 h: none in half of the nodes, one in a quarter, two in an eighth, so one in the mean.
-// The wires with h * h and 2h times the square's coefficient are those of a level.
 module area_node_2 #(
   parameter DELAY = 1
 ) (
   input wire clk,
   input wire first,
-  input wire counts,        // the delayed slope is of this stream, not of the one before
-  input wire square,        // h * h * C
-  input wire square_slope,  // 2 * h * C
+  input wire counts,
+  input wire square,
+  input wire square_slope,
   input wire value,
   input wire slope,
-  output reg left_value,
-  output reg left_slope,
-  output reg right_value,
-  output reg right_slope
+  output wire left_value,
+  output wire left_slope,
+  output wire right_value,
+  output wire right_slope
 );
-  wire late;
-  delay #(.LENGTH(DELAY), .BITS(1)) times_h (.clk(clk), .reset(1'b0), .in(slope), .out(late));
-  reg step_carry, value_carry, slope_carry;
-  wire times = late & counts;
-  wire step_kept = step_carry & ~first;
-  wire value_kept = value_carry & ~first;
-  wire slope_kept = slope_carry & ~first;
-  wire step = times ^ square ^ step_kept;
-  always @(posedge clk) begin
-    left_value <= value;
-    left_slope <= slope;
-    right_value <= value ^ step ^ value_kept;
-    right_slope <= slope ^ square_slope ^ slope_kept;
-    step_carry <= (times & square) | (times & step_kept) | (square & step_kept);
-    value_carry <= (value & step) | (value & value_kept) | (step & value_kept);
-    slope_carry <= (slope & square_slope) | (slope & slope_kept) | (square_slope & slope_kept);
-  end
+  square_node #(.DELAY(DELAY)) node (
+    .clk(clk), .reset(1'b0), .first(first), .counts(counts), .square(square), .square_slope(square_slope), .value(value),
+    .slope(slope), .left_value(left_value), .left_slope(left_slope), .right_value(right_value), .right_slope(right_slope));
 endmodule
 
 module area_delay #(

@@ -20,6 +20,7 @@ using namespace shell;  // in whose words commands are written
   COMMAND(view)                  \
   COMMAND(explain)               \
   COMMAND(wave)                  \
+  COMMAND(rtl)                   \
   COMMAND(effects)               \
   COMMAND(levels)                \
   COMMAND(manual)

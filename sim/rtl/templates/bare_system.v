@@ -1,0 +1,28 @@
+// @MACHINE@, whose host is at the other end of a serial line.
+module system #(
+  parameter BIT = 104  // clocks: 115,200 bits a second at 12 MHz
+) (
+  input wire clk,
+  input wire reset,
+  input wire from_computer,
+  output wire to_computer,
+  output wire told,
+  output wire told_any,
+  output wire done,
+  output wire [31:0] clocks,
+  output wire video_valid,
+  output wire video_row,
+  output wire video_frame,
+  output wire [@VIDEO_WIRES@-1:0] video,
+  output wire shown
+);
+  wire [@LINK@-1:0] word;
+  wire word_valid, word_ready, frame, request;
+  wire [31:0] request_from;
+
+  uart_host #(.LINK(@LINK@), .BIT(BIT)) host (
+    .clk(clk), .reset(reset), .from_computer(from_computer), .to_computer(to_computer), .frame(frame), .request(request),
+    .request_from(request_from), .word(word), .word_valid(word_valid), .word_ready(word_ready), .told(told),
+    .told_any(told_any), .done(done), .clocks(clocks));
+
+@PIXEL_PLANES@endmodule

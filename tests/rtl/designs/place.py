@@ -1,0 +1,71 @@
+#!/usr/bin/env python3
+"""What fits on which iCE40: designs of `csgsim rtl`, synthesised, placed and routed, as `make ice40` does it. The table goes into
+docs/hardware.md and into the README of every design. Takes ten minutes.
+
+  place.py CSGSIM"""
+
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PAGE = ROOT / "docs/hardware.md"
+README = ROOT / "sim/rtl/templates/fits.md"
+MODEL = ROOT / "tests/models/thesis_fig_2_3.csg"
+BEGIN, END = "<!-- placed -->\n", "<!-- end -->"
+
+PARTS = {"hx8k": "HX8K", "up5k": "UP5K"}
+SMALL = ["--colour-bits", "12", "--set", "scan_out.pixels=1", "--set", "link.width=64", "--set", "link.fifo_depth=4"]
+DESIGNS = {"`pixel-planes-4`": [], "smaller": SMALL}
+SIZES = [("`pixel-planes-4`", "hx8k", "8x8"), ("`pixel-planes-4`", "hx8k", "16x16"), ("smaller", "hx8k", "16x8"), ("smaller", "up5k", "8x8")]
+
+
+def run(command):
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+def placed(csgsim, options, part, size):
+    """Cells of a table row: logic cells, RAMs, MHz; or what is too many."""
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        done = run([csgsim, "rtl", "pixel-planes-4", MODEL, "--size", size, *options, "-o", folder, "--quiet"])
+        if done.returncode != 0:
+            sys.exit(f"place.py: {done.stderr}")
+        done = run(["make", "-s", "-C", folder, "ice40", f"PART={part}"])
+        log = (folder / f"{part}.txt").read_text() if (folder / f"{part}.txt").exists() else ""
+        used = {kind: (int(got), int(there)) for kind, got, there in re.findall(r"(ICESTORM_LC|ICESTORM_RAM):\s+(\d+)/\s*(\d+)", log)}
+        if not used:
+            sys.exit(f"place.py: {size} on {part}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+        logic, rams = used["ICESTORM_LC"], used["ICESTORM_RAM"]
+        if done.returncode != 0:
+            print(f"place.py: {size} on {part} is not placed: {re.findall('ERROR.*', log + done.stderr)[:1]}", file=sys.stderr)
+            return [f"{logic[0]:,} of {logic[1]:,}", f"{rams[0]} of {rams[1]}", "does not fit"]
+        clocks = json.loads((folder / f"{part}.report.json").read_text())["fmax"]
+        return [f"{logic[0]:,} of {logic[1]:,}", f"{rams[0]} of {rams[1]}", f"{min(one['achieved'] for one in clocks.values()):.1f}"]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("csgsim", type=lambda path: pathlib.Path(path).resolve(strict=True))
+    csgsim = parser.parse_args().csgsim
+    lines = ["| figures | part | pixels | logic cells | RAMs | MHz |", "|---|---|--:|--:|--:|--:|"]
+    for name, part, size in SIZES:
+        cells = [name, PARTS[part], size.replace("x", " × "), *placed(csgsim, DESIGNS[name], part, size)]
+        lines.append("| " + " | ".join(cells) + " |")
+        print(lines[-1], flush=True)
+    write("\n".join(lines) + "\n")
+    return 0
+
+
+def write(table):
+    README.write_text(table)
+    page = PAGE.read_text()
+    PAGE.write_text(re.sub(f"({re.escape(BEGIN)}).*?({re.escape(END)})", lambda found: found[1] + table + found[2], page, flags=re.S))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
