@@ -47,7 +47,6 @@ Usage: ./setup.sh COMMAND
   cluster
          run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
          with srun, mpirun and GNU Parallel (as root)
-  rtl    hold the machine in Verilog against the SystemC at 64 x 64 pixels, and machines that numbers make up
   mutate test the tests: 400 small wrong edits, one at a time; more options: tests/mutation/README.md
 TEXT
 }
@@ -364,12 +363,6 @@ case "${1:-}" in
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   tsan) tsan ;;
   lint) lint "${2:-}" ;;
-  rtl)
-    # shellcheck disable=SC2086
-    need $build_packages $test_packages
-    build release -DCSGSIM_RTL=ON
-    exec tests/rtl/large.sh build/release
-    ;;
   mutate)
     shift
     # shellcheck disable=SC2086
