@@ -3,7 +3,7 @@
 #include <array>
 #include <cstdint>
 
-/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in tests/rtl: transistors of static CMOS.
+/// Written by tests/rtl/area.py from what Yosys makes of the Verilog in hw/rtl: transistors of static CMOS.
 namespace csgsim::machines {
 
 /// A pixel processor with its registers and the turning of its memory ports, without its memory; where expressions are
@@ -35,11 +35,11 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({
     {2, 2, 2, 546},
     {4, 1, 2, 1154},
     {4, 2, 2, 1052},
-    {8, 1, 2, 2248},
+    {8, 1, 2, 2234},
     {8, 2, 2, 2158},
     {16, 1, 2, 4610},
     {16, 2, 2, 4590},
-    {32, 1, 2, 9664},
+    {32, 1, 2, 9570},
     {32, 2, 2, 10044},
 });
 // clang-format on
@@ -68,5 +68,10 @@ inline constexpr auto node_logic_table = std::to_array<NodeLogic>({
     {32, 2, 5797},
 });
 // clang-format on
+
+/// The controller with its receiver, and the link's FIFO of so many bits, with the figures of pixel-planes-4.
+inline constexpr std::uint32_t controller_transistors = 38180;
+inline constexpr std::uint32_t fifo_transistors = 19644;
+inline constexpr std::uint32_t fifo_bits = 512;
 
 }  // namespace csgsim::machines

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hw/machines/area.h"
+#include "hw/machines/area_table.h"
 #include "hw/machines/regions.h"
 
 namespace csgsim::process {
@@ -20,9 +21,8 @@ constexpr double aj = 1e-18;      ///< J
 constexpr double pw = 1e-12;      ///< W
 constexpr double nm2 = 1e-12;     ///< mm²
 
-/// As Yosys makes them (docs/area.md, "Shared by all pixels").
-constexpr double controller_transistors = 35'966;
-constexpr double fifo_transistors_per_bit = 18'666.0 / (16 * 32);
+constexpr double controller_transistors = machines::controller_transistors;
+constexpr double fifo_transistors_per_bit = double{machines::fifo_transistors} / machines::fifo_bits;
 constexpr double gate_transistors = 4;  ///< a NAND of two inputs
 
 // Gates one after the other.

@@ -17,6 +17,9 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+CONTROLLER = "controller, receiver and sequencer"
+FIFO_DEPTH, FIFO_BITS = 16, 32
+FIFO = f"FIFO of the link, {FIFO_DEPTH} words of {FIFO_BITS} bits"
 TABLE = ROOT / "hw" / "machines" / "area_table.h"
 PAGE = ROOT / "docs" / "area.md"
 
@@ -83,15 +86,27 @@ def node(bits, degree, liberty):
     return {key: None if none[key] is None else round((none[key] + two[key]) / 2) for key in none}
 
 
+def controller(liberty):
+    figures = {"MEMORY_BITS": 72, "ADDRESS": 7, "SIDE": 10, "LATENCY": 18, "CLEAR_CLOCKS": 72, "LINK": 32}
+    return synthesised("controller", figures, liberty)
+
+
+def fifo(liberty):
+    return synthesised("fifo", {"DEPTH": FIFO_DEPTH, "BITS": FIFO_BITS}, liberty)
+
+
 def shared(liberty):
     """What the pixels share, of a machine with the figures of pixel-planes-4, by name."""
-    figures = {"MEMORY_BITS": 72, "ADDRESS": 7, "SIDE": 10}
-    rows = {"controller, receiver and sequencer":
-            synthesised("controller", figures | {"LATENCY": 18, "CLEAR_CLOCKS": 72, "LINK": 32}, liberty),
-            "FIFO of the link, 16 words of 32 bits": synthesised("fifo", {"DEPTH": 16, "BITS": 32}, liberty),
+    rows = {CONTROLLER: controller(liberty), FIFO: fifo(liberty),
             "delay of the control word, 18 clocks":
             synthesised("area_delay", {"ADDRESS": 7, "SIDE": 10, "LATENCY": 18}, liberty)}
     return rows
+
+
+def shared_constants(rows):
+    return f"""inline constexpr std::uint32_t controller_transistors = {rows[CONTROLLER]["transistors"]};
+inline constexpr std::uint32_t fifo_transistors = {rows[FIFO]["transistors"]};
+"""
 
 
 def grouped(number):
@@ -145,7 +160,7 @@ def tables(pixels, nodes, wired_or, rest):
             "shared": table(head, [figures(name, row) for name, row in rest.items()])}
 
 
-def header(pixels, nodes):
+def header(pixels, nodes, rest):
     rows = "\n".join(f"    {{{alu}, {reads}, {degree}, {row['transistors']}}},"
                      for (alu, reads, degree), row in pixels.items())
     of_nodes = "\n".join(f"    {{{bits}, {degree}, {row['transistors']}}}," for (bits, degree), row in nodes.items())
@@ -186,6 +201,9 @@ inline constexpr auto node_logic_table = std::to_array<NodeLogic>({{
 }});
 // clang-format on
 
+/// The controller with its receiver, and the link's FIFO of so many bits, with the figures of pixel-planes-4.
+{shared_constants(rest)}inline constexpr std::uint32_t fifo_bits = {FIFO_DEPTH * FIFO_BITS};
+
 }}  // namespace csgsim::machines
 """
 
@@ -215,6 +233,8 @@ def check():
         logic = now + nodes[1, degree]
         cells = [alu_bits, reads, degree, grouped(logic)] + [grouped(logic + n * CELL[reads]) for n in MEMORY_BITS]
         expect("| " + " | ".join(map(str, cells)) + " |", page, PAGE, what)
+    for line in shared_constants({CONTROLLER: controller(None), FIFO: fifo(None)}).splitlines():
+        expect(line, text, TABLE, line.removeprefix("inline constexpr std::uint32_t ").removesuffix(";"))
     for line in wrong:
         print("area.py: " + line)
     return 1 if wrong else 0
@@ -233,9 +253,10 @@ def main():
     whole_or = synthesised("global_or", {"LINES": 4096, "FAN_IN": 64}, options.liberty)
     wired_or = [f"{value / 4096:.2f}" if value is not None else area_on_page("global OR, 64 inputs a gate, 1/4,096 of it")
                 for value in whole_or.values()]
-    TABLE.write_text(header(pixels, nodes))
+    rest = shared(options.liberty)
+    TABLE.write_text(header(pixels, nodes, rest))
     page = PAGE.read_text()
-    for name, rows in tables(pixels, nodes, wired_or, shared(options.liberty)).items():
+    for name, rows in tables(pixels, nodes, wired_or, rest).items():
         page = marked(name).sub(lambda match: match[1] + rows + "\n" + match[2], page)
     PAGE.write_text(page)
     return 0

@@ -166,11 +166,11 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};
-  const double shared = (35'966 + 16 * 32 * 18'666.0 / 512) * 2e-6;
+  const double shared = (38'180 + 16 * 32 * 19'644.0 / 512) * 2e-6;
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
-  // 1068 + 294 of logic where ALU and trees have four bits.
+  // 1070 + 294 of logic where ALU and trees have four bits.
   CHECK(process::machine_mm2(small_machine("+alu.bits=4+evaluator.bits=4"), pixels, one) ==
-        doctest::Approx(4096 * (1362 * 2e-6 + 64 * 3e-6) + shared));
+        doctest::Approx(4096 * (1364 * 2e-6 + 64 * 3e-6) + shared));
   const machines::Resources buffered{4096, 4096 * 64 + 1000};
   CHECK(process::machine_mm2(machine, buffered, one) == doctest::Approx(4096 * 1060e-6 + shared + 1000 * 3e-6));
   const auto squares = [&](const std::string& changes) {
@@ -178,7 +178,7 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
     return *process::machine_mm2(several, {4096, 4096 * several.array.memory_bits}, one);
   };
   const machines::Link link = kinds::load("pixel-planes-5").link;
-  const double of_one = (35'966 + link.fifo_depth * link.width * 18'666.0 / 512) * 2e-6;
+  const double of_one = (38'180 + link.fifo_depth * link.width * 19'644.0 / 512) * 2e-6;
   CHECK(squares("+renderers.count=4") - squares("+renderers.count=1") == doctest::Approx(3 * of_one));
 }
 
@@ -198,24 +198,24 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   CHECK(part_of("+memory.reads=2", {1000, 0}, 1000 * two_reads) == doctest::Approx(1));
   // Four bits: each port and the ALU are as wide, and so is the operand latch.
   const double four_bits =
-      1e-18 * (2 * 4 * 40 * 0.1 + 5 * 5 + 10 * 2 + 2 * 7 * std::sqrt((1068 + 90) * 2e-6 + 64 * 3e-6));
+      1e-18 * (2 * 4 * 40 * 0.1 + 5 * 5 + 10 * 2 + 2 * 7 * std::sqrt((1070 + 90) * 2e-6 + 64 * 3e-6));
   CHECK(part_of("+alu.bits=4", {1000, 0}, 1000 * four_bits) == doctest::Approx(1));
   // Degree 2: three adders, eight flip-flops and four streams a node, and a flag at the pixel.
   const double squares = 1e-18 * (2 * 40 * 0.1 + 4 * 5 + 13 * 2 + 4 * 7 * std::sqrt((392 + 258) * 2e-6 + 64 * 3e-6));
   CHECK(part_of("+evaluator.degree=2", {1000, 0}, 1000 * squares) == doctest::Approx(1));
-  // Trees of four bits: as many adders, eight flip-flops of streams and a carry, eight streams; 1068 + 294 of logic. Of
-  // degree 2 sixteen of streams, three carries and the flag, sixteen streams; 1150 + 801.
+  // Trees of four bits: as many adders, eight flip-flops of streams and a carry, eight streams; 1070 + 294 of logic. Of
+  // degree 2 sixteen of streams, three carries and the flag, sixteen streams; 1154 + 801.
   const auto wide = [](double adders, double registers, double streams, double logic) {
     const double pitch = std::sqrt(logic * 2e-6 + 64 * 3e-6);
     return 1e-18 * (2 * 4 * 40 * 0.1 + (4 + adders) * 5 + (3 + 4 + registers) * 2 + streams * 7 * pitch);
   };
-  CHECK(part_of("+alu.bits=4+evaluator.bits=4", {1000, 0}, 1000 * wide(4, 9, 8, 1362)) == doctest::Approx(1));
-  CHECK(part_of("+alu.bits=4+evaluator.bits=4+evaluator.degree=2", {1000, 0}, 1000 * wide(12, 20, 16, 1951)) ==
+  CHECK(part_of("+alu.bits=4+evaluator.bits=4", {1000, 0}, 1000 * wide(4, 9, 8, 1364)) == doctest::Approx(1));
+  CHECK(part_of("+alu.bits=4+evaluator.bits=4+evaluator.degree=2", {1000, 0}, 1000 * wide(12, 20, 16, 1955)) ==
         doctest::Approx(1));
   // With registers behind two thirds of the nodes.
   const double fewer = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + (5 + 4.0 / 3) * 2 + 2 * 7 * std::sqrt(1038e-6));
   CHECK(part_of("+evaluator.register_levels=2", {1000, 0}, 1000 * fewer) == doctest::Approx(1));
-  const double gates = (4096 * 434 + 35'966 + 18'666) / 4.0;
+  const double gates = (4096 * 434 + 38'180 + 19'644) / 4.0;
   CHECK(part_of("", {1000, 2}, 1000 * clock + gates * 4e-12 * 2) == doctest::Approx(1));
   CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));
 }
