@@ -73,20 +73,21 @@ module receiver #(
 
   assign whole = count >= 6 && count >= fixed && count >= bits;
   assign take_word = word_valid & ~drop & (~whole | take);
-  reg [REGISTER-1:0] placed;
-  always @* begin
-    placed = {REGISTER{1'b0}};
-    placed[LINK-1:0] = word;
-    if (!take) placed = placed << count;
+  always @(posedge clk) begin
+    if (reset | drop) count <= 0;
+    else if (take | take_word) count <= (take ? 9'd0 : count) + (take_word ? EACH[8:0] : 9'd0);
   end
 
-  always @(posedge clk) begin
-    if (reset | drop) begin
-      gathered <= {REGISTER{1'b0}};
-      count <= 0;
-    end else if (take | take_word) begin
-      gathered <= (take ? {REGISTER{1'b0}} : gathered) | (take_word ? placed : {REGISTER{1'b0}});
-      count <= (take ? 9'd0 : count) + (take_word ? EACH[8:0] : 9'd0);
+  // Each word has its place; what lies beyond the last is 0.
+  genvar w;
+  generate
+    for (w = 0; w < REGISTER / LINK; w = w + 1) begin : place
+      localparam [31:0] BELOW = w * LINK;
+      wire here = take_word && (take ? w == 0 : count == BELOW[8:0]);
+      always @(posedge clk) begin
+        if (reset | drop | (take & ~here)) gathered[w*LINK +: LINK] <= {LINK{1'b0}};
+        else if (here) gathered[w*LINK +: LINK] <= word;
+      end
     end
-  end
+  endgenerate
 endmodule

@@ -34,7 +34,7 @@ PROOFS = [
           [("take & ~push", "take"), ("count != FULL", "count != END"), ("first <= last;", "first <= first;"),
            ("words[last] <= in;", "words[last] <= in | 1'b1;"), ("push ? one : 0", "0")]),
     Proof("receiver", "receiver", [{"LINK": 75}],
-          [("width + (width << 1)", "width"), ("(~whole | take)", "~whole"), ("gathered) | (take_word", "0) | (take_word")]),
+          [("width + (width << 1)", "width"), ("(~whole | take)", "~whole"), ("take & ~here", "1'b0"), ("count == BELOW[8:0]", "1'b1")]),
     Proof("pixel_processor", "alu", [{"ALU_BITS": 1}, {"ALU_BITS": 3}, {"ALU_BITS": 1, "MEMORY_READS": 2}],
           [("| (q & carry_here)", ""), ("present & result", "result"), ("enable & carry", "carry"), ("negative <= ~result", "negative <= result")], steps=2),
     Proof("sequencer", "sequencer", [{"ALU_BITS": 1}, {"ALU_BITS": 4}, {"ALU_BITS": 1, "MEMORY_READS": 2}],
