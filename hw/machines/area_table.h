@@ -70,7 +70,7 @@ inline constexpr auto node_logic_table = std::to_array<NodeLogic>({
 // clang-format on
 
 /// The controller with its receiver, and the link's FIFO of so many bits, with the figures of pixel-planes-4.
-inline constexpr std::uint32_t controller_transistors = 38180;
+inline constexpr std::uint32_t controller_transistors = 37850;
 inline constexpr std::uint32_t fifo_transistors = 19644;
 inline constexpr std::uint32_t fifo_bits = 512;
 

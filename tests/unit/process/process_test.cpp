@@ -9,6 +9,7 @@
 #include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
+#include "hw/machines/area_table.h"
 #include "hw/machines/change_error.h"
 #include "hw/machines/kind.h"
 #include "hw/process/price.h"
@@ -166,7 +167,7 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
   const machines::Resources pixels{4096, 4096 * 64};
-  const double shared = (38'180 + 16 * 32 * 19'644.0 / 512) * 2e-6;
+  const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
   CHECK(process::machine_mm2(machine, pixels, one) == doctest::Approx(4096 * 1060e-6 + shared));
   // 1070 + 294 of logic where ALU and trees have four bits.
   CHECK(process::machine_mm2(small_machine("+alu.bits=4+evaluator.bits=4"), pixels, one) ==
@@ -178,7 +179,8 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
     return *process::machine_mm2(several, {4096, 4096 * several.array.memory_bits}, one);
   };
   const machines::Link link = kinds::load("pixel-planes-5").link;
-  const double of_one = (38'180 + link.fifo_depth * link.width * 19'644.0 / 512) * 2e-6;
+  const double of_one =
+      (machines::controller_transistors + link.fifo_depth * link.width * machines::fifo_transistors / 512.0) * 2e-6;
   CHECK(squares("+renderers.count=4") - squares("+renderers.count=1") == doctest::Approx(3 * of_one));
 }
 
@@ -215,7 +217,7 @@ TEST_CASE("a frame's energy is that of its pixel clocks, and what gates draw whi
   // With registers behind two thirds of the nodes.
   const double fewer = 1e-18 * (2 * 40 * 0.1 + 2 * 5 + (5 + 4.0 / 3) * 2 + 2 * 7 * std::sqrt(1038e-6));
   CHECK(part_of("+evaluator.register_levels=2", {1000, 0}, 1000 * fewer) == doctest::Approx(1));
-  const double gates = (4096 * 434 + 38'180 + 19'644) / 4.0;
+  const double gates = (4096 * 434 + machines::controller_transistors + machines::fifo_transistors) / 4.0;
   CHECK(part_of("", {1000, 2}, 1000 * clock + gates * 4e-12 * 2) == doctest::Approx(1));
   CHECK(part_of("", {0, 2}, gates * 4e-12 * 2) == doctest::Approx(1));
 }
