@@ -38,12 +38,13 @@ module testbench;
   reg [8*256-1:0] name;
   reg [31:0] now;
   reg [31:0] frames, begun, drawn, finished;
-  reg [31:0] began, showing_since;  // edges: of the frame being drawn, and of that being shown
-  reg [31:0] refreshed;             // words since the frame was drawn
+  reg [31:0] began, drawn_since, showing_since;  // edges: frames being drawn, drawn last and being shown began at
+  reg [31:0] refreshed;             // words since the scan-out took the frame
   reg [31:0] column, row;           // of the pixel to be shown next
   wire [31:0] column_here = video_row ? 0 : column;
   wire [31:0] row_here = video_frame ? 0 : video_row ? row + 1 : row;
   reg tracing;
+  reg step_sent;                    // an instruction's first step is on the wires: the controller's registers have it
   reg [23:0] picture [0:WIDTH*HEIGHT-1];
   integer file, trace, i;
 
@@ -89,12 +90,14 @@ module testbench;
     drawn = 0;
     finished = 0;
     began = 0;
+    drawn_since = 0;
     showing_since = 0;
     refreshed = 0;
     column = 0;
     row = 0;
     if (!$value$plusargs("frames=%d", frames)) frames = 2;
     tracing = 1'b0;
+    step_sent = 1'b0;
     if ($value$plusargs("trace=%s", name)) begin
       trace = $fopen(name, "w");
       tracing = 1'b1;
@@ -128,7 +131,10 @@ module testbench;
       $display("frame %0d: refreshing %0d, refresh_waits %0d, holding %0d, copying %0d", drawn, refreshing, waits,
                holding, copying);
       drawn <= drawn + 1;
-      showing_since <= began;
+      drawn_since <= began;
+    end
+    if (dut.machine.take_picture) begin
+      showing_since <= done ? began : drawn_since;
       refreshed <= 0;
     end else if (refreshes) refreshed <= refreshed + 1;
     if (shown) begin
@@ -136,8 +142,8 @@ module testbench;
       finished <= finished + 1;
     end
     if (told) $display("frame %0d: an enabled pixel: %b", begun - 1, told_any);
-    if (tracing && begun == 1 && dut.machine.sequence_controller.begins_instruction)
-      $fwrite(trace, "%0d\n", now - began + 1);
+    step_sent <= dut.machine.sequence_controller.begins_instruction;
+    if (tracing && begun == 1 && step_sent) $fwrite(trace, "%0d\n", now - began);
     if (video_valid) begin
       for (i = 0; i < SCAN_PIXELS; i = i + 1)
         if (column_here + i < WIDTH) picture[row_here * WIDTH + column_here + i] <= colour(video[i*VIDEO_BITS +: VIDEO_BITS]);

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Designs of `csgsim rtl`, drawn by Icarus and Verilator, held against csgsim's clocked level: the picture byte for byte, the
-clocks of a frame, where they go, when it has been shown, and those from one frame to the next. Neither simulator warns.
+clocks of a frame, where they go, when its instructions begin; of a sequence of the same frame, when each is drawn, shown and
+followed by the next; and of a frame that none follows, when it has been shown. Neither simulator warns.
 
   simulate.py CSGSIM SIMULATOR NAME...   rows of that name, with icarus or verilator
   simulate.py CSGSIM SIMULATOR long      all of them
@@ -38,6 +39,7 @@ ROWS = {
     "16": Row("thesis_fig_2_3", "16x16"),
     "odd": Row("thesis_fig_2_3", "13x10", options=("--set", "scan_out.pixels=3", "--colour-bits", "16", "--set", "link.width=10")),
     "buffers": Row("thesis_fig_2_3", "16x16", options=("--set", "scan_out.buffers=2", "--memory-bits", "96"), frames=4),
+    "wide": Row("thesis_fig_2_3", "64x4", options=("--set", "scan_out.buffers=2", "--set", "scan_out.pixels=1", "--memory-bits", "96"), frames=4),
     "own port": Row("thesis_fig_2_3", "16x16", options=("--set", "scan_out.port=own", "--set", "memory.reads=2", "--set", "alu.bits=2")),
     "powers": Row("sphere", "16x16", "pixel-powers"),
     "32": Row("carburettor", "32x32"),
@@ -61,6 +63,34 @@ def drawn(simulator, frames, folder):
     return told, warned + more
 
 
+def shown_alone(simulator, folder):
+    """The clocks until a frame has been shown that none follows: what the testbench tells where the host has but one."""
+    system = folder / "system.v"
+    endless = ".FRAMES(0)"
+    text = system.read_text()
+    if endless not in text:
+        sys.exit(f"simulate.py: system.v has no {endless}")
+    system.write_text(text.replace(endless, ".FRAMES(1)"))
+    told, _ = drawn(simulator, 1, folder)
+    return of_frame(told, 0, r"shown after (\d+) clocks")
+
+
+def of_frame(told, frame, pattern):
+    """The number that the testbench tells of a frame, or None."""
+    found = re.search(rf"^frame {frame}: .*?{pattern}", told, re.M)
+    return int(found[1]) if found else None
+
+
+def times_of_sequence(csgsim, words, row, folder):
+    """Of each frame that another follows: the clocks until it is drawn, until it has been shown, and until the next begins."""
+    told, _ = run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
+                   folder / "sequence.png"])
+    rows = re.findall(r"^(\d+) +([\d,]+) +([\d,]+) +([\d,]+)$", told, re.M)
+    if len(rows) != row.frames + 1:
+        sys.exit(f"simulate.py: not {row.frames + 1} frames in\n{told}")
+    return [tuple(int(cell.replace(",", "")) for cell in cells[1:]) for cells in rows[:-1]]
+
+
 def begins_of_instructions(csgsim, words, row, folder):
     """The clock in which the controller sends the first step of each instruction, by csgsim."""
     run([csgsim, "wave", *words, "--machine", row.machine, "-o", folder / "parts.json", "--quiet"])
@@ -68,6 +98,12 @@ def begins_of_instructions(csgsim, words, row, folder):
     lane = next(event["tid"] for event in events if event["ph"] == "M" and event["name"] == "thread_name" and
                 event["pid"] == 2 and event["args"]["name"] == "text")
     return sorted(event["args"]["clock"] for event in events if event["ph"] == "X" and event["tid"] == lane)
+
+
+def alone(simulator, told, controller, folder):
+    """shown_clocks is of a frame that none follows. With one buffer the next begins when the last row has been latched, so
+    this one is shown as if there were none; with two the refresh words wait for the next one's instructions."""
+    return shown_alone(simulator, folder) if "copying" in controller else of_frame(told, 0, r"shown after (\d+) clocks")
 
 
 def compare(csgsim, simulator, name, folder):
@@ -86,25 +122,22 @@ def compare(csgsim, simulator, name, folder):
         if ours != theirs:
             wrong.append(f"{name}, {simulator}: {what}: {theirs} in Verilog, {ours} by csgsim")
 
-    def of_frame(frame, pattern):
-        found = re.search(rf"^frame {frame}: .*?{pattern}", told, re.M)
-        return int(found[1]) if found else None
-
-    last = row.frames - 1
     controller = stats["account"]["parts"]["controller"]
     expect("warnings", "", warned)
-    expect("clocks", stats["clocks"], of_frame(0, r"drawn after (\d+) clocks"))
-    if "holding" not in controller:  # else the next frame, which csgsim leaves out here, makes refresh words wait
-        expect("shown_clocks", stats["shown_clocks"], of_frame(0, r"shown after (\d+) clocks"))
-    expect("interval_clocks", stats["interval_clocks"], of_frame(last - 1, r"next after (\d+) clocks"))
+    expect("clocks", stats["clocks"], of_frame(told, 0, r"drawn after (\d+) clocks"))
+    for frame, times in enumerate(times_of_sequence(csgsim, words, row, folder)):
+        for what, clocks in zip(("drawn", "shown", "next"), times):
+            expect(f"frame {frame}, {what}", clocks, of_frame(told, frame, rf"{what} after (\d+) clocks"))
+    expect("interval_clocks", stats["interval_clocks"], of_frame(told, row.frames - 1, r"next after (\d+) clocks"))
     expect("clocks in which instructions begin", begins_of_instructions(csgsim, words, row, folder),
            [int(line) for line in (folder / "trace.txt").read_text().split()])
     shared = "scan_out.port=own" not in row.options
     bits = int(re.search(r"VIDEO_BITS = (\d+)", (folder / "testbench.v").read_text())[1])
-    expect("refresh words", int(row.size.split("x")[1]) * bits if shared else 0, of_frame(0, r"with (\d+) refresh words"))
+    expect("refresh words", int(row.size.split("x")[1]) * bits if shared else 0, of_frame(told, 0, r"with (\d+) refresh words"))
     for part in PARTS + [part for part in OF_TWO_BUFFERS if part in controller]:
-        expect(part, controller[part], of_frame(0, rf"\b{part} (\d+)"))
+        expect(part, controller[part], of_frame(told, 0, rf"\b{part} (\d+)"))
     expect("the picture's bytes", hash((folder / "csgsim.ppm").read_bytes()), hash((folder / f"{simulator}.ppm").read_bytes()))
+    expect("shown_clocks", stats["shown_clocks"], alone(simulator, told, controller, folder))
     if not wrong:
         print(f"{name}, {simulator}: {stats['clocks']} clocks, the next frame after {stats['interval_clocks']}, and every byte of the picture")
     return wrong
