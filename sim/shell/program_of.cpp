@@ -108,10 +108,10 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
   return machine;
 }
 
-void refuse_model_options(const Command& command, const std::set<std::string>& own) {
+void refuse_model_options(const Command& command, const std::set<std::string>& own, const std::string& why) {
   for (const GivenOption& option : command.given()) {
     if (option.name != "quiet" && !own.contains(option.name))
-      throw UsageError("--" + option.name, "is for models; a Program has been compiled already");
+      throw UsageError("--" + option.name, "is for models; " + why);
   }
 }
 

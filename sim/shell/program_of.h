@@ -24,8 +24,9 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
 
 /// For commands that take a model or a Program. A Program has been compiled: what says how to compile has no meaning
 /// for it. Throws UsageError where an option was given that is none of the command's `own`, by their long names
-/// without dashes.
-void refuse_model_options(const Command& command, const std::set<std::string>& own);
+/// without dashes; `why` ends the message.
+void refuse_model_options(const Command& command, const std::set<std::string>& own,
+                          const std::string& why = "a Program has been compiled already");
 
 /// What is run, and what runs it.
 struct ProgramOnMachine {

@@ -46,9 +46,18 @@ struct Subject {
   std::optional<isa::Program> program;
 };
 
+/// Where there is no model.
+void refuse_what_is_for_models(const ModelOptions& options, const Command& command) {
+  const std::string mend = "name one behind the machine";
+  refuse_model_options(command, {"size", "memory-bits", "set", "output"}, mend);
+  const std::vector<std::string> of_scene = sorted(options.sets).scene;
+  if (!of_scene.empty())
+    throw UsageError("--set", fmt::format("'{}' is for models; {}", printable(of_scene.front()), mend));
+}
+
 Subject subject_of(const Options& options, const Command& command) {
   if (options.model.model.empty()) {
-    refuse_model_options(command, {"size", "memory-bits", "set", "output"});
+    refuse_what_is_for_models(options.model, command);
     return {machine_of(options.model), std::nullopt};
   }
   if (!is_model(options.model.model)) refuse_model_options(command, {"set", "output"});
