@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """How fast a frame is simulated: the design in Icarus and in Verilator, and csgsim's clocked level with trees worked out
-and with trees stepped adder by adder, each alone on a processor, in one run. Prints a table of seconds a clock.
+and with trees stepped adder by adder. Prints a table of time a clock.
+
+Time is the processor's, user and system, of a whole program; from that of many frames is taken that of the same program without
+them: of a testbench with one frame, of csgsim at its functional level, which compiles each frame and draws it without clocks.
 
   speed.py CSGSIM [SIZE...]"""
 
 import argparse
 import json
 import pathlib
+import re
 import resource
 import subprocess
 import sys
@@ -14,7 +18,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 MODEL = ROOT / "tests/models/thesis_fig_2_3.csg"
-FRAMES = {"icarus": 2, "verilator": 40}
+FRAMES = {"icarus": 3, "verilator": 60, "csgsim": 40}
 ROUNDS = 3
 MOST_OF_ICARUS = 256  # pixels, beyond which a frame takes minutes
 
@@ -23,10 +27,11 @@ def run(command, folder=None):
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
     if done.returncode != 0:
         sys.exit(f"speed.py: {' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
+    return done.stdout
 
 
 def fastest(command, folder):
-    """Seconds of the processor, start and end of the program included."""
+    """Seconds of the processor that the command takes, from start to end."""
     found = []
     for _ in range(ROUNDS):
         begin = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -37,14 +42,28 @@ def fastest(command, folder):
 
 
 def clocked(csgsim, size, evaluator, folder):
-    """Seconds of a frame at the clocked level, and its clocks."""
-    found = []
-    for _ in range(4 * ROUNDS):  # each is short
-        run([csgsim, "render", MODEL, "--size", size, "--level", "cycle", "--evaluator", evaluator, "-o", "clocked.png", "--stats",
-             "clocked.json", "--quiet"], folder)
-        stats = json.loads((folder / "clocked.json").read_text())
-        found.append(stats["wall_seconds"])
-    return min(found), stats["interval_clocks"], stats["shown_clocks"]
+    """Seconds of a clock at the clocked level, of a sequence of the same frame."""
+    words = [csgsim, "render", MODEL, "--size", size, "--frames", str(FRAMES["csgsim"])]
+    with_clocks = fastest([*words, "--level", "cycle", "--evaluator", evaluator], folder)
+    return (with_clocks - fastest([*words, "--level", "functional"], folder)) / clocks_of_sequence(words, folder)
+
+
+def clocks_of_sequence(words, folder):
+    """Until the last frame has been shown."""
+    frames = re.findall(r"^\d+ +[\d,]+ +([\d,]+) +([\d,]+)$", run([*words, "--level", "cycle"], folder), re.M)
+    shown, intervals = ([int(cell.replace(",", "")) for cell in cells] for cells in zip(*frames))
+    return sum(intervals[:-1]) + shown[-1]
+
+
+def simulated(command, simulator, interval, folder):
+    """Seconds of a clock, of what a testbench draws beyond its first frame."""
+    once, often = (fastest([*command, "+picture=x.ppm", f"+frames={frames}"], folder) for frames in (1, FRAMES[simulator]))
+    return (often - once) / ((FRAMES[simulator] - 1) * interval)
+
+
+def interval_of(csgsim, size, folder):
+    run([csgsim, "render", MODEL, "--size", size, "--level", "cycle", "-o", "x.png", "--stats", "x.json", "--quiet"], folder)
+    return json.loads((folder / "x.json").read_text())["interval_clocks"]
 
 
 def row(csgsim, size):
@@ -52,16 +71,13 @@ def row(csgsim, size):
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         run([csgsim, "rtl", "pixel-planes-4", MODEL, "--size", size, "-o", folder, "--quiet"])
-        seconds = {}
-        seconds["worked"], interval, shown = clocked(csgsim, size, "worked-out", folder)
-        seconds["stepped"], _, _ = clocked(csgsim, size, "stepped", folder)
+        interval = interval_of(csgsim, size, folder)
+        seconds = {"worked": clocked(csgsim, size, "worked-out", folder), "stepped": clocked(csgsim, size, "stepped", folder)}
         run(["make", "-s", "-C", folder, "verilated/testbench"])
-        seconds["verilator"] = fastest([folder / "verilated/testbench", "+picture=x.ppm", f"+frames={FRAMES['verilator']}"], folder) / (FRAMES["verilator"] * interval)
+        seconds["verilator"] = simulated([folder / "verilated/testbench"], "verilator", interval, folder)
         if width * height <= MOST_OF_ICARUS:
             run(["make", "-s", "-C", folder, "icarus.vvp"])
-            seconds["icarus"] = fastest(["vvp", "-n", folder / "icarus.vvp", "+picture=x.ppm", f"+frames={FRAMES['icarus']}"], folder) / (FRAMES["icarus"] * interval)
-        for name in ("worked", "stepped"):
-            seconds[name] /= shown
+            seconds["icarus"] = simulated(["vvp", "-n", folder / "icarus.vvp"], "icarus", interval, folder)
     cells = [f"{width} × {height}"]
     for name in ("icarus", "verilator", "stepped", "worked"):
         cells.append(f"{seconds[name] * 1e6:.3g}" if name in seconds else "")
