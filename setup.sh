@@ -58,7 +58,7 @@ build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libop
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind make
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"
 clang_packages="clang libclang-rt-14-dev lld"
-rtl_packages="make iverilog verilator yosys nextpnr-ice40 fpga-icestorm"
+rtl_packages="make iverilog verilator yosys nextpnr-ice40 fpga-icestorm graphviz"
 web_packages="clang-19 lld-19 wasi-libc libc++-19-dev-wasm32 libc++abi-19-dev-wasm32 libclang-rt-19-dev-wasm32 emscripten
   dpkg-dev"
 
@@ -199,7 +199,7 @@ performance() {
 # Makes what docs/manifest lists; what is measured or drawn by other programs needs these too.
 docs() {
   # shellcheck disable=SC2086
-  need $build_packages $test_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
+  need $build_packages $test_packages $rtl_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
     qflow-tech-osu050
   cmake --preset release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
   cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module bench_division m68000_clocks
