@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """What fits on which iCE40: designs of `csgsim rtl`, synthesised, placed and routed, as `make ice40` does it. The table goes into
-docs/hardware.md and into the README of every design. Takes ten minutes.
+docs/hardware.md and into the README of every design. Takes minutes a row.
 
   place.py CSGSIM"""
 
@@ -20,19 +20,22 @@ BEGIN, END = "<!-- placed -->\n", "<!-- end -->"
 
 PARTS = {"hx8k": "HX8K", "up5k": "UP5K"}
 SMALL = ["--colour-bits", "12", "--set", "scan_out.pixels=1", "--set", "link.width=64", "--set", "link.fifo_depth=4"]
-DESIGNS = {"`pixel-planes-4`": [], "smaller": SMALL}
-SIZES = [("`pixel-planes-4`", "hx8k", "8x8"), ("`pixel-planes-4`", "hx8k", "16x16"), ("smaller", "hx8k", "16x8"), ("smaller", "up5k", "8x8")]
+FULL, LESS, FED = "`pixel-planes-4`", "12 bits of colour, a pixel a clock, a link of 64 bits with 4 words", "`pixel-planes-4`, fed over a serial line"
+WORDS = {FULL: [MODEL], LESS: [MODEL, *SMALL], FED: []}
+# Of each what fits, and the next size, which does not.
+ROWS = [(FULL, "hx8k", "8x8"), (FULL, "hx8k", "16x8"), (FULL, "hx8k", "16x16"), (FED, "hx8k", "8x8"), (LESS, "hx8k", "16x8"), (LESS, "hx8k", "16x16"),
+        (LESS, "up5k", "8x8"), (LESS, "up5k", "16x8")]
 
 
 def run(command):
     return subprocess.run(command, capture_output=True, text=True)
 
 
-def placed(csgsim, options, part, size):
+def placed(csgsim, words, part, size):
     """Cells of a table row: logic cells, RAMs, MHz; or what is too many."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        done = run([csgsim, "rtl", "pixel-planes-4", MODEL, "--size", size, *options, "-o", folder, "--quiet"])
+        done = run([csgsim, "rtl", "pixel-planes-4", *words, "--size", size, "-o", folder, "--quiet"])
         if done.returncode != 0:
             sys.exit(f"place.py: {done.stderr}")
         done = run(["make", "-s", "-C", folder, "ice40", f"PART={part}"])
@@ -53,8 +56,8 @@ def main():
     parser.add_argument("csgsim", type=lambda path: pathlib.Path(path).resolve(strict=True))
     csgsim = parser.parse_args().csgsim
     lines = ["| figures | part | pixels | logic cells | RAMs | MHz |", "|---|---|--:|--:|--:|--:|"]
-    for name, part, size in SIZES:
-        cells = [name, PARTS[part], size.replace("x", " × "), *placed(csgsim, DESIGNS[name], part, size)]
+    for name, part, size in ROWS:
+        cells = [name, PARTS[part], size.replace("x", " × "), *placed(csgsim, WORDS[name], part, size)]
         lines.append("| " + " | ".join(cells) + " |")
         print(lines[-1], flush=True)
     write("\n".join(lines) + "\n")
