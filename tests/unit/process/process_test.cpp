@@ -180,7 +180,7 @@ TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   };
   const machines::Link link = kinds::load("pixel-planes-5").link;
   const double of_one =
-      (machines::controller_transistors + link.fifo_depth * link.width * machines::fifo_transistors / 512.0) * 2e-6;
+      (machines::controller_transistors + link.fifo_depth * link.width * (machines::fifo_transistors / 512.0)) * 2e-6;
   CHECK(squares("+renderers.count=4") - squares("+renderers.count=1") == doctest::Approx(3 * of_one));
 }
 
