@@ -172,8 +172,14 @@ def check_keys(page, csgsim, words, failures):
 
 
 def check_pointer(page, failures):
-    x, y = page.evaluate("""(() => {
+    # What is under the pointer is looked up where the last drawn frame has it: two frames after scrolling it is drawn.
+    page.evaluate("""(() => {
       document.querySelector('.drawing canvas').scrollIntoView({block: 'center', behavior: 'instant'});
+      window.isScrolled = false;
+      requestAnimationFrame(() => requestAnimationFrame(() => { window.isScrolled = true; }));
+    })()""")
+    until(page, "window.isScrolled")
+    x, y = page.evaluate("""(() => {
       const box = document.querySelector('.drawing canvas').getBoundingClientRect();
       return [box.left + box.width * 30.5 / csgsimDrawings[0].width, box.top + box.height * 10.5 / csgsimDrawings[0].height];
     })()""")
