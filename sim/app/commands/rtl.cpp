@@ -98,6 +98,7 @@ void write_design(const Options& options, const Command& command) {
       rtl::design_files(subject.machine, subject.program ? &*subject.program : nullptr);
   const fs::path folder = options.output;
   std::vector<fs::path> paths;
+  paths.reserve(files.size());
   for (const rtl::DesignFile& file : files) paths.push_back(folder / file.path);
   refuse_clashes(options.model.inputs(), paths);
   make_folder(folder);
