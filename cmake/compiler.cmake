@@ -47,6 +47,18 @@ function(csgsim_library name)
   set_property(GLOBAL APPEND PROPERTY CSGSIM_ROOMS csgsim_${name})
 endfunction()
 
+# csgsim_embed_files(VARIABLE PATHS...): the texts of files, rows {name without folders, text} of C++.
+function(csgsim_embed_files variable)
+  set(rows "")
+  foreach(path IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${path})
+    get_filename_component(name ${path} NAME)
+    file(READ ${path} text)
+    string(APPEND rows "    {\"${name}\", R\"csgsim(${text})csgsim\"},\n")
+  endforeach()
+  set(${variable} "${rows}" PARENT_SCOPE)
+endfunction()
+
 # csgsim_embed(VARIABLE FOLDER NAMES...): the texts of FOLDER/NAME.toml, rows {name, text} of C++.
 function(csgsim_embed variable folder)
   set(rows "")

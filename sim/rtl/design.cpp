@@ -60,14 +60,15 @@ std::vector<Filling> fillings_of(const machines::Machine& machine, const isa::Pr
       {"RED_BITS", number(channels[0])},
       {"GREEN_BITS", number(channels[1])},
       {"BLUE_BITS", number(channels[2])},
-      {"TARGETS", std::string(template_text(program != nullptr ? "picture_targets.mk" : "no_picture_targets.mk"))},
       {"FITS", std::string(template_text("fits.md"))},
   };
   add_board(fillings, {.colour_bits = colour_bits, .scan_pixels = scan_pixels, .has_line = program == nullptr});
-  for (Filling& filling : fillings) {
-    if (filling.name == "TARGETS") filling.value = filled(filling.value, fillings);
-  }
-  fillings.push_back({"PIXEL_PLANES", filled(template_text("machine_instance.v"), fillings)});
+  const auto add_filled = [&](std::string_view name, std::string_view text) {
+    fillings.push_back({name, filled(template_text(text), fillings)});
+  };
+  add_filled("TARGETS", program != nullptr ? "picture_targets.mk" : "no_picture_targets.mk");
+  add_filled("MACHINE_PORTS", "machine_ports.v");
+  add_filled("PIXEL_PLANES", "machine_instance.v");
   return fillings;
 }
 
