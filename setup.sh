@@ -334,7 +334,7 @@ case "${1:-}" in
     ;;
   screenshots)
     # shellcheck disable=SC2086
-    need $build_packages gtkwave xvfb imagemagick
+    need $build_packages gtkwave xvfb imagemagick iverilog make python3
     build release
     PATH=$PWD/build/release:$PATH tests/waves/screenshots.sh
     ;;

@@ -81,6 +81,9 @@ module pixel_planes #(
   /* verilator lint_off UNUSEDSIGNAL */
   wire [3:0] spent;     // for counters.v
   wire refresh_waits;
+  // For waves.
+  wire stream = at_pixels[CW_STREAM];  // `tree` has bits of F
+  wire [ALU_BITS-1:0] active = at_pixels[CW_ACTIVE +: ALU_BITS];
   /* verilator lint_on UNUSEDSIGNAL */
 
   fifo #(.DEPTH(FIFO_DEPTH), .BITS(LINK)) link (

@@ -116,10 +116,11 @@ module sequencer #(
     end
   endgenerate
 
-  // An operand of two: x is s, from memory or latched, y the other field.
+  // Tasks read what the block below reads too: a simulator that looks for what wakes the block does not look into them.
+
+  // An operand of two: x is s, y the other field.
   task meet(input [11:0] base_x, input [11:0] base_y);
     begin
-      x_select = two_clocks && pass ? X_LATCH : X_MEMORY;
       address_x = base_x + at_12;
       address_y = base_y + at_12;
       y_zero = 1'b0;
@@ -155,7 +156,7 @@ module sequencer #(
   endtask
 
   always @* begin
-    x_select = stream ? X_TREE : X_MEMORY;
+    x_select = stream ? X_TREE : two_fields && two_clocks && pass ? X_LATCH : X_MEMORY;
     carry_in = CARRY_ZERO;
     {y_enable, y_zero, y_invert, ripple, sum, invert} = 6'b010010;
     {write, write_all, write_selected, latch} = 4'b0000;

@@ -96,7 +96,7 @@ std::vector<DesignFile> design_files(const machines::Machine& machine, const isa
   for (const char* const name : {"hx8k.pcf", "up5k.pcf", "Makefile"}) add(name, name);
   add("README.md", program != nullptr ? "README.md" : "bare_README.md");
   if (program != nullptr) {
-    for (const char* const name : {"testbench.v", "png.py"}) add(name, name);
+    for (const char* const name : {"testbench.v", "png.py", "beside.py"}) add(name, name);
   }
   return files;
 }

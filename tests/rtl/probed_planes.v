@@ -71,7 +71,7 @@ module probed_planes #(
       assign {tree, tree_valid, enable, carry, flag, latch, memory} = 0;
     end else begin : probed
       assign tree = machine.tree;
-      assign tree_valid = machine.at_pixels[CW_STREAM];
+      assign tree_valid = machine.stream;
       assign enable = machine.enable;
     end
     for (c = 0; c < (PROBES == 0 ? 0 : CHIPS); c = c + 1) begin : chip

@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # Photographs GTKWave with a wave of each kind of machine: docs/pictures/waves/KIND.png, or in the folder that is named.
-# Needs csgsim on the PATH, and the packages gtkwave, xvfb, imagemagick.
+# Needs csgsim on the PATH, and the packages gtkwave, xvfb, imagemagick, iverilog.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 pictures=${1:-docs/pictures/waves}
 mkdir -p "$pictures"
+pictures=$(realpath "$pictures")
 work=$(mktemp -d)
 display=:$((100 + RANDOM % 400))
 Xvfb "$display" -screen 0 1920x2400x24 > "$work/xvfb.log" 2>&1 &
@@ -38,3 +39,10 @@ photograph multi_processor multi-processor 128x128 64,60
 # docs/debugging.md
 csgsim wave tests/debugging/fig_2_3_fault.txt --pixel 60,48 --window i50 -o "$work/fault.vcd" > /dev/null
 show fault "$pictures/fault.png"
+
+# docs/hardware.md
+csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o "$work/design" > /dev/null
+csgsim wave tests/models/thesis_fig_2_3.csg --size 16x16 --pixel 5,5 --window i10:i14 -o "$work/design/csgsim.vcd" > /dev/null
+make -s -C "$work/design" beside > /dev/null
+cd "$work/design"
+show design/beside "$pictures/beside.png"

@@ -15,5 +15,8 @@ waves: icarus.vvp
 	vvp -n icarus.vvp +picture=icarus.ppm +frames=1 +wave=wires.vcd
 	@echo "wires.vcd: gtkwave wires.vcd"
 
+beside: icarus.vvp
+	python3 beside.py $(WAVE)
+
 %.png: %.ppm
 	python3 png.py $< $@

@@ -2,7 +2,9 @@
 //   +picture=FILE  where the last picture goes
 //   +frames=N      pictures, 2 if not given; the frame's interval needs two
 //   +trace=FILE    of the first frame, the clock in which the controller sends the first step of each instruction
-//   +wave=FILE     all wires as VCD
+//   +wave=FILE     all wires as VCD,
+//   +from=N        from that clock of the first frame on
+//   +until=N       and before that one
 module testbench;
   localparam WIDTH = @WIDTH@;
   localparam HEIGHT = @HEIGHT@;
@@ -43,6 +45,9 @@ module testbench;
   reg [31:0] column, row;           // of the pixel to be shown next
   wire [31:0] column_here = video_row ? 0 : column;
   wire [31:0] row_here = video_frame ? 0 : video_row ? row + 1 : row;
+  reg waving;
+  reg recording;
+  reg [31:0] from, until_clock;
   reg tracing;
   reg step_sent;                    // an instruction's first step is on the wires: the controller's registers have it
   reg [23:0] picture [0:WIDTH*HEIGHT-1];
@@ -102,9 +107,14 @@ module testbench;
       trace = $fopen(name, "w");
       tracing = 1'b1;
     end
+    if (!$value$plusargs("from=%d", from)) from = 0;
+    if (!$value$plusargs("until=%d", until_clock)) until_clock = MOST_CLOCKS;
+    waving = 1'b0;
+    recording = 1'b1;
     if ($value$plusargs("wave=%s", name)) begin
       $dumpfile(name);
       $dumpvars(0, testbench);
+      waving = 1'b1;
     end
     while (finished != frames && now != MOST_CLOCKS) begin
       #5 clk = 1'b1;
@@ -114,6 +124,9 @@ module testbench;
     else $display("testbench: no picture after %0d clocks", now);
     $finish;
   end
+
+  always @(posedge recording) if (waving) $dumpon;
+  always @(negedge recording) if (waving) $dumpoff;
 
   // What was on the wires before the edge.
   always @(posedge clk) begin
@@ -141,6 +154,9 @@ module testbench;
       $display("frame %0d: shown after %0d clocks, with %0d refresh words", finished, now - showing_since, refreshed);
       finished <= finished + 1;
     end
+    // Clock now - began + 1 begins at this edge. Recorded are those before the frame, to know where it begins, and one
+    // before the window, as recording begins in the middle of one.
+    if (begun != 0) recording <= begun == 1 && now - began + 2 >= from && now - began + 1 < until_clock;
     if (told) $display("frame %0d: an enabled pixel: %b", begun - 1, told_any);
     step_sent <= dut.machine.sequence_controller.begins_instruction;
     if (tracing && begun == 1 && step_sent) $fwrite(trace, "%0d\n", now - began);
