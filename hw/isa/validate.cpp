@@ -16,6 +16,14 @@
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 
+/// `[20+:22]`; where it stands in a message that is not thrown nothing is written.
+template <>
+struct fmt::formatter<csgsim::isa::Field> : fmt::formatter<std::string_view> {
+  auto format(csgsim::isa::Field field, fmt::format_context& context) const {
+    return fmt::format_to(context.out(), "[{}+:{}]", field.base, field.width);
+  }
+};
+
 namespace csgsim::isa {
 
 namespace {
@@ -27,20 +35,18 @@ void require(bool holds, fmt::format_string<Args...> message, Args&&... args) {
   if (!holds) throw InputError(fmt::format(message, std::forward<Args>(args)...));
 }
 
-std::string show(Field field) { return fmt::format("[{}+:{}]", field.base, field.width); }
-
 void check_field(Field field, std::uint32_t memory_bits, unsigned most = max_field_width) {
-  require(field.width >= 1 && field.width <= most, "field {} is {} bits wide; a field has 1 to {} bits", show(field),
+  require(field.width >= 1 && field.width <= most, "field {} is {} bits wide; a field has 1 to {} bits", field,
           field.width, most);
   require(field.end() <= memory_bits, "field {} ends outside the {} memory bits of a pixel; place it below bit {}",
-          show(field), memory_bits, memory_bits);
+          field, memory_bits, memory_bits);
 }
 
 void check_operand(Field field, const OpcodeInfo& row, std::uint32_t memory_bits) {
   check_field(field, memory_bits, takes_wide_field(row.opcode) ? max_wide_field_width : max_field_width);
   require(row.widths != FieldWidths::odd || (field.width % 2 == 1 && field.width >= 3),
           "{}: field {} is {} bits wide; give it an odd number of bits, 3 at least: twice the root's and one more",
-          row.name, show(field), field.width);
+          row.name, field, field.width);
 }
 
 void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::uint32_t memory_bits) {
@@ -53,24 +59,21 @@ void check_fields(const Instruction& instruction, const OpcodeInfo& row, std::ui
     }
     check_operand(field, row, memory_bits);
     require(widths != FieldWidths::one || field.width == 1, "{}: field {} is {} bits wide; give a single bit", row.name,
-            show(field), field.width);
+            field, field.width);
     for (std::size_t j = 0; j < i; ++j) {
       if (!is_field(row.operands[j])) continue;
       const Field other = instruction.fields[j];
       if (widths == FieldWidths::narrower) {
-        require(field.width <= other.width, "{}: field {} is wider than {}; make it no wider", row.name, show(field),
-                show(other));
+        require(field.width <= other.width, "{}: field {} is wider than {}; make it no wider", row.name, field, other);
       } else {
         require(field.width == other.width, "{}: fields {} and {} differ in width; make them equally wide", row.name,
-                show(other), show(field));
+                other, field);
       }
       if (widths == FieldWidths::elementwise) {
         require(field == other || !field.overlaps(other),
-                "{}: fields {} and {} overlap in part; take the same field or keep them apart", row.name, show(other),
-                show(field));
+                "{}: fields {} and {} overlap in part; take the same field or keep them apart", row.name, other, field);
       } else {
-        require(!field.overlaps(other), "{}: fields {} and {} overlap; keep them apart", row.name, show(other),
-                show(field));
+        require(!field.overlaps(other), "{}: fields {} and {} overlap; keep them apart", row.name, other, field);
       }
     }
   }
@@ -212,7 +215,7 @@ void validate_ahead(const Segment& segment, std::size_t index) {
 }
 
 void validate_field(const NamedField& named, const Program& program) {
-  require(!named.name.empty(), "field {} has an empty name; name it", show(named.field));
+  require(!named.name.empty(), "field {} has an empty name; name it", named.field);
   require(static_cast<std::size_t>(named.role) < field_role_names.size(), "field role {} is undefined; there are {}",
           static_cast<unsigned>(named.role), field_role_names.size());
   check_field(named.field, program.shape.memory_bits);
@@ -220,7 +223,7 @@ void validate_field(const NamedField& named, const Program& program) {
       named.role != FieldRole::colour || named.field == program.colour,
       "field {} has the role colour, but the frame shows {}; show it by .frame colour_base={} colour_bits={}, which "
       "comes before it",
-      show(named.field), program.colour.width == 0 ? "nothing" : show(program.colour), named.field.base,
+      named.field, program.colour.width == 0 ? "nothing" : fmt::format("{}", program.colour), named.field.base,
       named.field.width);
 }
 

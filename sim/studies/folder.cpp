@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/folder.h"
 #include "hw/base/messages.h"
 #include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
@@ -26,9 +27,7 @@ constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".stud
 std::filesystem::path made_folder(const std::filesystem::path& folder) {
   if (folder.empty()) throw shell::UsageError("--output", "the name is empty; name the folder");
   if (is_standard_output(folder)) throw shell::UsageError("--output", "a folder is needed for several files; name one");
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
+  make_folder(folder);
   return folder;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/base/folder.h"
 #include "hw/base/input_file.h"
 
 namespace csgsim::studies {
@@ -122,9 +123,7 @@ ShardWriter::ShardWriter(fs::path study, ShardHeader header, std::string columns
 void ShardWriter::add(const ShardLine& line) {
   if (!file_) {
     const fs::path folder = shards_folder(study_);
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
+    make_folder(folder);
     std::random_device random;
     file_.emplace(folder / fmt::format("{}{:08x}{:08x}{}", stem_of(header_), random(), random(), ending),
                   fmt::format("# {}\n{}{}\n", title_of(header_), point_column, columns_));

@@ -6,11 +6,11 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/folder.h"
 #include "hw/base/messages.h"
 #include "hw/base/output_file.h"
 #include "hw/base/standard_streams.h"
@@ -65,13 +65,6 @@ Subject subject_of(const Options& options, const Command& command) {
   return {std::move(both.machine), std::move(both.program)};
 }
 
-void make_folder(const fs::path& folder) {
-  if (is_standard_output(folder)) throw UsageError("--output", "a design is several files; name a folder");
-  std::error_code error;
-  fs::create_directories(folder / "rtl", error);
-  if (error) throw InputError(fmt::format("{}: cannot be made a folder ({})", folder.native(), error.message()));
-}
-
 /// All of them, or none.
 void write_files(const fs::path& folder, const std::vector<rtl::DesignFile>& files) {
   std::deque<OutputFile> open;
@@ -93,15 +86,17 @@ void warn_of_size(const machines::Machine& machine) {
 }
 
 void write_design(const Options& options, const Command& command) {
+  const fs::path folder = options.output;
+  if (is_standard_output(folder)) throw UsageError("--output", "a design is several files; name a folder");
   const Subject subject = subject_of(options, command);
   const std::vector<rtl::DesignFile> files =
       rtl::design_files(subject.machine, subject.program ? &*subject.program : nullptr);
-  const fs::path folder = options.output;
   std::vector<fs::path> paths;
   paths.reserve(files.size());
   for (const rtl::DesignFile& file : files) paths.push_back(folder / file.path);
   refuse_clashes(options.model.inputs(), paths);
   make_folder(folder);
+  make_folder(folder / "rtl");
   write_files(folder, files);
   warn_of_size(subject.machine);
   fmt::print("{}: {} of {}, {} x {} pixels{}; {}\n", printable(options.output), counted(files.size(), "file"),

@@ -75,11 +75,12 @@ class Drawing:
             self.lines.append(f'{indent}  {box} [label="{own}"' + (', style="rounded,dashed"' if groups else "") + "];")
         for cells in groups.values():
             inner = collections.defaultdict(set)
+            widest = max(cells, key=lambda cell: sum(map(len, cell["connections"].values())))["type"]
             for cell in cells:
                 for port, outside in cell["connections"].items():
-                    for own_bit, there in zip(self.modules[cells[0]["type"]]["ports"][port]["bits"], outside):
+                    for own_bit, there in zip(self.modules[widest]["ports"][port]["bits"], outside):
                         inner[own_bit] |= self.nets(scope, bits, there)
-            self.place(cells[0]["type"], len(cells), dict(inner), indent + "  ")
+            self.place(widest, len(cells), dict(inner), indent + "  ")
         if groups:
             self.lines.append(f"{indent}}}")
         return scope
@@ -115,6 +116,15 @@ class Drawing:
                 for bit in one["bits"]:
                     self.wires[scope, bit][1 if one["direction"] == "output" else 0].add("outside")
 
+    @staticmethod
+    def words(names):
+        """What stands at an arrow: wires by name, with how many they are."""
+        short = collections.Counter()
+        for name, count in names.items():
+            short[name.split(".")[-1]] += count
+        shown = [name + (f" [{count}]" if count > 1 else "") for name, count in sorted(short.items()) if name]
+        return "\\n".join(shown[:MANY] + (["…"] if len(shown) > MANY else []))
+
     def text(self):
         arrows = collections.defaultdict(lambda: collections.Counter())
         for bit, (drivers, readers) in self.wires.items():
@@ -127,12 +137,11 @@ class Drawing:
                  '  edge [color="#555753", fontname="DejaVu Sans", fontsize=8, arrowsize=0.6];',
                  '  outside [label="host and screen", shape=plaintext, style=""];', *self.lines]
         for (driver, reader), names in sorted(arrows.items()):
-            short = collections.Counter()
-            for name, count in names.items():
-                short[name.split(".")[-1]] += count
-            shown = [name + (f" [{count}]" if count > 1 else "") for name, count in sorted(short.items()) if name]
-            label = "\\n".join(shown[:MANY] + (["…"] if len(shown) > MANY else []))
-            lines.append(f'  {driver} -> {reader} [label="{label}"];')
+            back = arrows.get((reader, driver))
+            if back is None:
+                lines.append(f'  {driver} -> {reader} [label="{self.words(names)}"];')
+            elif driver < reader:
+                lines.append(f'  {driver} -> {reader} [dir=both, label="▸ {self.words(names)}\\n◂ {self.words(back)}"];')
         return "\n".join(lines + ["}"])
 
 

@@ -1,0 +1,15 @@
+#include "hw/base/folder.h"
+
+#include <system_error>
+
+#include "hw/base/error.h"
+
+namespace csgsim {
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw InputError(folder.native() + ": cannot be made a folder (" + error.message() + ")");
+}
+
+}  // namespace csgsim
