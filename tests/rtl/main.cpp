@@ -72,7 +72,7 @@ int random_programs(const Words& words) {
   const machines::Machine machine = machine_of_parameters();
   std::size_t never = machine.evaluator_degree == 1 ? 1 : 0;  // `squares`, which such trees do not take
   if (!machines::has_global_or(machine)) never += 2;          // and questions
-  constexpr unsigned many = 20;  ///< fewer need not have every instruction
+  constexpr unsigned many = 20;                               ///< fewer need not have every instruction
   if (programs >= many && code == 0 && sent.size() + never != isa::opcode_table.size())
     throw std::runtime_error("an instruction was never sent");
   fmt::print("{} clocks compared\n", lockstep.clocks_compared());
