@@ -50,12 +50,14 @@ void check_depth_format(const std::filesystem::path& path) {
 }
 
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
-  std::vector<std::uint8_t> pixels;
-  pixels.reserve(frame.colour.size() * 3);
+  std::vector<std::uint8_t> pixels(frame.colour.size() * 3);
   const unsigned bits = program.colour.width;
+  std::uint32_t last = 0;  // of neighbours most are alike
+  std::array<std::uint8_t, 3> channels = isa::unpack_colour(last, bits);
+  auto to = pixels.begin();
   for (const std::uint32_t colour : frame.colour) {
-    const std::array<std::uint8_t, 3> channels = isa::unpack_colour(colour, bits);
-    pixels.insert(pixels.end(), channels.begin(), channels.end());
+    if (colour != last) channels = isa::unpack_colour(last = colour, bits);
+    to = std::ranges::copy(channels, to).out;
   }
   write(file, png, colours(frame, pixels));
 }

@@ -43,9 +43,17 @@ extern "C" void take_png_bytes(png_structp png, png_bytep data, std::size_t leng
 
 extern "C" void flush_nothing(png_structp /*png*/) {}
 
+/// Pictures have areas of one colour. Without filters these are runs of the same bytes, which take less time and room than
+/// the differences that libpng would choose, row by row; with zlib's level 4 a file is about as long as by libpng's own
+/// choice, in a quarter of its time.
+constexpr int filters = PNG_FILTER_NONE;
+constexpr int level = 4;
+
 /// Has nothing to destroy: libpng leaves it by a jump when something fails.
 bool write_png(png_structp png, png_infop info, const Raster& raster, Bytes bytes) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's way to tell of errors
+  png_set_filter(png, PNG_FILTER_TYPE_BASE, filters);
+  png_set_compression_level(png, level);
   png_set_compression_strategy(png, Z_DEFAULT_STRATEGY);
   png_set_IHDR(png, info, raster.width, raster.height, 8,
                raster.channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
