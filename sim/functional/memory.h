@@ -28,6 +28,11 @@ class Memory {
   /// The bit to read in those blocks, its form unchanged: the plane that holds it, or `copy` filled from lanes.
   const TileBits& read(unsigned bit, std::uint64_t blocks, TileBits& copy) const;
 
+  /// Is the bit 0 everywhere, as far as that is known without a look at pixels?
+  [[nodiscard]] bool is_zero(unsigned bit) const {
+    return holder_[bit] == nullptr && (!planes_[bit] || planes_[bit]->any() == 0);
+  }
+
   /// The lanes that hold exactly this field, to read and write.
   Lanes& lanes(isa::Field field);
 

@@ -62,6 +62,8 @@ std::uint64_t Tile::execute(const Instruction& instruction) {
       return 0;
     case Opcode::enable_invert: invert_enable(); break;
     case Opcode::enable_load:
+      if (enabled_ == 0 && memory_.is_zero(fields[0].base)) return 0;
+      [[fallthrough]];
     case Opcode::enable_and:
     case Opcode::enable_and_not:
     case Opcode::enable_or:
