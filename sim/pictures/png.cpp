@@ -43,9 +43,9 @@ extern "C" void take_png_bytes(png_structp png, png_bytep data, std::size_t leng
 
 extern "C" void flush_nothing(png_structp /*png*/) {}
 
-/// Pictures have areas of one colour. Without filters these are runs of the same bytes, which take less time and room than
-/// the differences that libpng would choose, row by row; with zlib's level 4 a file is about as long as by libpng's own
-/// choice, in a quarter of its time.
+/// Pictures have areas of one colour. Without filters these are runs of the same bytes, which take less time and room
+/// than the differences that libpng would choose, row by row; with zlib's level 4 a file is about as long as by
+/// libpng's own choice, in a quarter of its time.
 constexpr int filters = PNG_FILTER_NONE;
 constexpr int level = 4;
 
