@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -36,15 +38,22 @@ struct PartNumbers {
   [[nodiscard]] std::size_t count() const { return processor(processors); }
 };
 
-/// When which part acts next. A part sleeps while nothing but another part can let it go on.
+/// When which part acts next. A part sleeps while nothing but another part can let it go on. Most parts act again at
+/// the next edge: those of this edge and of the next are sets of bits, the others a heap.
 class Agenda {
  public:
-  explicit Agenda(std::size_t parts) : due_(parts, never) {}
+  explicit Agenda(std::size_t parts) : due_(parts, never), here_(parts), next_(parts) {}
 
-  /// Whatever stood there for the part is forgotten.
+  /// Whatever stood there for the part is forgotten. `when` is this edge or a later one.
   void put(std::size_t part, Time when) {
     due_[part] = when;
-    entries_.emplace(when, part);
+    if (when == now_) {
+      here_.add(part);
+    } else if (when == now_ + 1) {
+      next_.add(part);
+    } else {
+      later_.emplace(when, part);
+    }
   }
 
   /// Has a sleeping part look again.
@@ -54,24 +63,51 @@ class Agenda {
 
   /// The part that acts next, and when.
   std::pair<Time, std::size_t> next() {
-    Entry entry = pop();
-    while (due_[entry.second] != entry.first) entry = pop();
-    due_[entry.second] = never;
-    return entry;
+    for (;;) {
+      while (here_.empty()) go_on();
+      const std::size_t part = here_.take();
+      if (due_[part] != now_) continue;
+      due_[part] = never;
+      return {now_, part};
+    }
   }
 
  private:
-  using Entry = std::pair<Time, std::size_t>;
   static constexpr Time never = ~Time{0};
 
-  Entry pop() {
-    const Entry entry = entries_.top();
-    entries_.pop();
-    return entry;
+  /// Numbers of parts.
+  class Parts {
+   public:
+    explicit Parts(std::size_t most) : words_(most / 64 + 1) {}
+    [[nodiscard]] bool empty() const {
+      return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
+    }
+    void add(std::size_t part) { words_[part / 64] |= std::uint64_t{1} << part % 64; }
+    /// The least, which is no longer there then.
+    std::size_t take() {
+      const auto found = std::ranges::find_if(words_, [](std::uint64_t word) { return word != 0; });
+      const auto bit = static_cast<std::size_t>(std::countr_zero(*found));
+      *found &= *found - 1;
+      return static_cast<std::size_t>(found - words_.begin()) * 64 + bit;
+    }
+
+   private:
+    std::vector<std::uint64_t> words_;
+  };
+
+  /// To the next edge at which a part acts.
+  void go_on() {
+    now_ = next_.empty() ? later_.top().first : now_ + 1;
+    std::swap(here_, next_);
+    for (; !later_.empty() && later_.top().first == now_; later_.pop()) here_.add(later_.top().second);
   }
 
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> entries_;
+  using Entry = std::pair<Time, std::size_t>;
+  Time now_ = 0;
   std::vector<Time> due_;  ///< of each part, or never
+  Parts here_;
+  Parts next_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> later_;
 };
 
 /// Between two parts: a word wakes its reader, a free place its writer.

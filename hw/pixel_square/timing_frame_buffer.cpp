@@ -26,13 +26,14 @@ void FrameBufferTiming::store(Time now) {
   const std::size_t turns = banks_ - taken_.size();
   std::size_t served = 0;
   bool word_follows = false;
-  for (std::size_t i = 0, first = turn_; i < ports; ++i) {
-    const std::size_t port = (first + i) % ports;
+  std::size_t port = turn_;
+  for (std::size_t i = 0; i < ports; ++i, port = port + 1 == ports ? 0 : port + 1) {
+    if (!clears_now(port) && !ports_[port]->word_follows()) continue;
     const std::optional<TimedPortWord> word = waiting(port, now);
     if (word && served < turns && take_bank(*word)) {
       take(port, *word, now);
       ++served;
-      turn_ = (port + 1) % ports;
+      turn_ = port + 1 == ports ? 0 : port + 1;
     }
     word_follows = word_follows || word || ports_[port]->word_follows();
   }

@@ -15,20 +15,34 @@ LeavingSquare::LeavingSquare(const isa::Region& region, std::uint32_t colour_bit
     : top_(region.y),
       port_bits_(port_bits),
       row_bits_(std::uint64_t{region.width} * colour_bits),
-      bits_(row_bits_ * region.height),
       header_words_(header_words(port_bits)),
-      words_(header_words_ + quotient_up(bits_, port_bits)) {}
+      words_(header_words_ + quotient_up(row_bits_ * region.height, port_bits)),
+      bits_(row_bits_ * region.height) {}
 
 std::optional<LeavingSquare::Rows> LeavingSquare::rows() const {
-  if (word_ < header_words_) return std::nullopt;
-  const std::uint64_t first = (word_ - header_words_) * port_bits_;
-  const std::uint64_t last = std::min(first + port_bits_, bits_) - 1;
-  return Rows{static_cast<std::uint32_t>(first / row_bits_), static_cast<std::uint32_t>(last / row_bits_)};
+  if (header_words_ > 0) return std::nullopt;
+  const std::uint64_t last = at_ + std::min(port_bits_, bits_) - 1;
+  return Rows{row_, last < row_bits_ ? row_ : row_ + static_cast<std::uint32_t>(last / row_bits_)};
 }
 
 std::optional<std::uint32_t> LeavingSquare::picture_row() const {
-  const std::optional<Rows> of_word = rows();
-  return of_word ? std::optional(top_ + of_word->first) : std::nullopt;
+  return header_words_ > 0 ? std::nullopt : std::optional(top_ + row_);
+}
+
+void LeavingSquare::advance() {
+  --words_;
+  if (header_words_ > 0) {
+    --header_words_;
+    return;
+  }
+  bits_ -= std::min(port_bits_, bits_);
+  at_ += port_bits_;
+  for (; at_ >= row_bits_; at_ -= row_bits_) ++row_;
+}
+
+void LeavingSquare::skip_header() {
+  words_ -= header_words_;
+  header_words_ = 0;
 }
 
 Time RowLatch::there(std::uint32_t row) {

@@ -17,7 +17,7 @@ class LeavingSquare {
   LeavingSquare() = default;
   LeavingSquare(const isa::Region& region, std::uint32_t colour_bits, std::uint64_t port_bits);
 
-  [[nodiscard]] std::uint64_t words_left() const { return words_ - word_; }
+  [[nodiscard]] std::uint64_t words_left() const { return words_; }
 
   /// Of the next word, rows of the square; nothing for a word of the header.
   struct Rows {
@@ -30,19 +30,20 @@ class LeavingSquare {
   [[nodiscard]] std::optional<std::uint32_t> picture_row() const;
 
   /// It leaves.
-  void advance() { ++word_; }
+  void advance();
 
   /// No word of the header leaves.
-  void skip_header() { word_ = header_words_; }
+  void skip_header();
 
  private:
   std::uint32_t top_ = 0;  ///< row of the picture
   std::uint64_t port_bits_ = 1;
   std::uint64_t row_bits_ = 1;
-  std::uint64_t bits_ = 0;
-  std::uint64_t header_words_ = 0;
-  std::uint64_t words_ = 0;
-  std::uint64_t word_ = 0;  ///< next
+  std::uint64_t header_words_ = 0;  ///< still to leave
+  std::uint64_t words_ = 0;         ///< still to leave, with those
+  std::uint64_t bits_ = 0;          ///< of colours, still to leave
+  std::uint32_t row_ = 0;           ///< in which the next word of colours begins
+  std::uint64_t at_ = 0;            ///< and at which bit of it
 };
 
 /// When the rows of a square in one buffer are where words are made of them. The first is latched from the edge after

@@ -28,13 +28,13 @@ void RingTiming::carry(Time now) {
   to_frame_buffer_ = 0;
   std::size_t carried = 0;
   bool look_again = false;
-  for (std::size_t i = 0, first = turn_; i < sources && carried < channels_; ++i) {
-    const std::size_t source = (first + i) % sources;
+  std::size_t source = turn_;
+  for (std::size_t i = 0; i < sources && carried < channels_; ++i, source = source + 1 == sources ? 0 : source + 1) {
     const Found found = carry_from(source, now);
     look_again = look_again || found == Found::later || found == Found::carried;
     if (found != Found::carried) continue;
     ++carried;
-    turn_ = source + 1;
+    turn_ = source + 1 == sources ? 0 : source + 1;
   }
   words_ += carried;
   if (carried > 0) {
@@ -87,6 +87,7 @@ RingTiming::Found RingTiming::carry_from_processor(std::size_t number, Time now)
 
 RingTiming::Found RingTiming::carry_from_renderer(std::size_t number, Time now) {
   Fifo<TimedPortWord>& words = renderers_[number].colours();
+  if (!words.word_follows()) return Found::stuck;
   Fifo<TimedPortWord>& to = carried_[number];
   if (to_frame_buffer_ == banks_ || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
   to.write(now, words.read(now));

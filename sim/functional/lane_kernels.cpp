@@ -138,15 +138,73 @@ std::uint32_t count_all(const TileBits& bits, const TileShape& shape) { return c
 void fill_one(Lanes& lanes, unsigned block) { fill(lanes, block); }
 void bound_one(Lanes& lanes, unsigned block) { bound(lanes, block); }
 
-std::uint64_t gather(const std::uint32_t* block, unsigned bit) {
+/// A bit of each of 64 values.
+std::uint64_t gather_bit(const std::uint32_t* values, unsigned bit) {
   const Numbers one = hn::Set(NumberTag(), std::uint32_t{1} << bit);
-  return test_block([&](std::size_t from) { return hn::TestBit(hn::LoadU(NumberTag(), block + from), one); });
+  return test_block([&](std::size_t from) { return hn::TestBit(hn::LoadU(NumberTag(), values + from), one); });
 }
 
-void scatter(std::uint64_t bits, std::uint32_t* block, unsigned bit) {
-  write_block(block, bits, [&](std::size_t /*from*/, Numbers old) {
-    return hn::Or(old, hn::Set(NumberTag(), std::uint32_t{1} << bit));
+void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
+                std::span<TileBits* const> planes) {
+  const std::uint64_t there = blocks & shape.blocks();
+  const std::uint64_t constant = there & same(lanes.least, lanes.greatest);
+  for (unsigned i = 0; i < planes.size(); ++i)
+    planes[i]->fill_blocks(constant & gather_bit(lanes.least.data(), first + i));
+  each_bit(there & ~constant, [&](unsigned block) {
+    const std::uint64_t pixels = shape.pixels(block);
+    for (unsigned i = 0; i < planes.size(); ++i)
+      planes[i]->set_word(block, gather_bit(lanes.block(block), first + i) & pixels, shape);
   });
+}
+
+/// One word a bit of a number, each with a bit of 64 numbers.
+struct Words {
+  std::array<std::uint64_t, isa::max_field_width> words;
+  std::array<std::uint32_t, isa::max_field_width> ones;  ///< the number with that bit alone
+  std::size_t count = 0;
+
+  void add(std::uint64_t word, unsigned bit) {
+    if (word == 0) return;
+    words[count] = word;
+    ones[count++] = std::uint32_t{1} << bit;
+  }
+  /// Of a vector of numbers the first of which is number `from`.
+  [[nodiscard]] HWY_INLINE Numbers at(std::size_t from) const {
+    constexpr NumberTag tag;
+    Numbers numbers = hn::Zero(tag);
+    for (std::size_t i = 0; i < count; ++i)
+      numbers = hn::Or(numbers, hn::IfThenElseZero(mask_of_bits(tag, words[i] >> from), hn::Set(tag, ones[i])));
+    return numbers;
+  }
+};
+
+void scatter_block(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes, unsigned block) {
+  constexpr NumberTag tag;
+  Words words;
+  for (unsigned bit = 0; bit < planes.size(); ++bit)
+    if (planes[bit] != nullptr && (planes[bit]->mixed() >> block & 1U) != 0)
+      words.add(planes[bit]->word(block, shape), bit);
+  const Numbers everywhere = hn::Set(tag, lanes.least[block]);
+  for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag))
+    hn::StoreU(hn::Or(everywhere, words.at(from)), tag, lanes.block(block) + from);
+  bound(lanes, block);
+}
+
+void scatter_all(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes) {
+  constexpr NumberTag tag;
+  Words full;
+  std::uint64_t mixed = 0;
+  for (unsigned bit = 0; bit < planes.size(); ++bit) {
+    if (planes[bit] == nullptr) continue;
+    full.add(planes[bit]->full(), bit);
+    mixed |= planes[bit]->mixed();
+  }
+  for (std::size_t from = 0; from < blocks_a_tile; from += hn::Lanes(tag)) {
+    const Numbers numbers = full.at(from);
+    hn::StoreU(numbers, tag, lanes.least.data() + from);
+    hn::StoreU(numbers, tag, lanes.greatest.data() + from);
+  }
+  each_bit(mixed, [&](unsigned block) { scatter_block(planes, shape, lanes, block); });
 }
 
 }  // namespace
@@ -164,8 +222,8 @@ HWY_EXPORT(add_all);
 HWY_EXPORT(compare_all);
 HWY_EXPORT(fill_one);
 HWY_EXPORT(bound_one);
-HWY_EXPORT(gather);
-HWY_EXPORT(scatter);
+HWY_EXPORT(gather_all);
+HWY_EXPORT(scatter_all);
 
 std::uint32_t count_ones(const TileBits& bits, const TileShape& shape) {
   return HWY_DYNAMIC_DISPATCH(count_all)(bits, shape);
@@ -190,10 +248,13 @@ std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const 
 void fill_block(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(fill_one)(lanes, block); }
 void find_bounds(Lanes& lanes, unsigned block) { HWY_DYNAMIC_DISPATCH(bound_one)(lanes, block); }
 
-std::uint64_t gather_bit(const std::uint32_t* block, unsigned bit) { return HWY_DYNAMIC_DISPATCH(gather)(block, bit); }
+void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
+                   std::span<TileBits* const> planes) {
+  HWY_DYNAMIC_DISPATCH(gather_all)(lanes, shape, blocks, first, planes);
+}
 
-void scatter_bit(std::uint64_t bits, std::uint32_t* block, unsigned bit) {
-  HWY_DYNAMIC_DISPATCH(scatter)(bits, block, bit);
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes) {
+  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, lanes);
 }
 
 }  // namespace csgsim::functional

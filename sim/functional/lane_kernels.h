@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "sim/engine/work.h"
 #include "sim/functional/lanes.h"
@@ -45,10 +46,11 @@ void fill_block(Lanes& lanes, unsigned block);
 /// Makes the block's bounds those of its values.
 void find_bounds(Lanes& lanes, unsigned block);
 
-/// A bit of each value of a block.
-std::uint64_t gather_bit(const std::uint32_t* block, unsigned bit);
+/// In those blocks: planes := bits of the values, from bit `first` on. The planes are 0 before.
+void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
+                   std::span<TileBits* const> planes);
 
-/// The bit of that number of each value of a block := bits; it is 0 before.
-void scatter_bit(std::uint64_t bits, std::uint32_t* block, unsigned bit);
+/// Values := the planes' bits, the lowest first; one that there is none of is 0.
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes);
 
 }  // namespace csgsim::functional

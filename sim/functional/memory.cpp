@@ -9,25 +9,6 @@ namespace csgsim::functional {
 
 namespace {
 
-/// A field of the planes' bits, the lowest first; one that there is none of is 0.
-void fill_lanes(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes) {
-  lanes.least.fill(0);
-  std::uint64_t mixed = 0;
-  for (unsigned bit = 0; bit < planes.size(); ++bit) {
-    if (planes[bit] == nullptr) continue;
-    mixed |= planes[bit]->mixed();
-    each_bit(planes[bit]->full(), [&](unsigned block) { lanes.least[block] |= std::uint32_t{1} << bit; });
-  }
-  lanes.greatest = lanes.least;
-  each_bit(mixed, [&](unsigned block) { fill_block(lanes, block); });
-  for (unsigned bit = 0; bit < planes.size(); ++bit) {
-    if (planes[bit] == nullptr) continue;
-    each_bit(planes[bit]->mixed(),
-             [&](unsigned block) { scatter_bit(planes[bit]->word(block, shape), lanes.block(block), bit); });
-  }
-  each_bit(mixed, [&](unsigned block) { find_bounds(lanes, block); });
-}
-
 void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out, std::size_t stride) {
   for (std::uint32_t y = 0; y < shape.height(); ++y) {
     std::uint32_t* const row = out + y * stride;
@@ -66,28 +47,22 @@ TileBits& Memory::plane(unsigned bit) {
   return stored_plane(bit);
 }
 
-void Memory::gather(const Lanes& lanes, unsigned bit, std::uint64_t blocks, TileBits& bits) const {
-  each_bit(blocks & shape_.blocks(), [&](unsigned block) {
-    const std::uint64_t word = lanes.is_constant(block)
-                                   ? ((lanes.least[block] >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0)
-                                   : gather_bit(lanes.block(block), bit);
-    bits.set_word(block, word & shape_.pixels(block), shape_);
-  });
-}
-
 const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy) const {
   const Lanes* const holder = holder_[bit];
   if (holder == nullptr && planes_[bit]) return *planes_[bit];
   copy.clear();
-  if (holder != nullptr) gather(*holder, bit - holder->field.base, blocks, copy);
+  TileBits* const planes = &copy;
+  if (holder != nullptr) gather_planes(*holder, shape_, blocks, bit - holder->field.base, {&planes, 1});
   return copy;
 }
 
 void Memory::spill(Lanes& lanes) {
+  std::array<TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < lanes.field.width; ++bit) {
     holder_[lanes.field.base + bit] = nullptr;
-    gather(lanes, bit, shape_.blocks(), stored_plane(lanes.field.base + bit));
+    planes[bit] = &stored_plane(lanes.field.base + bit);
   }
+  gather_planes(lanes, shape_, shape_.blocks(), 0, std::span(planes).first(lanes.field.width));
   lanes.field = {};
 }
 
@@ -105,7 +80,7 @@ Lanes& Memory::lanes(isa::Field field) {
   lanes.field = field;
   std::array<const TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = planes_[field.base + bit].get();
-  fill_lanes(std::span(planes).first(field.width), shape_, lanes);
+  scatter_planes(std::span(planes).first(field.width), shape_, lanes);
   for (unsigned bit = field.base; bit < field.end(); ++bit) {
     holder_[bit] = &lanes;
     if (planes_[bit]) planes_[bit]->clear();
@@ -135,7 +110,7 @@ void Memory::values(isa::Field field, std::uint32_t* out, std::size_t stride) co
   std::array<const TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = &read(field.base + bit, shape_.blocks(), copies[bit]);
   Lanes lanes;
-  fill_lanes(std::span(planes).first(field.width), shape_, lanes);
+  scatter_planes(std::span(planes).first(field.width), shape_, lanes);
   write_values(lanes, shape_, out, stride);
 }
 

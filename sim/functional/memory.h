@@ -58,7 +58,6 @@ class Memory {
   Lanes& unused_lanes();
   /// Hands the lanes' bits to their planes.
   void spill(Lanes& lanes);
-  void gather(const Lanes& lanes, unsigned bit, std::uint64_t blocks, TileBits& bits) const;
 
   TileShape shape_;
   std::vector<std::unique_ptr<TileBits>> planes_;  ///< none yet: 0; 0 too while lanes hold the bit

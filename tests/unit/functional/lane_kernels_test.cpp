@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <memory>
+#include <vector>
 
 #include "tests/unit/functional/pixels.h"
 
@@ -40,6 +41,13 @@ struct Tile {
     RC_ASSERT(bits_of(enable, shape) == enabled);
   }
 };
+
+template <class Plane>
+std::vector<Plane*> pointers_to(std::vector<functional::TileBits>& planes) {
+  std::vector<Plane*> pointers;
+  for (functional::TileBits& plane : planes) pointers.push_back(&plane);
+  return pointers;
+}
 
 }  // namespace
 
@@ -110,22 +118,40 @@ TEST_CASE("where blocks are constant or far apart no lane is looked at, unless e
   }
 }
 
-TEST_CASE("a bit of each value is gathered, and scattered again") {
+TEST_CASE("bits of a field are gathered into planes of some blocks") {
   CHECK(rc::check([] {
     Tile tile;
-    const unsigned block = between(0U, functional::blocks_a_tile);
-    functional::fill_block(*tile.left, block);
-    std::uint32_t* const values = tile.left->block(block);
-    const unsigned bit = between(0U, tile.bits);
-    const std::uint64_t word = functional::gather_bit(values, bit);
-    for (unsigned i = 0; i < functional::block_pixels; ++i) RC_ASSERT((word >> i & 1U) == (values[i] >> bit & 1U));
-    std::vector<std::uint32_t> expected(values, values + functional::block_pixels);
-    const std::uint64_t other = any_word();
-    for (unsigned i = 0; i < functional::block_pixels; ++i) {
-      values[i] &= ~(1U << bit);
-      expected[i] = values[i] | static_cast<std::uint32_t>(other >> i & 1U) << bit;
+    const unsigned first = between(0U, tile.bits);
+    const std::uint64_t blocks = any_word();
+    std::vector<functional::TileBits> planes(between(1U, tile.bits - first + 1));
+    functional::gather_planes(*tile.left, tile.shape, blocks, first, pointers_to<functional::TileBits>(planes));
+    for (unsigned i = 0; i < planes.size(); ++i) {
+      bits_of(planes[i], tile.shape).each([&](std::uint32_t x, std::uint32_t y) {
+        const unsigned block = functional::block_of(x, y);
+        const bool bit = (planes[i].word(block, tile.shape) >> functional::bit_of(x, y) & 1U) != 0;
+        const bool is_asked = (blocks >> block & 1U) != 0;
+        RC_ASSERT(bit == (is_asked && (tile.left_numbers.at(x, y) >> (first + i) & 1U) != 0));
+      });
     }
-    functional::scatter_bit(other, values, bit);
-    RC_ASSERT(std::vector<std::uint32_t>(values, values + functional::block_pixels) == expected);
+  }));
+}
+
+TEST_CASE("planes make the numbers of a field, some of which may not be there") {
+  CHECK(rc::check([] {
+    Tile tile;
+    std::vector<functional::TileBits> planes(tile.bits);
+    std::vector<Bits> bits;
+    for (functional::TileBits& plane : planes) bits.push_back(set_any(plane, tile.shape));
+    std::vector<const functional::TileBits*> there = pointers_to<const functional::TileBits>(planes);
+    const unsigned missing = between(0U, 2 * tile.bits);
+    if (missing < tile.bits) there[missing] = nullptr;
+    functional::scatter_planes(there, tile.shape, *tile.left);
+    const Numbers numbers = numbers_of(*tile.left, tile.shape);
+    numbers.each([&](std::uint32_t x, std::uint32_t y) {
+      std::uint32_t expected = 0;
+      for (unsigned bit = 0; bit < tile.bits; ++bit)
+        if (bit != missing && bits[bit].at(x, y) != 0) expected |= std::uint32_t{1} << bit;
+      RC_ASSERT(numbers.at(x, y) == expected);
+    });
   }));
 }
