@@ -15,6 +15,7 @@ for name in 8 16 64 words_of_64 words_of_13 bits; do
   "$build"/rtl_chain_$name random 200 40
 done
 for name in 8 16 64; do "$build"/rtl_chain_$name models thesis_fig_2_3 carburettor; done
+"$(dirname "$0")"/scan_line/area.py --check
 number=0
 for machine in "$build"/rtl_random_[0-9]*; do
   number=$((number + 1))
