@@ -51,7 +51,8 @@ module cell_operand #(
         assign emptied = empties && here[w-1];
       end
       assign moved[w*WORD_BITS +: WORD_BITS] =
-        move && here[w] && !(w == 1 && `CELL_FAULT(`FAULT_MOVE_WORD)) ? shifted : move && emptied ? {WORD_BITS{1'b0}} : seen[w*WORD_BITS +: WORD_BITS];
+        move && here[w] && !(w == 1 && `CELL_FAULT(`FAULT_MOVE_WORD)) ? shifted :
+        move && emptied ? {WORD_BITS{1'b0}} : seen[w*WORD_BITS +: WORD_BITS];
     end
   endgenerate
 
