@@ -51,8 +51,16 @@ class Cells {
   /// What the ports write in the clock of that beat.
   void store(std::uint32_t cell, const PacketWord& beat);
 
-  /// The first field that has been read.
-  [[nodiscard]] std::uint64_t fetched(std::uint32_t cell) const { return fetched_[cell][0]; }
+  /// What has been read of a field, of the first or the second.
+  [[nodiscard]] std::uint64_t fetched(std::uint32_t cell, std::size_t field = 0) const {
+    return fetched_[cell].at(field);
+  }
+
+  // For who compares registers.
+  [[nodiscard]] bool carry(std::uint32_t cell) const { return carry_[cell] != 0; }  ///< of the running sum
+  [[nodiscard]] bool difference_carry(std::uint32_t cell) const { return difference_carry_[cell] != 0; }
+  [[nodiscard]] const CellAlu& alu(std::uint32_t cell) const { return alus_[cell]; }
+  [[nodiscard]] bool writes(std::uint32_t cell) const { return writes_[cell] != 0; }  ///< the result
 
   [[nodiscard]] bool enabled(std::uint32_t cell) const { return enable_[cell] != 0; }
   [[nodiscard]] std::size_t cell_words() const { return cell_words_; }

@@ -53,6 +53,13 @@ class Chain {
 
   [[nodiscard]] const Cells& cells() const { return cells_; }
 
+  /// What that cell's hold register has.
+  [[nodiscard]] std::uint32_t held(std::uint32_t cell) const { return hold_[cell]; }
+  /// What the shift chain has at that cell, in the clock that comes; none if nothing of the line is left there.
+  [[nodiscard]] std::optional<std::uint32_t> shifting(std::uint32_t cell) const {
+    return shifting_ && shifted_ + cell < pixels_ ? std::optional(shift_[shifted_ + cell]) : std::nullopt;
+  }
+
   // For waves.
   /// What is in that cell, one that takes clocks to come to, in the clock that comes; null if nothing is.
   [[nodiscard]] const PacketWord* beat_in(std::uint32_t cell) const;

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What CI has no time for, in a built tree: the lockstep at 64 x 64, and on machines that numbers make up.
+# What CI has no time for, in a built tree: the lockstep at 64 x 64, with chains of 8 to 64 cells, and on machines that
+# numbers make up.
 #   large.sh BUILD    for instance build/release
 set -eu
 build=$1
@@ -9,6 +10,12 @@ cmake --build "$build" --target rtl_64x64 rtl_64x64_squares rtl_64x64_bare rtl_r
 "$build"/rtl_64x64 models thesis_fig_2_3
 "$build"/rtl_64x64_squares random 3 20 latency=4
 "$build"/rtl_64x64_bare speed 40
+for name in 8 16 64 words_of_64 words_of_13 bits; do
+  cmake --build "$build" --target "rtl_chain_$name"
+  "$build"/rtl_chain_$name random 200 40
+done
+for name in 8 16 64; do "$build"/rtl_chain_$name models thesis_fig_2_3 carburettor; done
+"$(dirname "$0")"/scan_line/area.py --check
 number=0
 for machine in "$build"/rtl_random_[0-9]*; do
   number=$((number + 1))

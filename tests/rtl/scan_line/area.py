@@ -1,0 +1,52 @@
+#!/usr/bin/env python3
+"""What a cell of the scan-line array takes without the bits of its memory, as Yosys makes it of the Verilog.
+
+  area.py            write the table of docs/area.md between its marks
+  area.py --check    compare; exit code 1 if it has changed
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+RTL = ROOT / "hw" / "rtl" / "scan_line"
+PAGE = ROOT / "docs" / "area.md"
+ROWS = {"cell": "ROOTS=0", "cell that takes roots": "ROOTS=1", "cell that takes roots, of degree 2": "ROOTS=1 DEGREE=2",
+        "cell, ALU of 8, shifter of 8": "ROOTS=0 ALU_BITS=8 SHIFT_BITS=8"}
+MARKED = re.compile(r"(<!-- cell -->\n).*?(<!-- end -->)", re.S)
+
+
+def row(name, parameters):
+    values = " ".join(f"-chparam {item.replace('=', ' ')}" for item in parameters.split())
+    script = "; ".join([f"read_verilog -I{RTL} {RTL}/*.v", f"hierarchy -top scan_line_cell {values}", "blackbox *cell_memory*",
+                        "synth -flatten -top scan_line_cell", "dfflegalize -cell $_DFF_P_ 01",
+                        "abc -g cmos4 -script +strash;dch;map,-a", "opt_clean", "stat -tech cmos"])
+    run = subprocess.run(["yosys", "-p", script], capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.exit("area.py: yosys failed:\n" + run.stdout[-2000:] + run.stderr)
+    text = run.stdout.rsplit("Printing statistics.", 1)[1]
+    counts = {cell: int(count) for cell, count in re.findall(r"(\$_\w+_) +(\d+)", text)}
+    flip_flops = counts.pop("$_DFF_P_")
+    # The memory's module keeps stat from adding up: a flip-flop is 16, a gate of n inputs 2 n.
+    inputs = {"$_NOT_": 1, "$_NAND_": 2, "$_NOR_": 2, "$_AOI3_": 3, "$_OAI3_": 3, "$_AOI4_": 4, "$_OAI4_": 4}
+    transistors = 16 * flip_flops + sum(2 * inputs[gate] * count for gate, count in counts.items())
+    return f"| {name} | {sum(counts.values()):,} | {flip_flops:,} | {transistors:,} |\n"
+
+
+def main():
+    rows = "".join(row(name, parameters) for name, parameters in ROWS.items())
+    table = "| with the figures of `scan-line` | gates | flip-flops | transistors |\n|---|--:|--:|--:|\n" + rows
+    page = PAGE.read_text()
+    told = MARKED.sub(lambda match: match[1] + table + match[2], page)
+    if sys.argv[1:] == ["--check"]:
+        if told != page:
+            print("area.py: a cell takes something else than docs/area.md says; run tests/rtl/scan_line/area.py")
+        return int(told != page)
+    PAGE.write_text(told)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

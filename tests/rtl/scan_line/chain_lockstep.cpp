@@ -1,0 +1,86 @@
+#include "tests/rtl/scan_line/chain_lockstep.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace csgsim::rtl {
+
+ChainLockstep::ChainLockstep(const machines::Machine& machine)
+    : machine_(machine), systemc_(machine), verilog_(std::make_unique<RtlChain>()) {
+  const scan_line::CellShape shape = scan_line::cell_shape(machines::own<scan_line::Figures>(machine));
+  for (std::uint32_t i = 0; i < machine.array.width; ++i) cells_.emplace_back(i, shape, machine);
+}
+
+std::string ChainLockstep::run(std::span<const isa::Program> programs, std::uint8_t fault) {
+  comparing_ = true;
+  clock_ = 0;
+  for (CellCheck& cell : cells_) cell.begin();
+  draw(programs, fault);
+  comparing_ = false;
+  std::string difference = std::exchange(difference_, {});
+  if (!difference.empty()) clear();
+  return difference;
+}
+
+void ChainLockstep::draw(std::span<const isa::Program> programs, std::uint8_t fault) {
+  for (const isa::Program& program : programs) {
+    const isa::FrameHeader header = isa::frame_header(program);
+    const scan_line::PictureLines frame{.lines = program.segments,
+                                        .extents = program.extents,
+                                        .colour = header.colour,
+                                        .background = header.background};
+    if (frame.pixels() != pixels_) {
+      drain(fault);
+      pixels_ = frame.pixels();
+      systemc_.clear(pixels_);
+      worked_.assign(pixels_, {});
+      for (CellCheck& cell : cells_) cell.begin();
+    }
+    systemc_.begin(frame);
+    while (!systemc_.is_through()) clock(fault);
+  }
+  drain(fault);
+}
+
+/// Until the last mark has left the cells and its line has been shown.
+void ChainLockstep::drain(std::uint8_t fault) {
+  for (std::uint32_t i = 0; pixels_ > 0 && i < 2 * pixels_ + 3; ++i) clock(fault);
+}
+
+void ChainLockstep::clock(std::uint8_t fault) {
+  worked_.push_front(systemc_.entry());
+  worked_.pop_back();
+  systemc_.clock();
+  verilog_->edge(worked_.front(), pixels_, fault);
+  ++clock_;
+  if (comparing_ && difference_.empty()) compare();
+}
+
+void ChainLockstep::compare() {
+  ++clocks_compared_;
+  const ChainRegisters& registers = verilog_->registers();
+  const scan_line::RefreshPixel& refresh = systemc_.refresh();
+  if (refresh.valid != registers.refresh_valid || (refresh.valid && refresh.colour != registers.refresh_colour)) {
+    difference_ = fmt::format("clock {}: at the refresh port {} {} in SystemC, {} {} in Verilog", clock_, refresh.valid,
+                              refresh.colour, registers.refresh_valid, registers.refresh_colour);
+    return;
+  }
+  for (std::uint32_t i = 0; i < pixels_; ++i) {
+    const std::string difference = cells_[i].compare(systemc_.chain(), worked_[i], pixels_, registers);
+    if (difference.empty()) continue;
+    difference_ = fmt::format("clock {}, cell {}: {}", clock_, i, difference);
+    return;
+  }
+}
+
+/// After a difference: memory and enable are 0 on both.
+void ChainLockstep::clear() {
+  isa::Program program;
+  program.shape = {machine_.array.width, 1, machine_.array.memory_bits};
+  program.segments = {{.region = {0, 0, machine_.array.width, 1}, .instructions = {}}};
+  draw({&program, 1}, 0);
+  verilog_ = std::make_unique<RtlChain>();
+}
+
+}  // namespace csgsim::rtl

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "tests/rtl/scan_line/cell_check.h"
+#include "tests/rtl/scan_line/clocked_chain.h"
+#include "tests/rtl/scan_line/rtl_chain.h"
+
+namespace csgsim::rtl {
+
+/// The chain in SystemC, with the packets that its host sends, and the chain in Verilog, with the same.
+class ChainLockstep {
+ public:
+  explicit ChainLockstep(const machines::Machine& machine);
+
+  /// Draws frames one after the other on both. Returns the first difference; empty if there is none.
+  std::string run(std::span<const isa::Program> programs, std::uint8_t fault = 0);
+
+  [[nodiscard]] std::uint64_t clocks_compared() const { return clocks_compared_; }
+
+ private:
+  void draw(std::span<const isa::Program> programs, std::uint8_t fault);
+  void clock(std::uint8_t fault);
+  void drain(std::uint8_t fault);
+  void compare();
+  void clear();
+
+  machines::Machine machine_;
+  ClockedChain systemc_;
+  std::unique_ptr<RtlChain> verilog_;
+  std::uint32_t pixels_ = 0;
+  std::deque<scan_line::PacketWord> worked_;  ///< by cell: the beat that was in it in the clock that has been
+  std::vector<CellCheck> cells_;
+  bool comparing_ = false;
+  std::uint64_t clock_ = 0;  ///< of the frames that are drawn
+  std::uint64_t clocks_compared_ = 0;
+  std::string difference_;
+};
+
+}  // namespace csgsim::rtl
