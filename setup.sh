@@ -329,6 +329,7 @@ case "${1:-}" in
     tests/rtl/large.sh build/release
     python3 tests/rtl/formal/formal.py
     for simulator in verilator icarus; do python3 tests/rtl/designs/simulate.py build/release/csgsim $simulator long; done
+    python3 tests/rtl/designs/netlist.py build/release/csgsim
     python3 tests/rtl/designs/place.py build/release/csgsim
     git --no-pager diff --stat -- docs sim/rtl
     ;;

@@ -30,6 +30,8 @@ module program_rom #(
   localparam [31:0] LAST = INSTRUCTIONS;
   localparam [31:0] WAY = LATENCY;
   localparam [31:0] EACH = WORD_CLOCKS > 1 ? WORD_CLOCKS : 1;
+  localparam WAITS = $clog2(LATENCY + 1) > 0 ? $clog2(LATENCY + 1) : 1;
+  localparam STAYS = $clog2(EACH + 1);
   localparam [31:0] TIMES = FRAMES;
 
   /* verilator lint_off UNDRIVEN */
@@ -46,8 +48,8 @@ module program_rom #(
   endgenerate
 
   reg [PLACE-1:0] next;     // the word on the link, or that will be
-  reg [31:0] latent;        // clocks until it is
-  reg [31:0] on_link;       // clocks that it still has to be there
+  reg [WAITS-1:0] latent;   // clocks until it is
+  reg [STAYS-1:0] on_link;  // clocks that it still has to be there
   reg [31:0] frames;        // that the machine has begun
 
   wire sends = latent == 0 && next != END[PLACE-1:0];
@@ -58,8 +60,8 @@ module program_rom #(
   always @(posedge clk) begin
     if (request) begin
       next <= request_from > LAST ? END[PLACE-1:0] : begins[request_from[NUMBER-1:0]];
-      latent <= WAY;
-      on_link <= EACH;
+      latent <= WAY[WAITS-1:0];
+      on_link <= EACH[STAYS-1:0];
       if (request_from == 0 && FRAMES != 0) frames <= frames + 1;
     end else if (latent != 0) begin
       latent <= latent - 1;
@@ -67,7 +69,7 @@ module program_rom #(
       on_link <= on_link - 1;
     end else if (word_valid && word_ready) begin
       next <= next + 1;
-      on_link <= EACH;
+      on_link <= EACH[STAYS-1:0];
     end
     if (reset) begin
       next <= END[PLACE-1:0];

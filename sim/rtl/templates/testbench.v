@@ -5,6 +5,8 @@
 //   +wave=FILE     all wires as VCD,
 //   +from=N        from that clock of the first frame on
 //   +until=N       and before that one
+// With PORTS_ALONE defined it looks at nothing inside the design, so that this may be a netlist; then neither refresh
+// words nor what clocks are spent on are told, and the trace is empty.
 module testbench;
   localparam WIDTH = @WIDTH@;
   localparam HEIGHT = @HEIGHT@;
@@ -27,21 +29,25 @@ module testbench;
     .told_any(told_any), .done(done), .clocks(clocks), .video_valid(video_valid), .video_row(video_row),
     .video_frame(video_frame), .video(video), .shown(shown));
 
+  wire begins_frame = request && request_from == 0;
+`ifndef PORTS_ALONE
   // Refresh words that the controller sends for the scan-out, and what it spends its clocks on.
   wire refreshes = dut.machine.refresh & dut.machine.take_refresh;
-  wire begins_frame = request && request_from == 0;
   wire [31:0] issuing, clearing, starved, answering, jumping, refreshing, holding, copying, draining, waits;
   counters account (
     .clk(clk), .reset(reset), .begins(begins_frame), .spent(dut.machine.spent),
     .refresh_waits(dut.machine.refresh_waits), .issuing(issuing), .clearing(clearing), .starved(starved),
     .answering(answering), .jumping(jumping), .refreshing(refreshing), .holding(holding), .copying(copying),
     .draining(draining), .waits(waits));
+  reg [31:0] refreshed;             // words since the picture before was shown
+  reg step_sent;                    // an instruction's first step is on the wires: the controller's registers have it
+`endif
 
   reg [8*256-1:0] name;
   reg [31:0] now;
   reg [31:0] frames, begun, drawn, finished;
-  reg [31:0] began, drawn_since, showing_since;  // edges: frames being drawn, drawn last and being shown began at
-  reg [31:0] refreshed;             // words since the scan-out took the frame
+  reg [31:0] began;                 // edge at which the frame being drawn did
+  reg [31:0] begans [0:3];          // and the last four, by number modulo 4: at most three are under way
   reg [31:0] column, row;           // of the pixel to be shown next
   wire [31:0] column_here = video_row ? 0 : column;
   wire [31:0] row_here = video_frame ? 0 : video_row ? row + 1 : row;
@@ -49,7 +55,6 @@ module testbench;
   reg recording;
   reg [31:0] from, until_clock;
   reg tracing;
-  reg step_sent;                    // an instruction's first step is on the wires: the controller's registers have it
   reg [23:0] picture [0:WIDTH*HEIGHT-1];
   integer file, trace, i;
 
@@ -95,14 +100,10 @@ module testbench;
     drawn = 0;
     finished = 0;
     began = 0;
-    drawn_since = 0;
-    showing_since = 0;
-    refreshed = 0;
     column = 0;
     row = 0;
     if (!$value$plusargs("frames=%d", frames)) frames = 2;
     tracing = 1'b0;
-    step_sent = 1'b0;
     if ($value$plusargs("trace=%s", name)) begin
       trace = $fopen(name, "w");
       tracing = 1'b1;
@@ -135,31 +136,36 @@ module testbench;
     if (begins_frame) begin
       if (begun != 0) $display("frame %0d: next after %0d clocks", begun - 1, now - began);
       began <= now;
+      begans[begun[1:0]] <= now;
       begun <= begun + 1;
     end
     if (done) begin
       $display("frame %0d: drawn after %0d clocks", drawn, clocks);
+`ifndef PORTS_ALONE
       $display("frame %0d: issuing %0d, clearing %0d, starved %0d, answering %0d, jumping %0d, draining %0d", drawn,
                issuing, clearing, starved, answering, jumping, draining);
       $display("frame %0d: refreshing %0d, refresh_waits %0d, holding %0d, copying %0d", drawn, refreshing, waits,
                holding, copying);
+`endif
       drawn <= drawn + 1;
-      drawn_since <= began;
     end
-    if (dut.machine.take_picture) begin
-      showing_since <= done ? began : drawn_since;
-      refreshed <= 0;
-    end else if (refreshes) refreshed <= refreshed + 1;
     if (shown) begin
-      $display("frame %0d: shown after %0d clocks, with %0d refresh words", finished, now - showing_since, refreshed);
+`ifdef PORTS_ALONE
+      $display("frame %0d: shown after %0d clocks", finished, now - begans[finished[1:0]]);
+`else
+      $display("frame %0d: shown after %0d clocks, with %0d refresh words", finished, now - begans[finished[1:0]], refreshed);
+`endif
       finished <= finished + 1;
     end
     // Clock now - began + 1 begins at this edge. Recorded are those before the frame, to know where it begins, and one
     // before the window, as recording begins in the middle of one.
     if (begun != 0) recording <= begun == 1 && now - began + 2 >= from && now - began + 1 < until_clock;
     if (told) $display("frame %0d: an enabled pixel: %b", begun - 1, told_any);
-    step_sent <= dut.machine.sequence_controller.begins_instruction;
+`ifndef PORTS_ALONE
+    refreshed <= begun == 0 || shown ? 0 : refreshed + (refreshes ? 1 : 0);
+    step_sent <= dut.machine.sequence_controller.begins_instruction && !reset;
     if (tracing && begun == 1 && step_sent) $fwrite(trace, "%0d\n", now - began);
+`endif
     if (video_valid) begin
       for (i = 0; i < SCAN_PIXELS; i = i + 1)
         if (column_here + i < WIDTH) picture[row_here * WIDTH + column_here + i] <= colour(video[i*VIDEO_BITS +: VIDEO_BITS]);

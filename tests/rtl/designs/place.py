@@ -8,41 +8,33 @@ import argparse
 import json
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+from tools import MODELS, ROOT, attempt, existing, run, stop
+
 PAGE = ROOT / "docs/hardware.md"
 README = ROOT / "sim/rtl/templates/fits.md"
-MODEL = ROOT / "tests/models/thesis_fig_2_3.csg"
+MODEL = MODELS / "thesis_fig_2_3.csg"
 BEGIN, END = "<!-- placed -->\n", "<!-- end -->"
 
 PARTS = {"hx8k": "HX8K", "up5k": "UP5K"}
-SMALL = ["--colour-bits", "12", "--set", "scan_out.pixels=1", "--set", "link.width=64", "--set", "link.fifo_depth=4"]
-FULL, LESS, FED = "`pixel-planes-4`", "12 bits of colour, a pixel a clock, a link of 64 bits with 4 words", "`pixel-planes-4`, fed over a serial line"
-WORDS = {FULL: [MODEL], LESS: [MODEL, *SMALL], FED: []}
-# Of each what fits, and the next size, which does not.
-ROWS = [(FULL, "hx8k", "8x8"), (FULL, "hx8k", "16x8"), (FULL, "hx8k", "16x16"), (FED, "hx8k", "8x8"), (LESS, "hx8k", "16x8"), (LESS, "hx8k", "16x16"),
-        (LESS, "up5k", "8x8"), (LESS, "up5k", "16x8")]
-
-
-def run(command):
-    return subprocess.run(command, capture_output=True, text=True)
+FULL, FED = "`pixel-planes-4`", "`pixel-planes-4`, fed over a serial line"
+WORDS = {FULL: [MODEL], FED: []}
+# Of each part the most pixels that fit with a row or column less than those that do not; and what else is worth knowing.
+ROWS = [(FULL, "hx8k", "8x8"), (FULL, "hx8k", "16x8"), (FULL, "up5k", "8x8"), (FED, "hx8k", "8x8"), (FULL, "hx8k", "16x9"), (FULL, "up5k", "9x8")]
 
 
 def placed(csgsim, words, part, size):
     """Cells of a table row: logic cells, RAMs, MHz; or what is too many."""
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        done = run([csgsim, "rtl", "pixel-planes-4", *words, "--size", size, "-o", folder, "--quiet"])
-        if done.returncode != 0:
-            sys.exit(f"place.py: {done.stderr}")
-        done = run(["make", "-s", "-C", folder, "ice40", f"PART={part}"])
+        run([csgsim, "rtl", "pixel-planes-4", *words, "--size", size, "-o", folder, "--quiet"])
+        done = attempt(["make", "-s", "-C", folder, "ice40", f"PART={part}"])
         log = (folder / f"{part}.txt").read_text() if (folder / f"{part}.txt").exists() else ""
         used = {kind: (int(got), int(there)) for kind, got, there in re.findall(r"(ICESTORM_LC|ICESTORM_RAM):\s+(\d+)/\s*(\d+)", log)}
         if not used:
-            sys.exit(f"place.py: {size} on {part}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
+            stop(f"{size} on {part}:\n{done.stdout[-2000:]}{done.stderr[-2000:]}")
         logic, rams = used["ICESTORM_LC"], used["ICESTORM_RAM"]
         if done.returncode != 0:
             print(f"place.py: {size} on {part} is not placed: {re.findall('ERROR.*', log + done.stderr)[:1]}", file=sys.stderr)
@@ -53,7 +45,7 @@ def placed(csgsim, words, part, size):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("csgsim", type=lambda path: pathlib.Path(path).resolve(strict=True))
+    parser.add_argument("csgsim", type=existing)
     csgsim = parser.parse_args().csgsim
     lines = ["| figures | part | pixels | logic cells | RAMs | MHz |", "|---|---|--:|--:|--:|--:|"]
     for name, part, size in ROWS:

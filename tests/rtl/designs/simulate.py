@@ -12,15 +12,13 @@ import argparse
 import json
 import pathlib
 import re
-import shutil
-import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
+from tools import MODELS, existing, run, skip_without, stop
+
 PROGRAMS = {"icarus": ["iverilog", "vvp"], "verilator": ["verilator"]}
-SKIPPED = 77
 PARTS = ["issuing", "clearing", "starved", "answering", "jumping", "draining"]
 OF_TWO_BUFFERS = ["refreshing", "holding", "copying"]
 
@@ -47,20 +45,13 @@ ROWS = {
 }
 
 
-def run(command, folder=None):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"simulate.py: {' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
-    return done.stdout, done.stderr
-
-
 def drawn(simulator, frames, folder):
     """What the testbench tells, and what was warned of."""
     program, command = {"icarus": ("icarus.vvp", ["vvp", "-n", "icarus.vvp"]), "verilator": ("verilated/testbench", ["verilated/testbench"])}[simulator]
-    _, warned = run(["make", "-s", program, "OPTIMISE=-O0"], folder)
-    told, more = run([*command, f"+picture={simulator}.ppm", f"+frames={frames}", "+trace=trace.txt"], folder)
+    warned = run(["make", "-s", program, "OPTIMISE=-O0"], folder).stderr
+    told = run([*command, f"+picture={simulator}.ppm", f"+frames={frames}", "+trace=trace.txt"], folder)
     run(["make", "-s", f"{simulator}.png"], folder)
-    return told, warned + more
+    return told.stdout, warned + told.stderr
 
 
 def shown_alone(simulator, folder):
@@ -69,7 +60,7 @@ def shown_alone(simulator, folder):
     endless = ".FRAMES(0)"
     text = system.read_text()
     if endless not in text:
-        sys.exit(f"simulate.py: system.v has no {endless}")
+        stop(f"system.v has no {endless}")
     system.write_text(text.replace(endless, ".FRAMES(1)"))
     told, _ = drawn(simulator, 1, folder)
     return of_frame(told, 0, r"shown after (\d+) clocks")
@@ -83,11 +74,11 @@ def of_frame(told, frame, pattern):
 
 def times_of_sequence(csgsim, words, row, folder):
     """Of each frame that another follows: the clocks until it is drawn, until it has been shown, and until the next begins."""
-    told, _ = run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
-                   folder / "sequence.png"])
+    told = run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "--frames", str(row.frames + 1), "-o",
+                folder / "sequence.png"]).stdout
     rows = re.findall(r"^(\d+) +([\d,]+) +([\d,]+) +([\d,]+)$", told, re.M)
     if len(rows) != row.frames + 1:
-        sys.exit(f"simulate.py: not {row.frames + 1} frames in\n{told}")
+        stop(f"not {row.frames + 1} frames in\n{told}")
     return [tuple(int(cell.replace(",", "")) for cell in cells[1:]) for cells in rows[:-1]]
 
 
@@ -109,7 +100,7 @@ def alone(simulator, told, controller, folder):
 def compare(csgsim, simulator, name, folder):
     """What is not as csgsim has it, a line each."""
     row = ROWS[name]
-    model = ROOT / "tests/models" / f"{row.model}.csg"
+    model = MODELS / f"{row.model}.csg"
     words = [str(model), "--size", row.size, *row.options]
     run([csgsim, "rtl", row.machine, *words, "-o", folder, "--quiet"])
     run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "-o", folder / "csgsim.ppm",
@@ -145,14 +136,11 @@ def compare(csgsim, simulator, name, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("csgsim", type=lambda path: pathlib.Path(path).resolve(strict=True))
+    parser.add_argument("csgsim", type=existing)
     parser.add_argument("simulator", choices=PROGRAMS)
     parser.add_argument("names", nargs="+", choices=[*ROWS, "long"])
     options = parser.parse_args()
-    missing = [program for program in ["make", *PROGRAMS[options.simulator]] if not shutil.which(program)]
-    if missing:
-        print(f"there is no {missing[0]}; ./setup.sh test installs it")
-        return SKIPPED
+    skip_without(["make", *PROGRAMS[options.simulator]])
     names = list(ROWS) if "long" in options.names else options.names
     wrong = []
     for name in names:

@@ -12,22 +12,15 @@ import json
 import pathlib
 import re
 import resource
-import subprocess
 import sys
 import tempfile
 
-ROOT = pathlib.Path(__file__).resolve().parents[3]
-MODEL = ROOT / "tests/models/thesis_fig_2_3.csg"
+from tools import MODELS, existing, run
+
+MODEL = MODELS / "thesis_fig_2_3.csg"
 FRAMES = {"icarus": 3, "verilator": 60, "csgsim": 40}
 ROUNDS = 3
 MOST_OF_ICARUS = 256  # pixels, beyond which a frame takes minutes
-
-
-def run(command, folder=None):
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
-    if done.returncode != 0:
-        sys.exit(f"speed.py: {' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
-    return done.stdout
 
 
 def fastest(command, folder):
@@ -50,7 +43,7 @@ def clocked(csgsim, size, evaluator, folder):
 
 def clocks_of_sequence(words, folder):
     """Until the last frame has been shown."""
-    frames = re.findall(r"^\d+ +[\d,]+ +([\d,]+) +([\d,]+)$", run([*words, "--level", "cycle"], folder), re.M)
+    frames = re.findall(r"^\d+ +[\d,]+ +([\d,]+) +([\d,]+)$", run([*words, "--level", "cycle"], folder).stdout, re.M)
     shown, intervals = ([int(cell.replace(",", "")) for cell in cells] for cells in zip(*frames))
     return sum(intervals[:-1]) + shown[-1]
 
@@ -88,7 +81,7 @@ def row(csgsim, size):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("csgsim", type=lambda path: pathlib.Path(path).resolve(strict=True))
+    parser.add_argument("csgsim", type=existing)
     parser.add_argument("sizes", nargs="*", default=["8x8", "16x16"])
     options = parser.parse_args()
     print("| pixels | Icarus, µs a clock | Verilator | csgsim, trees stepped | csgsim | Verilator, ns a pixel and clock | csgsim |")

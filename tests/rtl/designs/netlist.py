@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""The netlist that goes onto an FPGA, drawn by Icarus: a design of `csgsim rtl`, synthesised for an iCE40 as `make ice40` does it,
+of Yosys' own models of the cells. The picture byte for byte, and the clocks after which a frame is drawn, shown and followed by the
+next, are those of csgsim's clocked level. Then the same of a netlist with each of some planted faults: each is noticed.
+
+  netlist.py CSGSIM [FAULT...]
+
+The exit code is 77 where Yosys or Icarus is not there."""
+
+import argparse
+import json
+import pathlib
+import re
+import shutil
+import sys
+import tempfile
+
+from tools import MODELS, existing, run, skip_without, stop
+
+MODEL = MODELS / "thesis_fig_2_3.csg"
+FIGURES = ["--size", "4x4", "--colour-bits", "6", "--set", "scan_out.pixels=1", "--set", "link.fifo_depth=2"]
+FAULTS = [1, 6]  # of hw/rtl/faults.vh: in the ALU, in an adder of the trees
+TIMES = {"clocks": "drawn", "interval_clocks": "next", "shown_clocks": "shown"}
+
+
+def cell_models():
+    """Yosys' models of an iCE40's cells."""
+    return pathlib.Path(shutil.which("yosys")).resolve().parents[1] / "share/yosys/ice40/cells_sim.v"
+
+
+def plant(folder, fault):
+    """Builds the fault of that number in, as Yosys takes no reference upwards to the wires that choose one."""
+    faults = folder / "rtl/faults.vh"
+    none = "`define FAULT(NUMBER) 1'b0"
+    text = faults.read_text()
+    if none not in text:
+        stop(f"faults.vh has no {none}")
+    faults.write_text(text.replace(none, f"`define FAULT(NUMBER) (NUMBER == {fault})"))
+
+
+def synthesise(folder):
+    """`system` of cells, in netlist.v."""
+    run(["yosys", "-q", "-p", "read_verilog -defer -Irtl system.v rtl/*.v; synth_ice40 -abc9 -device hx -top system; "
+         "write_verilog -noattr netlist.v"], folder)
+
+
+def drawn(folder):
+    """What the testbench tells."""
+    run(["iverilog", "-g2005", "-DPORTS_ALONE", "-DNO_ICE40_DEFAULT_ASSIGNMENTS", "-s", "testbench", "-o", "netlist.vvp", "testbench.v",
+         "netlist.v", cell_models()], folder)
+    return run(["vvp", "-n", "netlist.vvp", "+picture=netlist.ppm", "+frames=1"], folder).stdout
+
+
+def differences(csgsim, fault, folder):
+    """What is not as csgsim has it, a line each."""
+    run([csgsim, "rtl", "pixel-planes-4", MODEL, *FIGURES, "-o", folder, "--quiet"])
+    run([csgsim, "render", MODEL, *FIGURES, "--level", "cycle", "-o", folder / "csgsim.ppm", "--stats", folder / "csgsim.json", "--quiet"])
+    stats = json.loads((folder / "csgsim.json").read_text())
+    if fault:
+        plant(folder, fault)
+    synthesise(folder)
+    told = drawn(folder)
+    wrong = []
+    for name, what in TIMES.items():
+        found = re.search(rf"^frame 0: {what} after (\d+) clocks", told, re.M)
+        if not found or int(found[1]) != stats[name]:
+            wrong.append(f"{name}: {found[1] if found else 'none'} of the netlist, {stats[name]} by csgsim")
+    picture = folder / "netlist.ppm"
+    if not picture.exists() or picture.read_bytes() != (folder / "csgsim.ppm").read_bytes():
+        wrong.append("the picture is another")
+    return wrong
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("csgsim", type=existing)
+    parser.add_argument("faults", nargs="*", type=int, default=FAULTS)
+    options = parser.parse_args()
+    skip_without(["yosys", "iverilog", "vvp"])
+    failed = False
+    for fault in [0, *options.faults]:
+        with tempfile.TemporaryDirectory() as folder:
+            wrong = differences(options.csgsim, fault, pathlib.Path(folder))
+        print(f"{f'planted fault {fault}' if fault else 'the netlist'}: {'; '.join(wrong) or 'as csgsim has it'}", flush=True)
+        failed = failed or bool(wrong) != bool(fault)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
