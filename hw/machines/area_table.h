@@ -39,7 +39,7 @@ inline constexpr auto pixel_logic_table = std::to_array<PixelLogic>({
     {8, 2, 2, 2158},
     {16, 1, 2, 4610},
     {16, 2, 2, 4590},
-    {32, 1, 2, 9570},
+    {32, 1, 2, 9638},
     {32, 2, 2, 10044},
 });
 // clang-format on
@@ -70,7 +70,7 @@ inline constexpr auto node_logic_table = std::to_array<NodeLogic>({
 // clang-format on
 
 /// The controller with its receiver, and the link's FIFO of so many bits, with the figures of pixel-planes-4.
-inline constexpr std::uint32_t controller_transistors = 37850;
+inline constexpr std::uint32_t controller_transistors = 37802;
 inline constexpr std::uint32_t fifo_transistors = 19644;
 inline constexpr std::uint32_t fifo_bits = 512;
 
