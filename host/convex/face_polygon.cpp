@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vector_relational.hpp>
+#include <utility>
 
 #include "host/convex/clip.h"
 
@@ -19,6 +21,63 @@ std::vector<glm::dvec3> square(const glm::dvec3& around, const glm::dvec3& norma
           around - reach * (right - up)};
 }
 
+/// As clipped(), with room for another polygon. True if the corners are others than they were.
+bool clip_corners(std::vector<glm::dvec3>& corners, const facet::Plane& plane, double near,
+                  std::vector<glm::dvec3>& kept) {
+  double deepest = 0;
+  double farthest = 0;
+  for (const glm::dvec3& corner : corners) {
+    const double height = plane.height(corner);
+    deepest = std::min(deepest, height);
+    farthest = std::max(farthest, height);
+  }
+  kept.clear();
+  if (deepest < -near && farthest <= near) return false;
+  if (deepest < -near) {
+    double at_here = plane.height(corners[0]);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const glm::dvec3& here = corners[i];
+      const glm::dvec3& next = corners[i + 1 < corners.size() ? i + 1 : 0];
+      const double at_next = plane.height(next);
+      if (at_here <= near) kept.push_back(here);
+      if ((at_here < -near && at_next > near) || (at_here > near && at_next < -near))
+        kept.push_back(here + at_here / (at_here - at_next) * (next - here));
+      at_here = at_next;
+    }
+  }
+  if (kept.size() < 3) kept.clear();
+  std::swap(corners, kept);
+  return true;
+}
+
+/// A box around corners, to see that they are behind a plane without a look at each.
+class Around {
+ public:
+  explicit Around(const std::vector<glm::dvec3>& corners) {
+    glm::dvec3 low = corners.front();
+    glm::dvec3 high = low;
+    for (const glm::dvec3& corner : corners) {
+      for (int axis = 0; axis < 3; ++axis) {
+        low[axis] = corner[axis] < low[axis] ? corner[axis] : low[axis];
+        high[axis] = corner[axis] > high[axis] ? corner[axis] : high[axis];
+      }
+    }
+    middle_ = (low + high) / 2.0;
+    half_ = (high - low) * 0.5000001;
+  }
+
+  /// Whether all of it is surely farther behind the plane than that.
+  [[nodiscard]] bool is_behind(const facet::Plane& plane, double near) const {
+    const glm::dvec3& n = plane.normal;
+    const double reach = std::abs(n.x) * half_.x + std::abs(n.y) * half_.y + std::abs(n.z) * half_.z;
+    return plane.height(middle_) + reach < -2.0 * near;
+  }
+
+ private:
+  glm::dvec3 middle_{};
+  glm::dvec3 half_{};
+};
+
 }  // namespace
 
 std::array<glm::dvec3, 2> axes_in(const glm::dvec3& normal) {
@@ -28,27 +87,9 @@ std::array<glm::dvec3, 2> axes_in(const glm::dvec3& normal) {
 }
 
 std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double near) {
-  double deepest = 0;
-  double farthest = 0;
-  for (const glm::dvec3& corner : corners) {
-    deepest = std::min(deepest, plane.height(corner));
-    farthest = std::max(farthest, plane.height(corner));
-  }
-  if (deepest >= -near) return {};
-  if (farthest <= near) return corners;
   std::vector<glm::dvec3> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3& here = corners[i];
-    const glm::dvec3& next = corners[(i + 1) % corners.size()];
-    const double at_here = plane.height(here);
-    const double at_next = plane.height(next);
-    if (at_here <= near) kept.push_back(here);
-    if ((at_here < -near && at_next > near) || (at_here > near && at_next < -near)) {
-      kept.push_back(here + at_here / (at_here - at_next) * (next - here));
-    }
-  }
-  if (kept.size() < 3) return {};
-  return kept;
+  clip_corners(corners, plane, near, kept);
+  return corners;
 }
 
 std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t plane, const facet::PlaneTable& planes) {
@@ -62,10 +103,14 @@ std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t p
   const double margin = 0.1 * size + 10.0 * near;
   // From its middle the square reaches past all of the box that is in the plane, and more than the margin farther.
   std::vector<glm::dvec3> corners = square(middle - height * own.normal, own.normal, 2.0 * (size + margin));
+  std::vector<glm::dvec3> kept;
+  Around around(corners);
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     if (halfspace.plane == plane) continue;
-    corners = clipped(std::move(corners), outward_plane(halfspace, planes), near);
+    const facet::Plane outward = outward_plane(halfspace, planes);
+    if (around.is_behind(outward, near) || !clip_corners(corners, outward, near, kept)) continue;
     if (corners.empty()) return {};
+    around = Around(corners);
   }
   const auto is_beyond = [&](const glm::dvec3& corner) {
     return glm::any(glm::greaterThan(glm::abs(corner - middle), (solid.box.high - solid.box.low) / 2.0 + margin));

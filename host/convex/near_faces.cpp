@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <numeric>
 #include <set>
 #include <span>
 #include <unordered_map>
@@ -28,20 +29,102 @@ struct Oriented {
   double place = 0;
   std::uint32_t plane = 0;
   bool is_reversed = false;
+
+  /// By place; where that is the same, a plane after the one before it, and after its own other orientation.
+  bool operator<(const Oriented& other) const {
+    if (place != other.place) return place < other.place;
+    return plane != other.plane ? plane < other.plane : !is_reversed && other.is_reversed;
+  }
 };
 
-std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
+/// Planes in one orientation in the order of their places, turned over: in the order that they have then.
+std::vector<Oriented> reversed(const std::vector<Oriented>& planes) {
   std::vector<Oriented> all;
-  all.reserve(2 * planes.planes().size());
-  for (const facet::Plane& plane : planes.planes()) {
-    const auto number = static_cast<std::uint32_t>(all.size() / 2);
-    const double place = glm::dot(plane.normal, sorting) + plane.offset / planes.diagonal() * sorting_offset;
-    all.push_back({place, number, false});
-    all.push_back({-place, number, true});
+  all.reserve(planes.size());
+  for (std::size_t end = planes.size(); end > 0;) {
+    std::size_t begin = end - 1;
+    while (begin > 0 && planes[begin - 1].place == planes[begin].place) --begin;
+    for (std::size_t i = begin; i < end; ++i) all.push_back({-planes[i].place, planes[i].plane, true});
+    end = begin;
   }
-  std::stable_sort(all.begin(), all.end(), [](const Oriented& a, const Oriented& b) { return a.place < b.place; });
   return all;
 }
+
+std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
+  std::vector<Oriented> one_way;
+  one_way.reserve(planes.planes().size());
+  for (const facet::Plane& plane : planes.planes()) {
+    const auto number = static_cast<std::uint32_t>(one_way.size());
+    const double place = glm::dot(plane.normal, sorting) + plane.offset / planes.diagonal() * sorting_offset;
+    one_way.push_back({place, number, false});
+  }
+  std::sort(one_way.begin(), one_way.end());
+  const std::vector<Oriented> other_way = reversed(one_way);
+  std::vector<Oriented> all(2 * one_way.size());
+  std::merge(one_way.begin(), one_way.end(), other_way.begin(), other_way.end(), all.begin());
+  return all;
+}
+
+/// A second direction, along which normals are told apart in numbers that many fit a vector of; and how far near ones
+/// are apart along it at most, rounding included.
+constexpr glm::dvec3 telling{0.7333, -0.5477, 0.4019};
+constexpr float telling_window = static_cast<float>(near_normals * (telling.x - telling.y + telling.z)) + 4e-7F;
+
+std::vector<float> told(const std::vector<Oriented>& all, const facet::PlaneTable& planes) {
+  std::vector<float> values;
+  values.reserve(all.size());
+  for (const Oriented& one : all) {
+    const auto value = static_cast<float>(glm::dot(planes.planes()[one.plane].normal, telling));
+    values.push_back(one.is_reversed ? -value : value);
+  }
+  return values;
+}
+
+/// Calls visit(j) for each j from `begin` on, but without `end`, whose value is as near as those of near planes.
+template <class Visit>
+void for_near_values(const std::vector<float>& values, float value, std::size_t begin, std::size_t end,
+                     const Visit& visit) {
+  constexpr std::size_t at_once = 16;
+  for (std::size_t i = begin; i < end;) {
+    const std::size_t stop = std::min(i + at_once, end);
+    if (stop - i == at_once) {
+      unsigned any = 0;
+      for (std::size_t k = 0; k < at_once; ++k) any |= std::abs(values[i + k] - value) <= telling_window ? 1U : 0U;
+      if (any == 0) {
+        i = stop;
+        continue;
+      }
+    }
+    for (; i < stop; ++i) {
+      if (std::abs(values[i] - value) <= telling_window) visit(i);
+    }
+  }
+}
+
+/// The primitives that have a face in each plane.
+class Users {
+ public:
+  explicit Users(const facet::Geometry& geometry) : begins_(geometry.planes.planes().size() + 1) {
+    for (const facet::Convex& solid : geometry.solids) {
+      for (const facet::Halfspace& halfspace : solid.halfspaces) ++begins_[halfspace.plane];
+    }
+    std::exclusive_scan(begins_.begin(), begins_.end(), begins_.begin(), std::uint32_t{0});
+    users_.resize(begins_.back());
+    std::vector<std::uint32_t> next(begins_.begin(), begins_.end() - 1);
+    for (std::uint32_t solid = 0; solid < geometry.solids.size(); ++solid) {
+      for (const facet::Halfspace& halfspace : geometry.solids[solid].halfspaces)
+        users_[next[halfspace.plane]++] = solid;
+    }
+  }
+
+  [[nodiscard]] std::span<const std::uint32_t> operator[](std::uint32_t plane) const {
+    return std::span(users_).subspan(begins_[plane], begins_[plane + 1] - begins_[plane]);
+  }
+
+ private:
+  std::vector<std::uint32_t> begins_;  ///< in users_, by plane
+  std::vector<std::uint32_t> users_;
+};
 
 bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, double diagonal) {
   const glm::dvec3 apart = glm::abs(one.normal - sign * other.normal);
@@ -89,22 +172,23 @@ bool overlap_across(const Outline& one, const Outline& other, double least) {
 class PairSearch {
  public:
   PairSearch(const model::Tree& tree, const facet::Geometry& geometry)
-      : tree_(tree), geometry_(geometry), users_(geometry.planes.planes().size()), nodes_(nodes_of(tree)) {
-    for (std::uint32_t solid = 0; solid < geometry.solids.size(); ++solid) {
-      for (const facet::Halfspace& halfspace : geometry.solids[solid].halfspaces)
-        users_[halfspace.plane].push_back(solid);
-    }
-  }
+      : tree_(tree), geometry_(geometry), users_(geometry), nodes_(nodes_of(tree)) {}
 
   NearFaces find() {
     const std::vector<Oriented> planes = sorted(geometry_.planes);
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-      for (std::size_t j = i + 1; j < planes.size() && planes[j].place - planes[i].place <= window; ++j) {
-        if (++planes_looked_at_ > most_near_faces + 16 * planes.size()) found_.are_more = true;
-        if (found_.are_more) return counted();
+    const std::vector<float> values = told(planes, geometry_.planes);
+    std::uint64_t left = most_near_faces + 16 * planes.size();
+    std::size_t end = 0;
+    for (std::size_t i = 0; i < planes.size() && !found_.are_more; ++i) {
+      end = std::max(end, i + 1);
+      while (end < planes.size() && planes[end].place - planes[i].place <= window) ++end;
+      const std::size_t last = i + 1 + std::min<std::uint64_t>(left, end - (i + 1));
+      for_near_values(values, values[i], i + 1, last, [&](std::size_t j) {
         // The mirror image of two that are not reversed is as near.
-        if (!planes[i].is_reversed || !planes[j].is_reversed) look_at(planes[i], planes[j]);
-      }
+        if (!found_.are_more && !(planes[i].is_reversed && planes[j].is_reversed)) look_at(planes[i], planes[j]);
+      });
+      left -= last - (i + 1);
+      if (last < end) found_.are_more = true;
     }
     return counted();
   }
@@ -168,11 +252,10 @@ class PairSearch {
 
   const model::Tree& tree_;
   const facet::Geometry& geometry_;
-  std::vector<std::vector<std::uint32_t>> users_;  ///< of each plane, the primitives that have a face in it
+  Users users_;
   std::vector<std::uint32_t> nodes_;
   std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> polygons_;  ///< of faces, by primitive and plane
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::uint64_t planes_looked_at_ = 0;
   std::uint64_t faces_looked_at_ = 0;
   NearFaces found_;
 };

@@ -172,10 +172,14 @@ std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, c
   return found;
 }
 
+Hull& Pruner::hull(std::uint32_t primitive) const {
+  return hulls_.try_emplace(primitive, view_.extents[primitive].corners).first->second;
+}
+
 bool Pruner::separated(std::uint32_t one, std::uint32_t other) const {
   constexpr unsigned index_bits = 32;
   const auto [pair, is_new] = separated_.try_emplace(std::uint64_t{one} << index_bits | other, false);
-  if (is_new) pair->second = csg::separated(view_.extents[one].corners, view_.extents[other].corners, counted_);
+  if (is_new) pair->second = csg::separated(hull(one), hull(other), counted_);
   return pair->second;
 }
 

@@ -9,6 +9,7 @@
 #include "host/csg/box_index.h"
 #include "host/csg/convex_sets.h"
 #include "host/csg/counted.h"
+#include "host/csg/hull.h"
 #include "host/csg/locate.h"
 #include "host/csg/positive_tree.h"
 #include "host/csg/pruning.h"
@@ -76,6 +77,7 @@ class Pruner {
   };
   using Primitives = std::span<const std::uint32_t>;
   [[nodiscard]] bool disjoint(std::uint32_t primitive, const Place& place) const;
+  [[nodiscard]] Hull& hull(std::uint32_t primitive) const;
   [[nodiscard]] bool separated(std::uint32_t one, std::uint32_t other) const;
   [[nodiscard]] Known leaf_known(const PositiveNode& leaf, const Place& place) const;
   [[nodiscard]] Known known(const PositiveNode& leaf, const Place& place) const;
@@ -93,6 +95,7 @@ class Pruner {
   TreePaths paths_;
   /// Which pairs are, as far as they have been asked for: every region would find the same.
   mutable std::unordered_map<std::uint64_t, bool> separated_;
+  mutable std::unordered_map<std::uint32_t, Hull> hulls_;  ///< of primitives, as far as they have been asked for
   std::optional<BoxIndex> boxes_;  ///< of the primitives, by pixels, depths and number; if picture pruning is asked for
 };
 

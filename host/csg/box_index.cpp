@@ -4,6 +4,7 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <boost/iterator/function_output_iterator.hpp>
+#include <cmath>
 #include <utility>
 
 namespace csgsim::csg {
@@ -26,10 +27,36 @@ Point point_of(const std::array<float, 4>& coordinates) {
 
 Bounds bounds_of(const BoxIndex::Box& box) { return {point_of(box.low), point_of(box.high)}; }
 
-std::vector<Item> items_of(std::span<const BoxIndex::Entry> entries) {
+/// What coordinates are multiplied by, a power of two for each axis, so that what is told apart stays so.
+using Scale = std::array<float, 4>;
+
+BoxIndex::Box scaled(BoxIndex::Box box, const Scale& scale) {
+  for (std::size_t axis = 0; axis < scale.size(); ++axis) {
+    box.low[axis] *= scale[axis];
+    box.high[axis] *= scale[axis];
+  }
+  return box;
+}
+
+/// All axes reach about as far then: the tree is cut across the longest, which would else be depths alone.
+Scale scale_of(std::span<const BoxIndex::Entry> entries) {
+  Scale scale{1, 1, 1, 1};
+  for (std::size_t axis = 0; !entries.empty() && axis < scale.size(); ++axis) {
+    float low = entries.front().box.low[axis];
+    float high = entries.front().box.high[axis];
+    for (const BoxIndex::Entry& entry : entries) {
+      low = std::min(low, entry.box.low[axis]);
+      high = std::max(high, entry.box.high[axis]);
+    }
+    if (high > low) scale[axis] = std::ldexp(1.0F, -std::ilogb(high - low));
+  }
+  return scale;
+}
+
+std::vector<Item> items_of(std::span<const BoxIndex::Entry> entries, const Scale& scale) {
   std::vector<Item> items;
   items.reserve(entries.size());
-  for (const BoxIndex::Entry& entry : entries) items.emplace_back(bounds_of(entry.box), entry.number);
+  for (const BoxIndex::Entry& entry : entries) items.emplace_back(bounds_of(scaled(entry.box, scale)), entry.number);
   return items;
 }
 
@@ -47,11 +74,15 @@ void append_found(const Items& items, const Predicate& predicate, std::vector<st
 }  // namespace
 
 struct BoxIndex::Tree {
+  explicit Tree(std::span<const Entry> entries) : scale(scale_of(entries)), items(items_of(entries, scale)) {}
+
+  [[nodiscard]] Bounds bounds(const Box& box) const { return bounds_of(scaled(box, scale)); }
+
+  Scale scale;
   Items items;
 };
 
-BoxIndex::BoxIndex(std::span<const Entry> entries)
-    : tree_(std::make_shared<const Tree>(Tree{Items(items_of(entries))})) {}
+BoxIndex::BoxIndex(std::span<const Entry> entries) : tree_(std::make_shared<const Tree>(entries)) {}
 
 std::uint64_t BoxIndex::boxes_of_way() const {
   std::uint64_t boxes = 0;
@@ -62,13 +93,13 @@ std::uint64_t BoxIndex::boxes_of_way() const {
 
 void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) const {
   const auto begin = static_cast<std::ptrdiff_t>(numbers.size());
-  append_found(tree_->items, bg::index::intersects(bounds_of(box)), numbers);
+  append_found(tree_->items, bg::index::intersects(tree_->bounds(box)), numbers);
   std::sort(numbers.begin() + begin, numbers.end());
 }
 
 std::vector<std::uint32_t> BoxIndex::covering(const Box& box, std::size_t most) const {
   std::vector<std::uint32_t> numbers;
-  append_found(tree_->items, bg::index::covers(bounds_of(box)), numbers);
+  append_found(tree_->items, bg::index::covers(tree_->bounds(box)), numbers);
   const std::size_t count = std::min(most, numbers.size());
   std::partial_sort(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), numbers.end());
   numbers.resize(count);

@@ -17,47 +17,29 @@ constexpr double certainty = 1e-9;
 /// to stay below the certainty.
 constexpr double coarsest = 1e-6;
 
-/// The first of the points that are farthest along a direction.
-const glm::dvec3& support(std::span<const glm::dvec3> points, const glm::dvec3& direction) {
-  std::size_t best = 0;
-  double most = glm::dot(points[0], direction);
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    const double along = glm::dot(points[i], direction);
-    if (!(most < along)) continue;
-    most = along;
-    best = i;
-  }
-  return points[best];
-}
-
-/// Like glm::min() and glm::max(), which take several times as many instructions.
-void widen(glm::dvec3& low, glm::dvec3& high, const glm::dvec3& point) {
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = point[axis] < low[axis] ? point[axis] : low[axis];
-    high[axis] = point[axis] > high[axis] ? point[axis] : high[axis];
-  }
-}
-
 }  // namespace
 
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted) {
-  if (first.empty() || second.empty()) return false;
-  glm::dvec3 low = first.front();
-  glm::dvec3 high = low;
-  for (const auto points : {first, second}) {
-    for (const glm::dvec3& point : points) widen(low, high, point);
-  }
+  Hull one(first);
+  Hull other(second);
+  return separated(one, other, counted);
+}
+
+bool separated(Hull& first, Hull& second, const Counted& counted) {
+  if (first.points().empty() || second.points().empty()) return false;
+  const glm::dvec3 low = glm::min(first.low(), second.low());
+  const glm::dvec3 high = glm::max(first.high(), second.high());
   // Scaled so that no unit dominates, but not so far that the rounding of coordinates would count.
   const glm::dvec3 coarse = coarsest * glm::max(glm::abs(low), glm::abs(high));
   const glm::dvec3 size = glm::max(high - low, glm::max(coarse, glm::dvec3(1e-300)));
   const auto difference = [&](const glm::dvec3& a, const glm::dvec3& b) { return (a - b) / size; };
 
-  glm::dvec3 nearest = difference(first.front(), second.front());
+  glm::dvec3 nearest = difference(first.points().front(), second.points().front());
   for (int step = 0; step < most_steps; ++step) {
     // The point of the difference that lies farthest back along `nearest`; directions transform the other way.
     const glm::dvec3 direction = nearest / size;
-    counted.add(&isa::Preparation::supports, first.size() + second.size());
-    const glm::dvec3 farthest = difference(support(first, -direction), support(second, direction));
+    counted.add(&isa::Preparation::supports, first.points().size() + second.points().size());
+    const glm::dvec3 farthest = difference(first.support(-direction), second.support(direction));
     const double length = glm::length(nearest);
     if (!(length > certainty)) return false;
     if (glm::dot(farthest, nearest) > certainty * length) return true;

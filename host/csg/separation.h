@@ -4,6 +4,7 @@
 #include <span>
 
 #include "host/csg/counted.h"
+#include "host/csg/hull.h"
 #include "host/csg/pruning.h"
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
@@ -17,6 +18,7 @@ namespace csgsim::csg {
 /// Gilbert's algorithm (1966) walks towards the point of the Minkowski difference that is nearest to the origin; a
 /// support plane that leaves the origin out proves separation.
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted = {});
+bool separated(Hull& first, Hull& second, const Counted& counted = {});
 
 /// Whether the boxes have no point in common.
 bool disjoint(const facet::Box& a, const facet::Box& b);

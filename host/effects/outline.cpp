@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <utility>
 
 namespace csgsim::effects {
 
@@ -35,10 +37,25 @@ Outline::Outline(const view::PixelRect& pixels) {
 }
 
 Outline Outline::clipped(const view::FixedLinear& fixed) const {
+  Outline left = *this;
+  Outline spare;
+  left.clip(fixed, spare);
+  return left;
+}
+
+bool Outline::clip(const view::FixedLinear& fixed, Outline& spare) {
+  if (empty()) return false;
   const Line line(fixed);
-  Outline left;
-  if (empty()) return left;
-  left.corners_.reserve(corners_.size() + 1);
+  const auto is_in = [&](const glm::dvec2& corner) { return line.at(corner) >= 0; };
+  const bool starts_in = is_in(corners_.front());
+  const auto other = std::find_if(corners_.begin() + 1, corners_.end(),
+                                  [&](const glm::dvec2& corner) { return is_in(corner) != starts_in; });
+  if (other == corners_.end()) {
+    if (!starts_in) corners_.clear();
+    return starts_in;
+  }
+  std::vector<glm::dvec2>& left = spare.corners_;
+  left.clear();
   const double value_first = line.at(corners_.front());
   double value = value_first;
   for (std::size_t i = 0; i < corners_.size(); ++i) {
@@ -46,17 +63,37 @@ Outline Outline::clipped(const view::FixedLinear& fixed) const {
     const glm::dvec2& here = corners_[i];
     const glm::dvec2& next = is_last ? corners_.front() : corners_[i + 1];
     const double value_next = is_last ? value_first : line.at(next);
-    if (value >= 0) left.corners_.push_back(here);
-    if ((value >= 0) != (value_next >= 0))
-      left.corners_.push_back(here + (next - here) * (value / (value - value_next)));
+    if (value >= 0) left.push_back(here);
+    if ((value >= 0) != (value_next >= 0)) left.push_back(here + (next - here) * (value / (value - value_next)));
     value = value_next;
   }
-  return left;
+  std::swap(corners_, left);
+  return true;
 }
 
 bool Outline::is_beyond(const view::FixedLinear& fixed) const {
   const Line line(fixed);
   return std::none_of(corners_.begin(), corners_.end(), [&](const glm::dvec2& one) { return line.at(one) >= 0; });
+}
+
+OutlineBox::OutlineBox(const Outline& outline) {
+  if (outline.empty()) return;
+  low_ = high_ = outline.corners().front();
+  for (const glm::dvec2& corner : outline.corners()) {
+    low_ = glm::min(low_, corner);
+    high_ = glm::max(high_, corner);
+  }
+}
+
+bool OutlineBox::is_beyond(const view::FixedLinear& fixed) const {
+  const Line line(fixed);
+  const glm::dvec2 at_low = glm::dvec2(line.a, line.b) * low_;
+  const glm::dvec2 at_high = glm::dvec2(line.a, line.b) * high_;
+  const double most = std::max(at_low.x, at_high.x) + std::max(at_low.y, at_high.y) + line.c;
+  const double terms = std::max(std::abs(at_low.x), std::abs(at_high.x)) +
+                       std::max(std::abs(at_low.y), std::abs(at_high.y)) + std::abs(line.c) + std::abs(line.a) +
+                       std::abs(line.b);
+  return most + 2 * noise * terms < 0;
 }
 
 view::PixelRect Outline::pixels() const {

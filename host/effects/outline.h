@@ -20,14 +20,33 @@ class Outline {
   /// What is left where the line is not negative.
   [[nodiscard]] Outline clipped(const view::FixedLinear& line) const;
 
+  /// As clipped(), in place; `spare` is room for another outline, which is kept. False if nothing is left.
+  bool clip(const view::FixedLinear& line, Outline& spare);
+
   /// Whether the line is negative everywhere.
   [[nodiscard]] bool is_beyond(const view::FixedLinear& line) const;
 
   /// Pixels that are in it, or near it.
   [[nodiscard]] view::PixelRect pixels() const;
 
+  [[nodiscard]] const std::vector<glm::dvec2>& corners() const { return corners_; }
+
  private:
   std::vector<glm::dvec2> corners_;
+};
+
+/// A box around an outline, which tells faster.
+class OutlineBox {
+ public:
+  explicit OutlineBox(const Outline& outline);
+
+  /// Whether the line is negative, by more than rounding takes, everywhere in the box: then whatever the outline is
+  /// clipped to is beyond it too. False may be so all the same.
+  [[nodiscard]] bool is_beyond(const view::FixedLinear& line) const;
+
+ private:
+  glm::dvec2 low_{0};
+  glm::dvec2 high_{0};
 };
 
 }  // namespace csgsim::effects

@@ -42,6 +42,8 @@ class Covering {
  public:
   Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits, const Work& work)
       : receivers_(receivers.facets), fraction_bits_(fraction_bits), work_(work), volumes_of_(receivers.facets.size()) {
+    boxes_.reserve(receivers_.size());
+    for (const Receiver& one : receivers_) boxes_.emplace_back(one.outline);
     for (const SeenVolume& one : volumes) {
       Volume volume{one.planes, one.primitive, {}};
       volume.touches = touches(volume.planes);
@@ -77,25 +79,41 @@ class Covering {
     return {receivers_[receiver].plane, fraction_bits_};
   }
 
-  /// What planes, but for one, leave of an outline on a receiver.
-  static Outline clipped(Outline outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
-                         std::size_t but) {
-    for (std::size_t i = 0; i < planes.size() && !outline.empty(); ++i) {
-      if (i == but) continue;
-      const view::FixedLinear line = compared.in(planes[i]);
-      outline = outline.is_beyond(line) ? Outline{} : outline.clipped(line);
+  /// Clips an outline on a receiver to what planes, but for one, leave of it. False if that is nothing.
+  bool clip(Outline& outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
+            std::size_t but) const {
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (i != but && !outline.clip(compared.in(planes[i]), spare_)) return false;
     }
-    return outline;
+    return !outline.empty();
+  }
+
+  /// Whether a receiver is seen to be beyond one of the planes without a look at its corners.
+  [[nodiscard]] bool is_beyond(std::size_t receiver, const std::vector<ShadowPlane>& planes) const {
+    const PlaneComparison compared = comparison(receiver);
+    return std::any_of(planes.begin(), planes.end(),
+                       [&](const ShadowPlane& plane) { return boxes_[receiver].is_beyond(compared.in(plane)); });
+  }
+
+  /// By receiver, how many of the planes it is seen to be beyond.
+  [[nodiscard]] std::vector<std::uint32_t> planes_before(const std::vector<ShadowPlane>& planes) const {
+    std::vector<std::uint32_t> counts(receivers_.size());
+    for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      const PlaneComparison compared = comparison(i);
+      counts[i] = static_cast<std::uint32_t>(std::count_if(planes.begin(), planes.end(), [&](const ShadowPlane& plane) {
+        return boxes_[i].is_beyond(compared.in(plane));
+      }));
+    }
+    return counts;
   }
 
   [[nodiscard]] std::vector<Touch> touches(const std::vector<ShadowPlane>& planes) const {
     work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
     std::vector<Touch> found;
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
-      Outline inside = clipped(receivers_[i].outline, comparison(i), planes, planes.size());
-      if (inside.empty()) continue;
-      const view::PixelRect pixels = inside.pixels();
-      found.push_back({i, std::move(inside), pixels});
+      if (is_beyond(i, planes)) continue;
+      inside_ = receivers_[i].outline;
+      if (clip(inside_, comparison(i), planes, planes.size())) found.push_back({i, inside_, inside_.pixels()});
     }
     return found;
   }
@@ -110,10 +128,9 @@ class Covering {
       return;
     }
     for (const ShadowPlane& plane : planes) {
-      Outline outside = outline.clipped(compared.out(plane));
-      if (!outside.empty()) left.push_back(std::move(outside));
-      outline = outline.clipped(compared.in(plane));
-      if (outline.empty()) return;
+      outside_ = outline;
+      if (outside_.clip(compared.out(plane), spare_)) left.push_back(outside_);
+      if (!outline.clip(compared.in(plane), spare_)) return;
     }
   }
 
@@ -149,8 +166,12 @@ class Covering {
   /// Leaves out planes that keep nothing but what other volumes take.
   void reduce_planes(std::size_t index) {
     std::vector<ShadowPlane>& planes = volumes_[index].planes;
+    std::vector<std::uint32_t> before = planes_before(planes);
     for (std::size_t i = 0; i < planes.size();) {
-      if (is_plane_redundant(index, i)) {
+      if (is_plane_redundant(index, i, before)) {
+        for (std::size_t k = 0; k < before.size(); ++k) {
+          if (before[k] > 0 && boxes_[k].is_beyond(comparison(k).in(planes[i]))) --before[k];
+        }
         planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(i));
       } else {
         ++i;
@@ -158,25 +179,37 @@ class Covering {
     }
   }
 
-  [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane) {
+  /// `before`: planes_before() of the volume's.
+  [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane,
+                                        const std::vector<std::uint32_t>& before) {
     const std::vector<ShadowPlane>& planes = volumes_[index].planes;
     work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
+      // Beyond one of the others there is nothing.
+      if (before[i] > 1) continue;
       const PlaneComparison compared = comparison(i);
+      if (before[i] == 1 && !boxes_[i].is_beyond(compared.in(planes[plane]))) continue;
       const view::FixedLinear out = compared.out(planes[plane]);
-      if (receivers_[i].outline.is_beyond(out)) continue;
-      const Outline more = clipped(receivers_[i].outline.clipped(out), compared, planes, plane);
-      if (!more.empty() && !is_covered(i, more, index)) return false;
+      more_ = receivers_[i].outline;
+      if (!more_.clip(out, spare_) || !clip(more_, compared, planes, plane)) continue;
+      if (!is_covered(i, more_, index)) return false;
     }
     return true;
   }
 
   const std::vector<Receiver>& receivers_;
+  std::vector<OutlineBox> boxes_;  ///< of the receivers
   unsigned fraction_bits_;
   const Work& work_;
   std::vector<Volume> volumes_;  ///< those that are left out touch nothing
   std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>> volumes_of_;  ///< by receiver
   std::uint64_t covering_work_ = 0;
+
+  // Room for outlines, which would else be taken from the heap for each.
+  mutable Outline spare_;
+  mutable Outline inside_;
+  Outline outside_;
+  Outline more_;
 };
 
 }  // namespace

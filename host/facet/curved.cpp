@@ -90,11 +90,6 @@ CurvedSurface surface_of(const model::Cylinder& cylinder, const glm::dmat4& tran
   return surface;
 }
 
-/// Adds a ring of a hull.
-std::vector<std::uint32_t> add_ring(Solid& solid, double radius, double z, std::uint32_t sides) {
-  return add_ring(solid, {radius, z}, sides, 0.5);
-}
-
 void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const auto [low, high] = std::minmax(ring[i], ring[(i + 1) % ring.size()]);
@@ -104,14 +99,22 @@ void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
 
 }  // namespace
 
-std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::uint32_t sides, double turn) {
-  std::vector<std::uint32_t> numbers;
+std::vector<glm::dvec2> directions(std::uint32_t sides, double turn) {
+  std::vector<glm::dvec2> all;
+  all.reserve(sides);
   for (std::uint32_t i = 0; i < sides; ++i) {
-    if (i == 0 || ring.radius > 0.0) {
-      const double around = 360.0 * (i + turn) / sides;
-      solid.vertices.emplace_back(ring.radius * model::cos_degrees(around), ring.radius * model::sin_degrees(around),
-                                  ring.z);
-    }
+    const double around = 360.0 * (i + turn) / sides;
+    all.emplace_back(model::cos_degrees(around), model::sin_degrees(around));
+  }
+  return all;
+}
+
+std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::span<const glm::dvec2> around) {
+  std::vector<std::uint32_t> numbers;
+  numbers.reserve(around.size());
+  for (const glm::dvec2& direction : around) {
+    if (numbers.empty() || ring.radius > 0.0)
+      solid.vertices.emplace_back(ring.radius * direction.x, ring.radius * direction.y, ring.z);
     numbers.push_back(static_cast<std::uint32_t>(solid.vertices.size() - 1));
   }
   return numbers;
@@ -145,11 +148,12 @@ Solid curved_hull(const model::Sphere& sphere) {
   // Half a mesh both ways: the hull's faces are no nearer to the centre than the radius.
   const double outer =
       sphere.radius / (model::cos_degrees(180.0 / hull_meridians) * model::cos_degrees(90.0 / hull_parallels));
+  const std::vector<glm::dvec2> around = directions(hull_meridians, 0.5);
   std::vector<std::uint32_t> last;
   for (std::uint32_t row = 0; row <= hull_parallels; ++row) {
     const double polar = 180.0 * row / hull_parallels;
     const std::vector<std::uint32_t> ring =
-        add_ring(solid, outer * model::sin_degrees(polar), outer * model::cos_degrees(polar), hull_meridians);
+        add_ring(solid, {outer * model::sin_degrees(polar), outer * model::cos_degrees(polar)}, around);
     add_edges(solid, ring);
     for (std::size_t i = 0; i < last.size(); ++i) solid.edges.push_back({last[i], ring[i]});
     last = ring;
@@ -162,8 +166,9 @@ Solid curved_hull(const model::Cylinder& cylinder) {
   const double outer = 1.0 / model::cos_degrees(180.0 / hull_sides);
   const double low = low_end(cylinder);
   const double high = low + cylinder.height;
-  const std::vector<std::uint32_t> first = add_ring(solid, cylinder.r1 * outer, low, hull_sides);
-  const std::vector<std::uint32_t> last = add_ring(solid, cylinder.r2 * outer, high, hull_sides);
+  const std::vector<glm::dvec2> around = directions(hull_sides, 0.5);
+  const std::vector<std::uint32_t> first = add_ring(solid, {cylinder.r1 * outer, low}, around);
+  const std::vector<std::uint32_t> last = add_ring(solid, {cylinder.r2 * outer, high}, around);
   for (std::size_t i = 0; i < first.size(); ++i) solid.edges.push_back({first[i], last[i]});
   solid.faces.push_back({{{0, 0, -1}, low}, first});
   solid.faces.push_back({{{0, 0, 1}, -high}, last});

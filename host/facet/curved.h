@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <span>
 #include <vector>
 
 #include "host/facet/faceting.h"
@@ -30,8 +32,12 @@ struct Ring {
   double z = 0;
 };
 
-/// Adds its vertices, the first of them `turn` parts of a side on from the x axis. Returns their numbers, one a side.
-std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::uint32_t sides, double turn = 0);
+/// Cosine and sine of as many directions around the z axis, the first of them `turn` parts of a side on from the x
+/// axis.
+std::vector<glm::dvec2> directions(std::uint32_t sides, double turn);
+
+/// Adds its vertices, one a direction. Returns their numbers, one a direction.
+std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::span<const glm::dvec2> around);
 
 /// The planes and a hull of a curved solid in its own space. The faces are its flat ends; a cone that ends in its tip
 /// has a plane through that, which parts it from the other nappe. Vertices and edges are those of a polytope around it.

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -14,16 +16,38 @@ namespace csgsim::facet {
 
 namespace {
 
-std::vector<std::array<std::uint32_t, 2>> edges_of(const Solid& solid) {
-  std::vector<std::array<std::uint32_t, 2>> edges = solid.edges;
+using Edges = std::vector<std::array<std::uint32_t, 2>>;
+
+/// Calls visit(low, high) for each edge of each face, and for those that no face gives.
+template <class Visit>
+void for_each_edge(const Solid& solid, const Visit& visit) {
+  for (const auto& [low, high] : solid.edges) visit(low, high);
   for (const Face& face : solid.faces) {
     for (std::size_t i = 0; i < face.corners.size(); ++i) {
-      const auto [low, high] = std::minmax(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
-      if (low != high) edges.push_back({low, high});
+      const std::uint32_t next = face.corners[i + 1 < face.corners.size() ? i + 1 : 0];
+      const auto [low, high] = std::minmax(face.corners[i], next);
+      if (low != high) visit(low, high);
     }
   }
-  std::sort(edges.begin(), edges.end());
-  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+}
+
+/// Each edge once, in order: sorted by their first vertices at once, as these are few.
+Edges edges_of(const Solid& solid) {
+  std::vector<std::size_t> begins(solid.vertices.size() + 1);
+  for_each_edge(solid, [&](std::uint32_t low, std::uint32_t /*high*/) { ++begins[low]; });
+  std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), std::size_t{0});
+  std::vector<std::uint32_t> others(begins.back());
+  std::vector<std::size_t> ends = begins;
+  for_each_edge(solid, [&](std::uint32_t low, std::uint32_t high) { others[ends[low]++] = high; });
+  Edges edges;
+  edges.reserve(others.size() / 2 + 1);
+  for (std::uint32_t low = 0; low < solid.vertices.size(); ++low) {
+    const auto begin = others.begin() + static_cast<std::ptrdiff_t>(begins[low]);
+    const auto end = others.begin() + static_cast<std::ptrdiff_t>(ends[low]);
+    std::sort(begin, end);
+    const auto last = std::unique(begin, end);
+    for (auto high = begin; high != last; ++high) edges.push_back({low, *high});
+  }
   edges.shrink_to_fit();
   return edges;
 }
@@ -32,23 +56,43 @@ Box box_of(const Solid& solid) {
   return solid.curved ? Box{solid.curved->low, solid.curved->high} : facet::box_of(solid.vertices);
 }
 
+/// What is kept of a solid until the size of the model is known: not the corners of its faces, which take most.
+struct Draft {
+  std::vector<Plane> planes;  ///< of the faces
+  std::vector<glm::dvec3> vertices;
+  Edges edges;
+  Box box;
+  std::optional<CurvedSurface> curved;
+};
+
+Draft draft_of(Solid solid) {
+  Draft draft;
+  draft.planes.reserve(solid.faces.size());
+  for (const Face& face : solid.faces) draft.planes.push_back(face.plane);
+  draft.edges = edges_of(solid);
+  draft.box = box_of(solid);
+  draft.vertices = std::move(solid.vertices);
+  draft.curved = solid.curved;
+  return draft;
+}
+
 /// Turns solids into convexes one after another.
 class GeometryMaker {
  public:
   GeometryMaker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
 
-  Convex make(Solid solid) {
+  Convex make(Draft draft) {
     Convex convex;
     ++count_;
-    convex.halfspaces.reserve(solid.faces.size());
-    for (const Face& face : solid.faces) {
-      const Halfspace halfspace = planes_.add(face.plane);
+    convex.halfspaces.reserve(draft.planes.size());
+    for (const Plane& plane : draft.planes) {
+      const Halfspace halfspace = planes_.add(plane);
       if (is_new(halfspace)) convex.halfspaces.push_back(halfspace);
     }
-    convex.edges = edges_of(solid);
-    convex.box = box_of(solid);
-    convex.vertices = std::move(solid.vertices);
-    if (solid.curved) convex.quadrics.push_back(quadrics_.add(solid.curved->quadric, solid.curved->inward));
+    convex.edges = std::move(draft.edges);
+    convex.box = draft.box;
+    convex.vertices = std::move(draft.vertices);
+    if (draft.curved) convex.quadrics.push_back(quadrics_.add(draft.curved->quadric, draft.curved->inward));
     return convex;
   }
 
@@ -147,23 +191,23 @@ Geometry make_geometry(const model::Tree& tree, const Faceting& faceting) {
   }
   Faceting in_all_facets = faceting;
   in_all_facets.exact_curves = false;
-  std::vector<Solid> solids;
+  std::vector<Draft> drafts;
   std::vector<Box> boxes;
   Box all;
-  solids.reserve(tree.primitives.size());
+  drafts.reserve(tree.primitives.size());
   boxes.reserve(tree.primitives.size());
   for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
     const bool is_faceted = i < faceting.faceted.size() && faceting.faceted[i];
-    solids.push_back(make_solid_at(tree, i, is_faceted ? in_all_facets : faceting));
-    boxes.push_back(box_of(solids.back()));
+    drafts.push_back(draft_of(make_solid_at(tree, i, is_faceted ? in_all_facets : faceting)));
+    boxes.push_back(drafts.back().box);
     all = hull(all, boxes.back());
   }
   Geometry geometry{{}, PlaneTable(all.empty() ? glm::dvec3(0) : all.centre(), all.empty() ? 1.0 : all.diagonal()), {}};
   geometry.quadrics = QuadricTable(geometry.planes.centre(), geometry.planes.diagonal());
   geometry.fast_spheres = faceting.exact_curves && faceting.fast_spheres;
   GeometryMaker maker(geometry.planes, geometry.quadrics);
-  geometry.solids.reserve(solids.size());
-  for (Solid& solid : solids) geometry.solids.push_back(maker.make(std::exchange(solid, {})));
+  geometry.solids.reserve(drafts.size());
+  for (Draft& draft : drafts) geometry.solids.push_back(maker.make(std::exchange(draft, {})));
   geometry.box = fold_boxes(tree, boxes);
   return geometry;
 }

@@ -5,8 +5,10 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "host/facet/covered_ball.h"
 #include "host/facet/curved.h"
@@ -38,21 +40,32 @@ Solid box(const model::Cube& cube) {
   return solid;
 }
 
-/// Lateral face `index` between two rings of regular polygons: the plane through the chords, in the meridian half-plane
-/// at the middle of the facet, where a polygon of n corners has radius r cos(180/n).
-Plane lateral_plane(const Ring& low, const Ring& high, std::uint32_t index, std::uint32_t count) {
-  const double middle = 360.0 * (static_cast<double>(index) + 0.5) / count;
-  const double apothem = model::cos_degrees(180.0 / count);
-  const double low_radius = low.radius * apothem;
-  const double high_radius = high.radius * apothem;
-  const double rise = high.z - low.z;
-  const double run = high_radius - low_radius;
-  const double length = model::hypotenuse(rise, run);
-  const double radial = rise / length;
-  const double axial = -run / length;
-  const double offset = -(radial * low_radius + axial * low.z);
-  return {{radial * model::cos_degrees(middle), radial * model::sin_degrees(middle), axial}, offset};
-}
+/// The planes through the chords of two rings of regular polygons: what all of the lateral faces between them share. In
+/// the meridian half-plane at the middle of a facet a polygon of n corners has radius r cos(180/n).
+class LateralPlanes {
+ public:
+  LateralPlanes(const Ring& low, const Ring& high, std::uint32_t count) {
+    const double apothem = model::cos_degrees(180.0 / count);
+    const double low_radius = low.radius * apothem;
+    const double high_radius = high.radius * apothem;
+    const double rise = high.z - low.z;
+    const double run = high_radius - low_radius;
+    const double length = model::hypotenuse(rise, run);
+    radial_ = rise / length;
+    axial_ = -run / length;
+    offset_ = -(radial_ * low_radius + axial_ * low.z);
+  }
+
+  /// Of the facet in that direction.
+  [[nodiscard]] Plane at(const glm::dvec2& middle) const {
+    return {{radial_ * middle.x, radial_ * middle.y, axial_}, offset_};
+  }
+
+ private:
+  double radial_;
+  double axial_;
+  double offset_;
+};
 
 /// The convex solid between a stack of rings, lowest first, closed by flat caps where the outermost radius is not 0.
 Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
@@ -61,14 +74,19 @@ Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
                      " facets in one solid; ask for fewer with $fn, $fa or $fs");
   }
   Solid solid;
+  solid.vertices.reserve(count * stack.size());
+  solid.faces.reserve(count * stack.size());
   std::vector<Corners> rings;
-  for (const Ring& ring : stack) rings.push_back(add_ring(solid, ring, count));
+  const std::vector<glm::dvec2> corners = directions(count, 0.0);
+  for (const Ring& ring : stack) rings.push_back(add_ring(solid, ring, corners));
   if (stack.front().radius > 0.0) solid.faces.push_back({{{0, 0, -1}, stack.front().z}, rings.front()});
+  const std::vector<glm::dvec2> middles = directions(count, 0.5);
   for (std::size_t level = 0; level + 1 < stack.size(); ++level) {
+    const LateralPlanes planes(stack[level], stack[level + 1], count);
     for (std::uint32_t i = 0; i < count; ++i) {
-      const std::uint32_t next = (i + 1) % count;
-      solid.faces.push_back({lateral_plane(stack[level], stack[level + 1], i, count),
-                             {rings[level][i], rings[level][next], rings[level + 1][next], rings[level + 1][i]}});
+      const std::uint32_t next = i + 1 < count ? i + 1 : 0;
+      solid.faces.push_back(
+          {planes.at(middles[i]), {rings[level][i], rings[level][next], rings[level + 1][next], rings[level + 1][i]}});
     }
   }
   if (stack.back().radius > 0.0) solid.faces.push_back({{{0, 0, 1}, -stack.back().z}, rings.back()});

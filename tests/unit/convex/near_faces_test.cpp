@@ -2,6 +2,11 @@
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
 
 #include "tests/unit/convex/support.h"
 
@@ -82,4 +87,29 @@ TEST_CASE("many faces in near planes are given up on, and that is told") {
   std::string text;
   for (int i = 0; i < 1100; ++i) text += box(20 * i, 0, 0, 10) + box(20 * i, 50, 10.00001, 10);
   CHECK(near_faces(text).are_more);
+}
+
+TEST_CASE("of many boxes those pairs are near that are near when the others are not there") {
+  CHECK(rc::check([] {
+    // Corners that coincide, are near, or are apart.
+    const auto coordinate = [] {
+      const double whole = *rc::gen::inRange(0, 3);
+      return 5.0 * whole + 1e-5 * *rc::gen::inRange(-1, 2);
+    };
+    std::vector<std::string> boxes;
+    for (int i = 0; i < 8; ++i) {
+      const double x = coordinate();
+      const double y = coordinate();
+      boxes.push_back(box(x, y, coordinate(), 5));
+    }
+    // Two far boxes, so that all models are of one size.
+    const std::string far = box(-100, -100, -100, 1) + box(200, 200, 200, 1);
+    std::string all = far;
+    for (const std::string& one : boxes) all += one;
+    std::uint64_t pairs = 0;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      for (std::size_t j = i + 1; j < boxes.size(); ++j) pairs += near_faces(far + boxes[i] + boxes[j]).pairs;
+    }
+    RC_ASSERT(near_faces(all).pairs == pairs);
+  }));
 }
