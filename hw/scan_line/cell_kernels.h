@@ -38,4 +38,7 @@ std::uint64_t carry_out(const Packet& packet, std::span<const CellStep> steps, c
 /// Whether any lane is not 0.
 bool any_ones(std::span<const std::uint64_t> lanes);
 
+/// Of the lanes of the range that are not 0, lane i sets bit i % 64 of word i / 64.
+void add_bits(const std::uint64_t* lanes, CellRange range, std::span<std::uint64_t> words);
+
 }  // namespace csgsim::scan_line::kernels

@@ -37,6 +37,11 @@ class Cells {
   /// What the cell holds for the refresh.
   [[nodiscard]] std::uint32_t held(std::uint32_t cell) const { return hold_[cell]; }
 
+  /// Sets the enable bits of the range in words of 64 cells.
+  void add_enabled(CellRange range, std::span<std::uint64_t> words) const {
+    kernels::add_bits(enable_.data(), range, words);
+  }
+
   /// 64-bit words of a cell's memory.
   [[nodiscard]] std::size_t cell_words() const { return cell_words_; }
   [[nodiscard]] std::uint64_t memory_word(std::uint32_t cell, std::size_t word) const {

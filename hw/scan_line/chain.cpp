@@ -213,8 +213,7 @@ void Chain::finish(Flight& flight) {
 void Chain::take_down(const Flight& flight, CellRange range) const {
   if (flight.snapshot == no_snapshot) return;
   Snapshot& snapshot = snapshots_[flight.snapshot];
-  for (std::uint32_t cell = range.first; cell < range.end; ++cell)
-    if (cells_.enabled(cell)) snapshot.enable[cell / plane_bits] |= std::uint64_t{1} << cell % plane_bits;
+  cells_.add_enabled(range, snapshot.enable);
   if (flight.packet.keep != Keep::all) return;
   for (std::size_t word = 0; word < snapshot.cell_words; ++word)
     for (std::uint32_t cell = range.first; cell < range.end; ++cell)
