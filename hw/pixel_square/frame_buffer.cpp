@@ -6,6 +6,22 @@
 
 namespace csgsim::pixel_square {
 
+namespace {
+
+/// `count` is 64 at most.
+std::uint64_t low_bits(std::uint64_t value, unsigned count) {
+  return count < 64 ? value & ((std::uint64_t{1} << count) - 1) : value;
+}
+
+std::uint64_t bits_of(const std::vector<std::uint64_t>& bits, std::uint64_t from, unsigned count) {
+  const auto place = static_cast<unsigned>(from % 64);
+  std::uint64_t value = bits[from / 64] >> place;
+  if (place + count > 64) value |= bits[from / 64 + 1] << (64 - place);
+  return low_bits(value, count);
+}
+
+}  // namespace
+
 FrameBuffer::FrameBuffer(sc_core::sc_module_name name, const machines::Machine& machine)
     : systemc::ClockedModule(name),
       colours("colours", machines::own<Figures>(machine).renderers),
@@ -118,24 +134,39 @@ void FrameBuffer::take_header(Incoming& square, const PortWord& word) const {
 
 /// The bits follow those before; those beyond the square's are padding.
 void FrameBuffer::store(Incoming& square, const std::vector<std::uint64_t>& bits) {
-  const std::uint64_t end = std::min(square.next_bit + port_bits_, colour_bits(square));
-  for (std::uint64_t i = 0; square.next_bit < end; ++i, ++square.next_bit) {
-    std::uint32_t& colour = pixel(square, square.next_bit / contents_.colour_bits);
-    const std::uint64_t place = square.next_bit % contents_.colour_bits;
+  each_colour(square, [&](std::uint64_t place, std::uint64_t from, unsigned count) {
+    std::uint32_t& colour = pixel(square, (square.next_bit + from) / contents_.colour_bits);
     if (place == 0) colour = 0;
-    colour |= static_cast<std::uint32_t>(bits[i / 64] >> (i % 64) & 1U) << place;
-  }
+    colour |= static_cast<std::uint32_t>(bits_of(bits, from, count)) << place;
+  });
+  square.next_bit += bits_to_come(square);
   finish_if_whole(square);
 }
 
 void FrameBuffer::clear(Incoming& square) {
   std::vector<std::uint64_t> bits((port_bits_ + 63U) / 64U);
-  const std::uint64_t count = std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const std::uint64_t place = (square.next_bit + i) % contents_.colour_bits;
-    put_bits(bits, i, 1, contents_.background >> place & 1U);
-  }
+  each_colour(square, [&](std::uint64_t place, std::uint64_t from, unsigned count) {
+    put_bits(bits, from, count, low_bits(contents_.background >> place, count));
+  });
   store(square, bits);
+}
+
+/// Bits of the next word that are of the square.
+std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
+  return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
+}
+
+/// Calls act(place, from, count) for each pixel whose colour is, in part or whole, in the next word: so many bits of it
+/// from its bit `place` on, the first of which is bit `from` of the word.
+template <class Act>
+void FrameBuffer::each_colour(const Incoming& square, const Act& act) const {
+  const std::uint64_t end = bits_to_come(square);
+  for (std::uint64_t from = 0; from < end;) {
+    const std::uint64_t place = (square.next_bit + from) % contents_.colour_bits;
+    const std::uint64_t count = std::min(contents_.colour_bits - place, end - from);
+    act(place, from, static_cast<unsigned>(count));
+    from += count;
+  }
 }
 
 void FrameBuffer::finish_if_whole(Incoming& square) {

@@ -79,6 +79,9 @@ class FrameBuffer final : public systemc::ClockedModule {
   void take_header(Incoming& square, const PortWord& word) const;
   void store(Incoming& square, const std::vector<std::uint64_t>& bits);
   void clear(Incoming& square);
+  [[nodiscard]] std::uint64_t bits_to_come(const Incoming& square) const;
+  template <class Act>
+  void each_colour(const Incoming& square, const Act& act) const;
   void finish_if_whole(Incoming& square);
   [[nodiscard]] std::uint64_t colour_bits(const Incoming& square) const;
   [[nodiscard]] std::uint32_t& pixel(const Incoming& square, std::uint64_t index);

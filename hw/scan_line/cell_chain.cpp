@@ -28,12 +28,12 @@ void CellChain::on_clock() {
   chain_.step(entry.read());
   refresh.write(chain_.refresh());
   const Departure& departure = chain_.departure();
-  if (departure.kind == WordKind::none) return;
+  if (departure.kind == PacketKind::none) return;
   Frame& frame = leaving();
   if (frame.counts.fill_clocks == 0) frame.counts.fill_clocks = frame.periods.count();
   frame.counts.busy_cells += departure.busy_cells;
-  if (departure.kind != WordKind::clear) retire(departure);
-  if (departure.kind == WordKind::mark) --frame.lines_left;
+  if (departure.kind != PacketKind::clear) retire(departure);
+  if (departure.kind == PacketKind::mark) --frame.lines_left;
 }
 
 /// The frame that has a packet in the cells: the first of which lines are left.
@@ -48,7 +48,7 @@ void CellChain::retire(const Departure& departure) {
   EntryAccount account;
   if (!accounts.nb_read(account)) SC_REPORT_FATAL("csgsim", "a packet left the chain that nobody accounted for");
   const SnapshotView line(departure.snapshot);
-  if (departure.kind == WordKind::mark) return retirement->after_segment(departure.segment, line);
+  if (departure.kind == PacketKind::mark) return retirement->after_segment(departure.segment, line);
   retirement->after_instruction({.segment = departure.segment,
                                  .index = departure.index,
                                  .clocks = account.clocks,

@@ -24,7 +24,7 @@ struct CellCounts {
 /// leaves the last cell of a line has been carried out.
 class CellChain final : public systemc::ClockedModule {
  public:
-  sc_core::sc_in<PacketWord> entry{"entry"};
+  sc_core::sc_in<Beat> entry{"entry"};
   sc_core::sc_out<RefreshPixel> refresh{"refresh"};
   sc_core::sc_fifo_in<EntryAccount> accounts{"accounts"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};

@@ -3,27 +3,35 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "hw/isa/opcodes.h"
-
 namespace csgsim::scan_line {
 
 namespace {
 
 constexpr std::uint32_t plane_bits = 64;
 
+/// With that beat cells of a line begin to hold a pixel of it.
+std::uint32_t clearing_beat(const Packet& packet) {
+  return packet.kind == PacketKind::clear && !packet.begins_line ? packet.beats - 1 : 0;
+}
+
+bool clears(const Packet& packet) { return packet.begins_line || packet.kind == PacketKind::clear; }
+
 }  // namespace
 
 Chain::Chain(std::uint32_t cells, std::uint32_t memory_bits, const CellShape& shape)
     : network_(shape.tree_bits > 0 ? Network::trees : Network::chain),
-      cells_(cells, memory_bits, shape),
+      shape_(shape),
+      cells_(cells, memory_bits),
       flights_(cells),
-      segment_of_(cells),
-      hold_(cells),
+      sums_before_(cells),
       shift_(cells) {}
 
 void Chain::begin(std::uint32_t pixels) {
+  catch_up(pixels_ - 1);
+  for (std::uint32_t cell = 0; cell < pixels_; ++cell) sums_before_[cell] = sum(cell);
+  brought_.reset();
+  cleared_.reset();
   pixels_ = pixels;
-  std::fill(segment_of_.begin(), segment_of_.end(), std::nullopt);
   oldest_ = 0;
   count_ = 0;
   shifting_ = false;
@@ -34,16 +42,13 @@ void Chain::begin(std::uint32_t pixels) {
   snapshots_.clear();
   unused_.clear();
   due_ = 0;
-  busy_ = 0;
 }
 
-void Chain::step(const PacketWord& entering) {
+void Chain::step(const Beat& entering) {
   shift();
   transfer();
   enter(entering);
-  const std::size_t until_wrap = std::min(count_, flights_.size() - oldest_);
-  for (std::size_t i = 0; i < until_wrap; ++i) move(flights_[oldest_ + i]);
-  for (std::size_t i = 0; i < count_ - until_wrap; ++i) move(flights_[i]);
+  ++clock_;
   depart();
 }
 
@@ -52,13 +57,46 @@ RefreshPixel Chain::refresh() const {
   return {.valid = true, .colour = shift_[shifted_]};
 }
 
-const PacketWord* Chain::beat_in(std::uint32_t cell) const {
+Beat Chain::beat_in(std::uint32_t cell) const {
   for (std::size_t i = 0; i < count_; ++i) {
-    const std::size_t place = oldest_ + i;
-    const Flight& flight = flights_[place < flights_.size() ? place : place - flights_.size()];
-    if (flight.moved == clocks_to(cell)) return &flight.word;
+    const Flight& one = flight(i);
+    const std::uint64_t first = one.entered + clocks_to(cell);
+    if (clock_ >= first && clock_ < first + one.packet.beats)
+      return {&one.packet, static_cast<std::uint32_t>(clock_ - first)};
   }
-  return nullptr;
+  return {};
+}
+
+std::optional<std::uint32_t> Chain::segment_of(std::uint32_t cell) const {
+  for (std::size_t i = count_; i > 0; --i) {
+    const Flight& one = flight(i - 1);
+    if (clears(one.packet) && beats_in(one, cell) > clearing_beat(one.packet)) return one.packet.segment;
+  }
+  return cleared_;
+}
+
+std::uint64_t Chain::sum(std::uint32_t cell) const {
+  for (std::size_t i = count_; i > 0; --i) {
+    const Flight& one = flight(i - 1);
+    const std::uint32_t beats = beats_in(one, cell);
+    if (one.packet.brings_f() && beats > 0) return sum_in(one.packet, beats, cell, shape_);
+  }
+  return brought_ ? sum_in(*brought_, brought_->words, cell, shape_) : sums_before_[cell];
+}
+
+bool Chain::enabled(std::uint32_t cell) const {
+  catch_up(cell);
+  return cells_.enabled(cell);
+}
+
+std::uint32_t Chain::held(std::uint32_t cell) const {
+  catch_up(cell);
+  return cells_.held(cell);
+}
+
+std::uint64_t Chain::read(std::uint32_t cell, isa::Field field) const {
+  catch_up(cell);
+  return cells_.read(cell, field);
 }
 
 void Chain::shift() {
@@ -68,31 +106,29 @@ void Chain::shift() {
 void Chain::transfer() {
   if (!transfers_) return;
   if (shifting_) throw std::logic_error("a line came to the refresh path before the line ahead had left it");
-  std::copy_n(hold_.begin(), pixels_, shift_.begin());
+  for (std::uint32_t cell = 0; cell < pixels_; ++cell) shift_[cell] = cells_.held(cell);
   shifted_ = 0;
   shifting_ = true;
   transfers_ = false;
   held_ = false;
 }
 
-void Chain::enter(const PacketWord& word) {
-  if (word.number != due_) throw std::logic_error("a packet does not enter beat by beat");
-  if (word.kind == WordKind::none) return;
-  due_ = word.last() ? 0 : word.number + 1;
-  const std::size_t place = oldest_ + count_;
-  flights_[place < flights_.size() ? place : place - flights_.size()] = {
-      .word = word, .snapshot = word.last() && word.keep != Keep::nothing ? take_snapshot(word.keep) : no_snapshot};
-  ++count_;
+void Chain::enter(const Beat& beat) {
+  if (beat.number != due_) throw std::logic_error("a packet does not enter beat by beat");
+  if (beat.packet == nullptr) return;
+  if (beat.number == 0) take(*beat.packet);
+  due_ = beat.last() ? 0 : beat.number + 1;
+  if (network_ == Network::chain && beat.packet->kind == PacketKind::mark && beat.last()) hold();
 }
 
-void Chain::move(Flight& flight) {
-  if (flight.moved == clocks_to(0) && flight.word.kind == WordKind::mark && flight.word.last()) hold();
-  if (network_ == Network::chain) {
-    work(flight, flight.moved);
-  } else if (flight.moved == clocks_to(0)) {
-    for (std::uint32_t cell = 0; cell < pixels_; ++cell) work(flight, cell);
-  }
-  ++flight.moved;
+void Chain::take(const Packet& packet) {
+  Flight& entering = flight(count_++);
+  entering.packet = packet;
+  find_steps(packet, shape_, entering.steps);
+  entering.entered = clock_;
+  entering.done_cells.clear();
+  entering.enabled = 0;
+  entering.snapshot = packet.keep != Keep::nothing ? take_snapshot(packet.keep) : no_snapshot;
 }
 
 /// A mark comes to the first cell.
@@ -101,87 +137,92 @@ void Chain::hold() {
   held_ = true;
 }
 
-void Chain::work(Flight& flight, std::uint32_t cell) {
-  const PacketWord& beat = flight.word;
-  if (beat.begins_line && beat.number == 0) clear(flight, cell);
-  switch (beat.kind) {
-    case WordKind::none: break;
-    case WordKind::clear:
-      if (beat.last()) clear(flight, cell);
-      break;
-    case WordKind::instruction: work_on_instruction(flight, cell); break;
-    case WordKind::mark: work_on_mark(flight, cell); break;
-  }
-  if (flight.snapshot != no_snapshot) take_down(flight, cell);
-}
-
-void Chain::clear(const Flight& flight, std::uint32_t cell) {
-  cells_.clear(cell);
-  segment_of_[cell] = flight.word.segment;
-}
-
-void Chain::work_on_instruction(Flight& flight, std::uint32_t cell) {
-  PacketWord& beat = flight.word;
-  ++flight.busy;
-  if (beat.number < beat.words && beat.instruction.linear.width > 0) {
-    if (network_ == Network::chain) {
-      cells_.add(cell, beat);
-    } else {
-      cells_.take(cell, beat);
-    }
-  }
-  cells_.fetch(cell, beat);
-  const bool is_root = beat.instruction.opcode == isa::Opcode::root;
-  if (beat.number >= beat.accesses.work_from && beat.number <= beat.accesses.result) {
-    if (is_root) cells_.try_root(cell, beat);
-    cells_.work(cell, beat);
-  }
-  if (beat.number == beat.accesses.result) {
-    flight.enabled += cells_.enabled(cell) ? 1U : 0U;
-    cells_.act(cell, beat);
-  }
-  if (beat.number >= beat.accesses.result) cells_.store(cell, beat);
-}
-
-void Chain::work_on_mark(const Flight& flight, std::uint32_t cell) {
-  const PacketWord& mark = flight.word;
-  cells_.fetch(cell, mark);
-  if (!mark.last()) return;
-  hold_[cell] = static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : cells_.fetched(cell));
-}
-
-void Chain::take_down(const Flight& flight, std::uint32_t cell) {
-  Snapshot& snapshot = snapshots_[flight.snapshot];
-  if (cells_.enabled(cell)) {
-    snapshot.enable[cell / plane_bits] |= std::uint64_t{1} << cell % plane_bits;
-  }
-  if (flight.word.keep != Keep::all) return;
-  const std::span<const std::uint64_t> memory = cells_.memory(cell);
-  std::copy(memory.begin(), memory.end(), &snapshot.memory[cell * snapshot.cell_words]);
-}
-
-/// The oldest word is the one that has come farthest.
+/// The oldest packet is the one that has come farthest.
 void Chain::depart() {
   if (departed_snapshot_ != no_snapshot) unused_.push_back(departed_snapshot_);
   departed_snapshot_ = no_snapshot;
   departure_ = {};
-  if (count_ == 0 || flights_[oldest_].moved <= clocks_to(pixels_ - 1)) return;
-  const Flight& flight = flights_[oldest_];
-  if (flight.word.number == flight.word.accesses.result) enabled_ = flight.enabled;
-  busy_ += flight.busy;
-  if (flight.word.last()) {
-    departed_snapshot_ = flight.snapshot;
-    departure_ = {.kind = flight.word.kind,
-                  .segment = flight.word.segment,
-                  .index = flight.word.index,
-                  .enabled_pixels = enabled_,
-                  .busy_cells = busy_,
-                  .snapshot = flight.snapshot == no_snapshot ? nullptr : &snapshots_[flight.snapshot]};
-    if (flight.word.kind == WordKind::mark) transfers_ = true;
-    busy_ = 0;
+  if (count_ == 0) return;
+  Flight& leaving = flight(0);
+  const Packet& packet = leaving.packet;
+  if (clock_ < leaving.entered + packet.beats + clocks_to(pixels_ - 1)) return;
+  finish(leaving);
+  const bool is_instruction = packet.kind == PacketKind::instruction;
+  departed_snapshot_ = leaving.snapshot;
+  departure_ = {.kind = packet.kind,
+                .segment = packet.segment,
+                .index = packet.index,
+                .enabled_pixels = leaving.enabled,
+                .busy_cells = is_instruction ? std::uint64_t{packet.beats} * pixels_ : 0,
+                .snapshot = leaving.snapshot == no_snapshot ? nullptr : &snapshots_[leaving.snapshot]};
+  if (packet.kind == PacketKind::mark) {
+    if (network_ == Network::trees) hold();
+    transfers_ = true;
   }
+  if (packet.brings_f()) brought_ = packet;
+  if (clears(packet)) cleared_ = packet.segment;
   oldest_ = oldest_ + 1 == flights_.size() ? 0 : oldest_ + 1;
   --count_;
+}
+
+Chain::Flight& Chain::flight(std::size_t number) const {
+  const std::size_t place = oldest_ + number;
+  return flights_[place < flights_.size() ? place : place - flights_.size()];
+}
+
+/// Beats of the packet that have been in the cell.
+std::uint32_t Chain::beats_in(const Flight& flight, std::uint32_t cell) const {
+  const std::uint64_t first = flight.entered + clocks_to(cell);
+  if (clock_ <= first) return 0;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(clock_ - first, flight.packet.beats));
+}
+
+/// Cells that the beat has been in.
+std::uint32_t Chain::cells_reached(const Flight& flight, std::uint32_t beat) const {
+  const std::uint64_t entered = flight.entered + beat;
+  if (network_ == Network::trees) return clock_ > entered + clocks_to(0) ? pixels_ : 0;
+  return clock_ > entered ? static_cast<std::uint32_t>(std::min<std::uint64_t>(clock_ - entered, pixels_)) : 0;
+}
+
+/// The cell, and those before it, have then done all that the beats that have been in them ask.
+void Chain::catch_up(std::uint32_t cell) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    Flight& one = flight(i);
+    if (!one.done_cells.empty() && one.done_cells.back() > cell) continue;
+    const std::uint32_t beats = beats_in(one, cell);
+    if (beats > 0) one.done_cells.resize(one.packet.beats);
+    for (std::uint32_t beat = 0; beat < beats; ++beat)
+      catch_up(one, beat, std::min(cell + 1, cells_reached(one, beat)));
+  }
+}
+
+/// Cells before `end` have then done what the beat asks.
+void Chain::catch_up(Flight& flight, std::uint32_t beat, std::uint32_t end) const {
+  std::uint32_t& done = flight.done_cells[beat];
+  if (done >= end) return;
+  const CellRange range{done, end};
+  flight.enabled += cells_.carry_out(flight.packet, std::span(flight.steps).subspan(beat, 1), range);
+  if (beat + 1 == flight.packet.beats) take_down(flight, range);
+  done = end;
+}
+
+/// All cells of the line have then done all that the packet asks.
+void Chain::finish(Flight& flight) {
+  if (flight.done_cells.empty()) {
+    flight.enabled += cells_.carry_out_all(flight.packet, flight.steps, {0, pixels_});
+    return take_down(flight, {0, pixels_});
+  }
+  for (std::uint32_t beat = 0; beat < flight.packet.beats; ++beat) catch_up(flight, beat, pixels_);
+}
+
+void Chain::take_down(const Flight& flight, CellRange range) const {
+  if (flight.snapshot == no_snapshot) return;
+  Snapshot& snapshot = snapshots_[flight.snapshot];
+  cells_.add_enabled(range, snapshot.enable);
+  if (flight.packet.keep != Keep::all) return;
+  for (std::size_t word = 0; word < snapshot.cell_words; ++word)
+    for (std::uint32_t cell = range.first; cell < range.end; ++cell)
+      snapshot.memory[cell * snapshot.cell_words + word] = cells_.memory_word(cell, word);
 }
 
 std::size_t Chain::take_snapshot(Keep keep) {

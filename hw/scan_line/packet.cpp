@@ -12,10 +12,12 @@ namespace {
 
 constexpr std::uint32_t most_word_bits = 64;
 
-std::uint64_t word_of(std::int64_t coefficient, std::uint32_t number, std::uint32_t word_bits) {
-  const std::uint32_t low = number * word_bits;  // of words, or of what a tree brings
-  const auto shifted = static_cast<std::uint64_t>(coefficient >> std::min(low, most_word_bits - 1));
-  return word_bits == most_word_bits ? shifted : shifted & ((std::uint64_t{1} << word_bits) - 1);
+/// Of F in any cell: more than 64 bits, as the words of a packet may have them.
+__extension__ using Wide = __int128;
+
+std::uint64_t word_of(Wide number, std::uint32_t place, std::uint32_t word_bits) {
+  const auto shifted = static_cast<std::uint64_t>(number >> (place * word_bits));
+  return shifted & ~std::uint64_t{0} >> (most_word_bits - word_bits);
 }
 
 FieldWords words_of(isa::Field field, const CellShape& cell) {
@@ -139,12 +141,12 @@ std::uint32_t trial_clocks(isa::Field field, const CellShape& cell) {
 }
 
 /// Finds out how long the packet occupies a cell.
-void schedule(PacketWord& packet, const CellShape& cell) {
+void schedule(Packet& packet, const CellShape& cell) {
   Accesses& accesses = packet.accesses;
   const std::uint32_t read_words = std::uint32_t{accesses.sources[0].count} + accesses.sources[1].count;
   const std::uint32_t reads = cell.ports == 0 ? 0 : quotient_up(read_words, cell.ports);
   const std::uint32_t writes = cell.ports == 0 ? 0 : quotient_up(accesses.target.count, cell.ports);
-  if (packet.kind == WordKind::instruction && packet.instruction.opcode == isa::Opcode::root) {
+  if (packet.kind == PacketKind::instruction && packet.instruction.opcode == isa::Opcode::root) {
     accesses.work_from = reads;
     accesses.result = reads + trial_clocks(accesses.target.field, cell) - 1;
   } else {
@@ -156,52 +158,55 @@ void schedule(PacketWord& packet, const CellShape& cell) {
   packet.beats = accesses.result + std::max(writes, 1U);
 }
 
-void load_words(PacketWord& beat, const CellShape& cell) {
-  const bool comes_in = beat.number < beat.words;
-  const isa::Linear& linear = beat.instruction.linear;
-  beat.f = comes_in ? word_of(linear.c, beat.number, f_bits(cell)) : 0;
-  beat.a = comes_in ? word_of(linear.a + beat.square, beat.number, f_bits(cell)) : 0;
-  beat.aa = comes_in ? word_of(2 * beat.square, beat.number, f_bits(cell)) : 0;
-}
-
 }  // namespace
 
-PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares) {
-  PacketWord packet{.kind = WordKind::instruction,
-                    .square = squares.a,
-                    .accesses = accesses_of(instruction, cell),
-                    .work = work_of(instruction, cell),
-                    .instruction = instruction};
+Packet instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares) {
+  Packet packet{.kind = PacketKind::instruction,
+                .square = squares.a,
+                .accesses = accesses_of(instruction, cell),
+                .work = work_of(instruction, cell),
+                .instruction = instruction};
   if (instruction.opcode == isa::Opcode::squares) packet.instruction.linear = {};
   packet.words = quotient_up(std::max<std::uint32_t>(packet.instruction.linear.width, 1), f_bits(cell));
   for (const isa::Field& field : instruction.fields)
     packet.words = std::max<std::uint32_t>(packet.words, quotient_up(field.width, cell.word_bits));
   schedule(packet, cell);
-  load_words(packet, cell);
   return packet;
 }
 
-PacketWord clear_packet(std::uint32_t clocks) { return {.kind = WordKind::clear, .beats = clocks}; }
+Packet clear_packet(std::uint32_t clocks) { return {.kind = PacketKind::clear, .beats = clocks}; }
 
-PacketWord mark_packet(isa::Field colour, const CellShape& cell) {
-  PacketWord packet{.kind = WordKind::mark};
+Packet mark_packet(isa::Field colour, const CellShape& cell) {
+  Packet packet{.kind = PacketKind::mark};
   packet.accesses.sources[0] = words_of(colour, cell);
   schedule(packet, cell);
   return packet;
 }
 
-PacketWord background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell) {
-  PacketWord packet{.kind = WordKind::mark, .background = true};
+Packet background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell) {
+  Packet packet{.kind = PacketKind::mark, .background = true};
   packet.words = quotient_up(std::max<std::uint32_t>(colour.width, 1), cell.word_bits);
   packet.instruction.constant = background;
   schedule(packet, cell);
   return packet;
 }
 
-PacketWord next_beat(PacketWord beat, const CellShape& cell) {
-  ++beat.number;
-  load_words(beat, cell);
-  return beat;
+BeatWords words_in(const Beat& beat, std::uint32_t x, const CellShape& cell) {
+  if (beat.number >= beat.packet->words) return {};
+  const isa::Linear& linear = beat.packet->instruction.linear;
+  const auto word = [&](Wide number) { return word_of(number, beat.number, f_bits(cell)); };
+  const Wide square = beat.packet->square;
+  return {.f = word((square * x + linear.a) * x + linear.c),
+          .a = word(square * (2 * Wide{x} + 1) + linear.a),
+          .aa = word(2 * square)};
+}
+
+std::uint64_t sum_in(const Packet& packet, std::uint32_t beats, std::uint32_t x, const CellShape& cell) {
+  const isa::Linear& linear = packet.instruction.linear;
+  const auto sum = static_cast<std::uint64_t>((packet.square * Wide{x} + linear.a) * x + linear.c);
+  const std::uint64_t bits = std::uint64_t{std::min(beats, packet.words)} * f_bits(cell);
+  if (bits == 0) return 0;
+  return bits < most_word_bits ? sum & ((std::uint64_t{1} << bits) - 1) : sum;
 }
 
 }  // namespace csgsim::scan_line

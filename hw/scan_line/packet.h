@@ -35,7 +35,7 @@ constexpr std::uint32_t f_bits(const CellShape& cell) {
   return cell.tree_bits == 0 || cell.tree_bits > cell.word_bits ? cell.word_bits : cell.tree_bits;
 }
 
-enum class WordKind : std::uint8_t {
+enum class PacketKind : std::uint8_t {
   none,
   clear,        ///< the beginning of a line: memory and enable become 0
   instruction,  ///< an instruction's packet
@@ -88,30 +88,46 @@ struct CellWork {
   constexpr bool operator==(const CellWork&) const = default;
 };
 
-/// What moves from cell to cell, or from level to level of a tree, one a clock. A packet occupies each cell for `beats`
-/// clocks: in the first `words` of them a word of F and of its difference to the next cell comes in, and with squares
-/// one of the second difference; then the cell goes on with what it has. The packet's other fields stand with each beat
-/// here.
-struct PacketWord {
-  WordKind kind = WordKind::none;
+/// What moves from cell to cell, or from level to level of a tree, a beat a clock. It occupies each cell for `beats`
+/// clocks: in the first `words` of them a word of F and of its difference to the next cell comes in, the least
+/// significant first, and with squares one of the second difference; then the cell goes on with what it has.
+struct Packet {
+  PacketKind kind = PacketKind::none;
   bool begins_line = false;   ///< clears the cell's memory and enable before the cell acts
   bool background = false;    ///< a mark for a line that shows the constant
   Keep keep = Keep::nothing;  ///< what to take down of the cells as the packet leaves them, for who watches the run
-  std::uint32_t number = 0;   ///< of the beat; the least significant word of A and F comes first
   std::uint32_t words = 1;
   std::uint32_t beats = 1;
   std::uint32_t segment = 0;
   std::uint32_t index = 0;  ///< of the instruction in the segment
-  std::uint64_t f = 0;      ///< word of F in the cell that the word is in; of C where it enters a tree
-  std::uint64_t a = 0;      ///< word of F's difference to the next cell: without squares A
-  std::uint64_t aa = 0;     ///< word of the second difference: twice the factor of x*x
-  std::int64_t square = 0;  ///< that factor
+  std::int64_t square = 0;  ///< factor of x*x in F
   Accesses accesses{};
   CellWork work{};
   isa::Instruction instruction{};  ///< of a mark with a background: only the constant
 
-  [[nodiscard]] constexpr bool last() const { return number + 1 == beats; }
-  constexpr bool operator==(const PacketWord&) const = default;
+  /// Words of F come with it.
+  [[nodiscard]] constexpr bool brings_f() const {
+    return kind == PacketKind::instruction && instruction.linear.width > 0;
+  }
+  constexpr bool operator==(const Packet&) const = default;
+};
+
+/// What is in a cell, or on its way to one, in a clock.
+struct Beat {
+  const Packet* packet = nullptr;  ///< which lives until the clock is over; null for nothing
+  std::uint32_t number = 0;        ///< of the beat in it
+
+  [[nodiscard]] constexpr bool last() const { return number + 1 == packet->beats; }
+  constexpr bool operator==(const Beat&) const = default;
+};
+
+/// The words that come into a cell of a chain with a beat.
+struct BeatWords {
+  std::uint64_t f = 0;   ///< of F in that cell
+  std::uint64_t a = 0;   ///< of F's difference to the next cell: without squares A
+  std::uint64_t aa = 0;  ///< of the second difference
+
+  constexpr bool operator==(const BeatWords&) const = default;
 };
 
 /// What comes out of a chain's refresh port in a clock.
@@ -122,22 +138,25 @@ struct RefreshPixel {
   constexpr bool operator==(const RefreshPixel&) const = default;
 };
 
-/// The first beat of a packet, as it enters cell 0, where F is C. `squares`: those of the instruction before. As a line
-/// is one row, number 0, only their factor of x*x counts. Of an instruction `squares` itself the cells get nothing.
-PacketWord instruction_packet(const isa::Instruction& instruction, const CellShape& cell,
-                              const isa::Linear& squares = {});
-PacketWord clear_packet(std::uint32_t clocks);
-PacketWord mark_packet(isa::Field colour, const CellShape& cell);
+/// The packet of an instruction. `squares`: those of the instruction before. As a line is one row, number 0, only their
+/// factor of x*x counts. Of an instruction `squares` itself the cells get nothing.
+Packet instruction_packet(const isa::Instruction& instruction, const CellShape& cell, const isa::Linear& squares = {});
+Packet clear_packet(std::uint32_t clocks);
+Packet mark_packet(isa::Field colour, const CellShape& cell);
 /// For a line that shows the background, in a field as wide as `colour`.
-PacketWord background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell);
+Packet background_packet(isa::Field colour, std::uint32_t background, const CellShape& cell);
+
+/// What the adders of the cells before have made of C, A and the second difference when the beat is in cell `x`.
+BeatWords words_in(const Beat& beat, std::uint32_t x, const CellShape& cell);
+
+/// The low 64 bits of C + A*x + S*x*x, of those that have come to cell `x` with the first `beats` beats of a packet
+/// that brings F.
+std::uint64_t sum_in(const Packet& packet, std::uint32_t beats, std::uint32_t x, const CellShape& cell);
 
 /// Bits that the ALU goes through in a clock; of an ideal one `bits`.
 constexpr std::uint32_t alu_width(const CellShape& cell, std::uint32_t bits) {
   if (cell.alu_bits == 0) return bits;
   return cell.alu_bits < cell.word_bits ? cell.alu_bits : cell.word_bits;
 }
-
-/// The beat after one that is not the last.
-PacketWord next_beat(PacketWord beat, const CellShape& cell);
 
 }  // namespace csgsim::scan_line

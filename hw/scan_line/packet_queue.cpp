@@ -31,7 +31,6 @@ void PacketQueue::begin(const PictureLines& frame) {
 
 void PacketQueue::on_clock() {
   busy.write(!is_through());
-  entry.write({});
   ++line_clocks_;
   ++mark_clocks_;
   if (!beat_ && receiver_.holds()) take(receiver_.take());
@@ -40,13 +39,16 @@ void PacketQueue::on_clock() {
 }
 
 LineActivity PacketQueue::act() {
-  if (!beat_) return is_through() ? LineActivity::done : LineActivity::waiting_for_link;
-  if (!may_enter()) return LineActivity::waiting_for_refresh;
+  if (!beat_ || !may_enter()) {
+    entry.write({});
+    if (beat_) return LineActivity::waiting_for_refresh;
+    return is_through() ? LineActivity::done : LineActivity::waiting_for_link;
+  }
   entry.write(*beat_);
   if (beat_->last()) {
     end_packet();
   } else {
-    beat_ = next_beat(*beat_, cell_);
+    ++beat_->number;
   }
   return LineActivity::entering;
 }
@@ -58,34 +60,37 @@ void PacketQueue::take(const isa::Command& command) {
   } else if (const auto* const instruction = std::get_if<isa::Instruction>(&command)) {
     take_packet(instruction_packet(*instruction, cell_, squares_));
     squares_ = instruction->opcode == isa::Opcode::squares ? instruction->linear : isa::Linear{};
-    beat_->keep = retirement->keeps_after(static_cast<std::uint32_t>(line_), index_);
+    packets_.at(packet_).keep = retirement->keeps_after(static_cast<std::uint32_t>(line_), index_);
   } else if (std::holds_alternative<isa::SegmentEnd>(command)) {
     take_packet(index_ > 0 ? mark_packet(frame_.colour, cell_)
                            : background_packet(frame_.colour, frame_.background, cell_));
-    beat_->keep = systemc::Keep::all;
+    packets_.at(packet_).keep = systemc::Keep::all;
   }
 }
 
-void PacketQueue::take_packet(PacketWord packet) {
-  packet.begins_line = begins_line_ && packet.kind != WordKind::clear;
-  packet.segment = static_cast<std::uint32_t>(line_);
-  packet.index = index_;
+void PacketQueue::take_packet(const Packet& packet) {
+  packet_ = 1 - packet_;
+  Packet& taken = packets_.at(packet_);
+  taken = packet;
+  taken.begins_line = begins_line_ && packet.kind != PacketKind::clear;
+  taken.segment = static_cast<std::uint32_t>(line_);
+  taken.index = index_;
   begins_line_ = false;
-  beat_ = packet;
+  beat_ = {.packet = &taken, .number = 0};
 }
 
 /// A mark has to be so late that its last beat keeps the distance.
 bool PacketQueue::may_enter() const {
-  if (beat_->kind != WordKind::mark || !marked_) return true;
-  return mark_clocks_ + beat_->beats - beat_->number > mark_spacing(frame_.pixels());
+  if (beat_->packet->kind != PacketKind::mark || !marked_) return true;
+  return mark_clocks_ + beat_->packet->beats - beat_->number > mark_spacing(frame_.pixels());
 }
 
 void PacketQueue::end_packet() {
-  const PacketWord packet = *beat_;
+  const Packet& packet = *beat_->packet;
   beat_.reset();
-  if (packet.kind == WordKind::clear) return;
+  if (packet.kind == PacketKind::clear) return;
   accounts.nb_write({.clocks = packet.beats});
-  if (packet.kind == WordKind::mark) return end_line();
+  if (packet.kind == PacketKind::mark) return end_line();
   ++index_;
   ++counts_.packets;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -31,7 +32,7 @@ struct EntryCounts {
 class PacketQueue final : public systemc::ClockedModule {
  public:
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
-  sc_core::sc_out<PacketWord> entry{"entry"};
+  sc_core::sc_out<Beat> entry{"entry"};
   sc_core::sc_out<bool> busy{"busy"};  ///< there is a line whose mark has not entered
   sc_core::sc_fifo_out<EntryAccount> accounts{"accounts"};
   sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
@@ -57,7 +58,7 @@ class PacketQueue final : public systemc::ClockedModule {
   void on_clock() override;
   LineActivity act();
   void take(const isa::Command& command);
-  void take_packet(PacketWord packet);
+  void take_packet(const Packet& packet);
   [[nodiscard]] bool may_enter() const;
   void end_packet();
   void end_line();
@@ -70,13 +71,15 @@ class PacketQueue final : public systemc::ClockedModule {
   PictureLines frame_;
   std::uint64_t budget_ = 0;
   std::size_t line_ = 0;
-  std::uint32_t index_ = 0;         ///< of the instruction in its line
-  isa::Linear squares_;             ///< of the instruction before, if they are its operand
-  bool begins_line_ = false;        ///< the next packet is the line's first, and clears
-  std::optional<PacketWord> beat_;  ///< that enters next
-  std::uint64_t line_clocks_ = 0;   ///< since the last mark was in cell 0, or the frame began
-  std::uint64_t mark_clocks_ = 0;   ///< since the last mark was in cell 0, of this frame or one before
-  bool marked_ = false;             ///< one was
+  std::uint32_t index_ = 0;        ///< of the instruction in its line
+  isa::Linear squares_;            ///< of the instruction before, if they are its operand
+  bool begins_line_ = false;       ///< the next packet is the line's first, and clears
+  std::array<Packet, 2> packets_;  ///< in turn: the last has left the entry when the next but one comes
+  std::size_t packet_ = 0;         ///< of these, the one that came last
+  std::optional<Beat> beat_;       ///< that enters next
+  std::uint64_t line_clocks_ = 0;  ///< since the last mark was in cell 0, or the frame began
+  std::uint64_t mark_clocks_ = 0;  ///< since the last mark was in cell 0, of this frame or one before
+  bool marked_ = false;            ///< one was
   std::uint64_t frames_through_ = 0;
   EntryCounts counts_;
   ActivityCounter counter_;

@@ -17,11 +17,11 @@ struct EntryAccount {
 };
 
 // Which nobody calls (hw/systemc/wire.h).
-template <systemc::OneOf<PacketWord, RefreshPixel, EntryAccount> Value>
+template <systemc::OneOf<Beat, RefreshPixel, EntryAccount> Value>
 std::ostream& operator<<(std::ostream& stream, const Value& /*value*/) {
   return stream;
 }
-template <systemc::OneOf<PacketWord, RefreshPixel> Value>
+template <systemc::OneOf<Beat, RefreshPixel> Value>
 void sc_trace(sc_core::sc_trace_file* /*file*/, const Value& /*value*/, const std::string& /*name*/) {}
 
 }  // namespace csgsim::scan_line

@@ -250,7 +250,7 @@ std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wa
   wave::check_no_trees(request);
   std::vector<wave::Tap> taps = host_taps(host_, program);
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
-  const WordShape shape{f_bits(cell_shape(figures_of(machine_))), machine_.evaluator_degree,
+  const WordShape shape{cell_shape(figures_of(machine_)), machine_.evaluator_degree,
                         figures_of(machine_).network == Network::chain};
   std::vector<ChainParts> chains;
   for (std::size_t i = 0; i < chains_.size(); ++i) {

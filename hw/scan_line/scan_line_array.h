@@ -72,7 +72,7 @@ class ScanLineArray final : public sc_core::sc_module, public systemc::ClockedMa
   systemc::Clock clock_;
   sc_core::sc_vector<sc_core::sc_fifo<std::uint32_t>> lines_;
   sc_core::sc_vector<sc_core::sc_fifo<isa::LinkWord>> words_;
-  sc_core::sc_vector<sc_core::sc_signal<PacketWord>> entry_;
+  sc_core::sc_vector<sc_core::sc_signal<Beat>> entry_;
   sc_core::sc_vector<sc_core::sc_signal<bool>> entering_;
   sc_core::sc_vector<sc_core::sc_signal<RefreshPixel>> refresh_;
   sc_core::sc_vector<sc_core::sc_fifo<EntryAccount>> accounts_;

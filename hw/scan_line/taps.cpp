@@ -21,8 +21,7 @@ using wave::Tap;
 constexpr unsigned row_bits = 16;
 constexpr unsigned sum_bits = 64;
 
-/// Null where there is none.
-using Beat = std::function<const PacketWord*()>;
+using ReadBeat = std::function<Beat()>;
 
 Number row_of(std::size_t line, const isa::Program& program) {
   return line < program.segments.size() ? Number(program.segments[line].region.y) : std::nullopt;
@@ -32,42 +31,41 @@ Tap activity_tap(const std::string& part, std::function<std::string_view()> read
   return wave::text(part + ".activity", [read = std::move(read)] { return std::string(read()); });
 }
 
-std::string_view kind_of(const PacketWord* beat) {
+std::string_view kind_of(const Beat& beat) {
   constexpr auto names = std::to_array<std::string_view>({"", "clear", "instruction", "mark"});
-  return beat == nullptr ? "" : names.at(static_cast<std::size_t>(beat->kind));
+  return beat.packet == nullptr ? "" : names.at(static_cast<std::size_t>(beat.packet->kind));
 }
 
 /// Words of F and A come in with the beat.
-bool brings_words(const PacketWord* beat) {
-  return beat != nullptr && beat->kind == WordKind::instruction && beat->instruction.linear.width > 0 &&
-         beat->number < beat->words;
+bool brings_words(const Beat& beat) {
+  return beat.packet != nullptr && beat.packet->brings_f() && beat.number < beat.packet->words;
 }
 
-/// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come in, `.a`, `.f`;
-/// of degree 2 also `.aa`; without a shape no words.
-std::vector<Tap> packet_taps(const std::string& part, const Beat& beat, const isa::Program& program,
-                             std::optional<WordShape> shape) {
+/// The instruction of the packet that the beat belongs to, `.packet`, `.beat`, and the words that come into the cell,
+/// `.a`, `.f`; cell; of degree 2 also `.aa`; without a shape no words.
+std::vector<Tap> packet_taps(const std::string& part, const ReadBeat& beat, std::uint32_t cell,
+                             const isa::Program& program, std::optional<WordShape> shape) {
   std::vector<Tap> taps =
       wave::instruction_taps(part, program, [beat, firsts = isa::first_numbers(program)]() -> Number {
-        const PacketWord* const at = beat();
-        if (at == nullptr || at->kind != WordKind::instruction) return std::nullopt;
+        const Packet* const at = beat().packet;
+        if (at == nullptr || at->kind != PacketKind::instruction) return std::nullopt;
         return firsts[at->segment] + at->index;
       });
   taps.push_back(wave::text(part + ".packet", [beat] { return std::string(kind_of(beat())); }));
   taps.push_back(wave::number(part + ".beat", 16, [beat] {
-    const PacketWord* const at = beat();
-    return kind_of(at).empty() ? std::nullopt : Number(at->number);
+    const Beat at = beat();
+    return kind_of(at).empty() ? std::nullopt : Number(at.number);
   }));
   if (!shape) return taps;
-  const auto word = [&](const char* name, auto read) {
-    taps.push_back(wave::hexadecimal(part + name, shape->bits, [beat, read] {
-      const PacketWord* const at = beat();
-      return brings_words(at) ? Number(read(*at)) : std::nullopt;
+  const auto word = [&](const char* name, std::uint64_t BeatWords::*which) {
+    taps.push_back(wave::hexadecimal(part + name, f_bits(shape->cell), [beat, cell, which, form = shape->cell] {
+      const Beat at = beat();
+      return brings_words(at) ? Number(words_in(at, cell, form).*which) : std::nullopt;
     }));
   };
-  word(".a", [](const PacketWord& at) { return at.a; });
-  word(".f", [](const PacketWord& at) { return at.f; });
-  if (shape->degree > 1) word(".aa", [](const PacketWord& at) { return at.aa; });
+  word(".a", &BeatWords::a);
+  word(".f", &BeatWords::f);
+  if (shape->degree > 1) word(".aa", &BeatWords::aa);
   return taps;
 }
 
@@ -94,11 +92,11 @@ std::vector<Tap> chain_taps(const std::string& suffix, const ChainParts& parts, 
                    [parts] { return Number(static_cast<std::uint64_t>(parts.words.num_available())); }),
       activity_tap(entry, [parts] { return parts.queue.activity(); }),
       wave::number(entry + ".line", row_bits, [parts, &program] {
-        const PacketWord& at = parts.entry.read();
-        return at.kind == WordKind::none ? std::nullopt : row_of(at.segment, program);
+        const Packet* const at = parts.entry.read().packet;
+        return at == nullptr ? std::nullopt : row_of(at->segment, program);
       })};
   wave::add(packet_taps(
-                entry, [parts] { return &parts.entry.read(); }, program, shape),
+                entry, [parts] { return parts.entry.read(); }, 0, program, shape),
             taps);
   const auto shown = [parts](auto read) {
     return [parts, read]() -> Number { return parts.refresh.read().valid ? Number(read()) : std::nullopt; };
@@ -119,25 +117,25 @@ std::vector<Tap> cell_taps(wave::Pixel pixel, std::span<const ChainParts> chains
   const std::uint32_t line = wave::segment_of(pixel, program);
   const ChainParts parts = chains[line % chains.size()];
   const std::uint32_t cell = pixel.x - program.segments[line].region.x;
-  const Beat beat = [parts, cell, line]() -> const PacketWord* {
+  const ReadBeat beat = [parts, cell, line] {
     const Chain& chain = parts.chain.chain();
-    const PacketWord* const at = chain.clocks_to(cell) == 0 ? &parts.entry.read() : chain.beat_in(cell);
-    return at != nullptr && at->segment == line ? at : nullptr;
+    const Beat at = chain.clocks_to(cell) == 0 ? parts.entry.read() : chain.beat_in(cell);
+    return at.packet != nullptr && at.packet->segment == line ? at : Beat{};
   };
-  std::vector<Tap> taps = packet_taps(part, beat, program, shape.in_cells ? std::optional(shape) : std::nullopt);
+  std::vector<Tap> taps = packet_taps(part, beat, cell, program, shape.in_cells ? std::optional(shape) : std::nullopt);
   const auto held = [parts, cell, line](auto read) {
     return [parts, cell, line, read]() -> Number {
       const Chain& chain = parts.chain.chain();
-      return chain.segment_of(cell) == line ? Number(read(chain.cells())) : std::nullopt;
+      return chain.segment_of(cell) == line ? Number(read(chain)) : std::nullopt;
     };
   };
   taps.push_back(
-      wave::hexadecimal(part + ".sum", sum_bits, held([cell](const Cells& cells) { return cells.sum(cell); })));
+      wave::hexadecimal(part + ".sum", sum_bits, held([cell](const Chain& chain) { return chain.sum(cell); })));
   taps.push_back(
-      wave::bit(part + ".enable", held([cell](const Cells& cells) -> Number { return cells.enabled(cell); })));
+      wave::bit(part + ".enable", held([cell](const Chain& chain) -> Number { return chain.enabled(cell); })));
   wave::add(wave::field_taps(part, program,
                              [held, cell](isa::Field field) {
-                               return held([cell, field](const Cells& cells) { return cells.read(cell, field); })();
+                               return held([cell, field](const Chain& chain) { return chain.read(cell, field); })();
                              }),
             taps);
   return taps;

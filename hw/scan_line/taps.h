@@ -10,6 +10,7 @@
 #include "hw/scan_line/cell_chain.h"
 #include "hw/scan_line/chain_link.h"
 #include "hw/scan_line/line_host.h"
+#include "hw/scan_line/packet.h"
 #include "hw/scan_line/packet_queue.h"
 #include "hw/scan_line/packet_signals.h"
 #include "hw/scan_line/refresh_collector.h"
@@ -24,7 +25,7 @@ struct ChainParts {
   const ChainLink& link;
   const sc_core::sc_fifo<isa::LinkWord>& words;
   const PacketQueue& queue;
-  const sc_core::sc_signal<PacketWord>& entry;
+  const sc_core::sc_signal<Beat>& entry;
   const CellChain& chain;
   const sc_core::sc_signal<RefreshPixel>& refresh;
   const RefreshCollector& collector;
@@ -33,7 +34,7 @@ struct ChainParts {
 
 /// What the words of a packet are like.
 struct WordShape {
-  std::uint32_t bits = 1;
+  CellShape cell{};
   unsigned degree = 1;   ///< of the expressions
   bool in_cells = true;  ///< words of difference and sum come to the cells; else a tree makes of them what comes
 };

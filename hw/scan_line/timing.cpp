@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <deque>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "hw/base/quotient.h"
@@ -138,6 +139,21 @@ std::uint64_t last_cell(const Machine& machine, std::uint32_t pixels) {
   return static_cast<std::uint64_t>(std::bit_width(machine.array.width - 1));
 }
 
+/// What a command takes.
+struct Cost {
+  std::uint64_t words = 0;  ///< on the link
+  std::uint64_t beats = 0;  ///< of its packet; 0 if it is none
+};
+
+/// Of each instruction, in the order of the Program.
+std::vector<Cost> costs_of(const isa::Program& program, const Machine& machine) {
+  std::vector<Cost> costs;
+  for (const isa::Segment& line : program.segments)
+    for (const isa::Instruction& instruction : line.instructions)
+      costs.push_back({isa::wire_words(instruction, machine.link.width), machines::clocks(instruction, machine)});
+  return costs;
+}
+
 /// A link and the entry of its chain, as the lines that they have been given leave them.
 class ChainTiming {
  public:
@@ -154,25 +170,25 @@ class ChainTiming {
   /// The host can hand over the next line from that edge on.
   [[nodiscard]] Edge free_from() const { return lines_ == 0 ? 1 : taken_ + 1; }
 
-  /// Tells, if there is a timeline, when the packets of line `number` enter.
-  void draw(const isa::Segment& line, Edge handed_over, machines::Timeline* told, std::size_t number) {
+  /// `costs`: of the line's instructions. Tells, if there is a timeline, when the packets of line `number` enter.
+  void draw(const isa::Segment& line, std::span<const Cost> costs, Edge handed_over, machines::Timeline* told,
+            std::size_t number) {
     const Edge idle_from = lines_ == 0 ? 1 : sent_;
     taken_ = std::max(handed_over + 1, idle_from);
     link_.add(LineActivity::waiting_for_host, taken_ - idle_from);
     const Edge latency = lines_ == 0 ? machine_.link.latency : 0;
     link_.add(LineActivity::latency, latency);
     sent_ = taken_ + latency;
-    send(isa::SegmentStart{line.region}, machine_.clear_clocks);
+    send({words_of(isa::SegmentStart{line.region}), machine_.clear_clocks});
     if (told != nullptr && machine_.clear_clocks > 0) told->cleared[number] = entering(machine_.clear_clocks);
-    for (std::size_t i = 0; i < line.instructions.size(); ++i) {
-      const std::uint64_t beats = machines::clocks(line.instructions[i], machine_);
-      send(line.instructions[i], beats);
-      if (told != nullptr) told->issued[number][i] = entering(beats);
+    for (std::size_t i = 0; i < costs.size(); ++i) {
+      send(costs[i]);
+      if (told != nullptr) told->issued[number][i] = entering(costs[i].beats);
     }
-    const bool empty = line.instructions.empty();
+    const bool empty = costs.empty();
     const std::uint64_t colour_words = std::max<std::uint64_t>(quotient_up(colour_.width, figures_.word_bits), 1);
     const std::uint64_t mark = empty ? colour_words : occupied(1, memory_words(colour_, figures_), 0, 0, figures_);
-    send(isa::SegmentEnd{}, mark, true);
+    send({words_of(isa::SegmentEnd{}), mark}, true);
     if (told != nullptr && machine_.clear_clocks == 0)
       told->cleared[number] = first_beat(empty ? entering(mark) : told->issued[number].front());
     ++lines_;
@@ -218,10 +234,14 @@ class ChainTiming {
   /// Where no packet clears, the line's first does.
   static machines::ClockSpan first_beat(const machines::ClockSpan& packet) { return {packet.begin, packet.begin + 1}; }
 
-  /// The command, and its packet of so many beats; 0 if it is none.
-  void send(const isa::Command& command, std::uint64_t beats, bool is_mark = false) {
-    const unsigned words = isa::wire_words(command, machine_.link.width);
-    for (unsigned word = 0; word < words; ++word) {
+  [[nodiscard]] std::uint64_t words_of(const isa::Command& command) const {
+    return isa::wire_words(command, machine_.link.width);
+  }
+
+  /// A command and its packet.
+  void send(const Cost& cost, bool is_mark = false) {
+    const auto& [words, beats] = cost;
+    for (std::uint64_t word = 0; word < words; ++word) {
       const Edge stored = store();
       read_ = std::max({stored + 1, read_ + 1, word == 0 ? taken_by_entry_ : 0});
       if (reads_.size() == machine_.link.fifo_depth) reads_.pop_front();
@@ -282,8 +302,8 @@ class ChainTiming {
 using MarkEdges = std::vector<Edge>;
 
 /// The frame before has left `marks` behind, which become those that this one leaves.
-LineTiming time_frame(const isa::Program& program, const Machine& machine, MarkEdges& marks,
-                      machines::Timeline* told = nullptr) {
+LineTiming time_frame(const isa::Program& program, const Machine& machine, std::span<const Cost> costs,
+                      MarkEdges& marks, machines::Timeline* told = nullptr) {
   const Figures& figures = machines::own<Figures>(machine);
   const std::uint64_t pixels = program.shape.width;
   const isa::Field colour = isa::frame_header(program).colour;
@@ -306,12 +326,13 @@ LineTiming time_frame(const isa::Program& program, const Machine& machine, MarkE
     counted.host.add(LineActivity::preparing, preparing);
     counted.host.add(LineActivity::waiting_for_link, host - asked);
     counted.host.add(LineActivity::starting, 1);
-    chain.draw(segment, host, told, line);
+    const std::span<const Cost> of_line = costs.first(segment.instructions.size());
+    costs = costs.subspan(of_line.size());
+    chain.draw(segment, of_line, host, told, line);
 
     counted.packets += segment.instructions.size();
     counted.most_packets = std::max<std::uint64_t>(counted.most_packets, segment.instructions.size());
-    for (const isa::Instruction& instruction : segment.instructions)
-      counted.busy_cells += machines::clocks(instruction, machine) * pixels;
+    for (const Cost& cost : of_line) counted.busy_cells += cost.beats * pixels;
   }
 
   const auto latest = std::max_element(chains.begin(), chains.end(),
@@ -375,10 +396,11 @@ std::uint64_t line_budget(const Machine& machine, std::uint32_t picture_height) 
 
 LineTiming time_lines(const isa::Program& program, const Machine& machine, machines::Timeline* told) {
   MarkEdges marks(machines::own<Figures>(machine).chains);
-  LineTiming alone = time_frame(program, machine, marks, told);
+  const std::vector<Cost> costs = costs_of(program, machine);
+  LineTiming alone = time_frame(program, machine, costs, marks, told);
   for (unsigned frame = 0; frame < frames_to_settle; ++frame) {
     const MarkEdges before = marks;
-    alone.interval_clocks = time_frame(program, machine, marks).interval_clocks;
+    alone.interval_clocks = time_frame(program, machine, costs, marks).interval_clocks;
     if (marks == before) break;
   }
   return alone;
@@ -387,7 +409,8 @@ LineTiming time_lines(const isa::Program& program, const Machine& machine, machi
 std::vector<LineTiming> time_line_sequence(std::span<const isa::Program> frames, const Machine& machine) {
   MarkEdges marks(machines::own<Figures>(machine).chains);
   std::vector<LineTiming> timings;
-  for (const isa::Program& frame : frames) timings.push_back(time_frame(frame, machine, marks));
+  for (const isa::Program& frame : frames)
+    timings.push_back(time_frame(frame, machine, costs_of(frame, machine), marks));
   return timings;
 }
 

@@ -15,10 +15,10 @@ namespace {
 
 using isa::Opcode;
 using scan_line::AluFunction;
-using scan_line::Cells;
 using scan_line::Move;
-using scan_line::PacketWord;
-using scan_line::WordKind;
+using scan_line::PacketKind;
+using test::PlainBeat;
+using test::PlainCells;
 
 constexpr std::uint32_t all_bits = 128;
 
@@ -41,21 +41,21 @@ std::string show(Bits value) {
   return fmt::format("{:x}{:016x}", high, static_cast<std::uint64_t>(value));
 }
 
-bool is_instruction(const PacketWord& beat) { return beat.kind == WordKind::instruction; }
+bool is_instruction(const PlainBeat& beat) { return beat.kind == PacketKind::instruction; }
 
-bool is_linear(const PacketWord& beat) { return is_instruction(beat) && beat.instruction.linear.width > 0; }
+bool is_linear(const PlainBeat& beat) { return is_instruction(beat) && beat.instruction.linear.width > 0; }
 
-bool brings_words(const PacketWord& beat) { return is_linear(beat) && beat.number < beat.words; }
+bool brings_words(const PlainBeat& beat) { return is_linear(beat) && beat.number < beat.words; }
 
 /// The ALU's value takes the place of the first operand.
-bool stores(const PacketWord& beat) {
+bool stores(const PlainBeat& beat) {
   const Opcode opcode = beat.instruction.opcode;
   return beat.accesses.target.count > 0 && opcode != Opcode::load_linear && opcode != Opcode::keep_max &&
          opcode != Opcode::keep_min;
 }
 
 /// F has its bits as far as the ALU goes, or an edge has been tested.
-std::uint32_t wanted_f_bits(const PacketWord& beat) {
+std::uint32_t wanted_f_bits(const PlainBeat& beat) {
   const Opcode opcode = beat.instruction.opcode;
   const std::uint32_t bits = std::uint32_t{beat.instruction.linear.width} - beat.instruction.linear.shift;
   const bool sums = opcode == Opcode::linear_plus || opcode == Opcode::linear_minus;
@@ -74,9 +74,10 @@ CellCheck::CellCheck(std::uint32_t cell, const scan_line::CellShape& shape, cons
   colour_bits_ = short_words * shape.word_bits;
 }
 
-std::string CellCheck::compare(const scan_line::Chain& chain, const PacketWord& worked, std::uint32_t pixels,
-                               const ChainRegisters& registers) {
+std::string CellCheck::compare(const scan_line::Chain& chain, const test::PlainChain& plain, const PlainBeat& worked,
+                               std::uint32_t pixels, const ChainRegisters& registers) {
   chain_ = &chain;
+  plain_ = &plain;
   worked_ = &worked;
   registers_ = &registers;
   pixels_ = pixels;
@@ -106,23 +107,23 @@ Bits CellCheck::of(const Vector& registers, std::uint32_t bits) const {
 }
 
 void CellCheck::compare_state() {
-  const Cells& cells = chain_->cells();
   is_cleared_ = is_cleared_ || (worked_->begins_line && worked_->number == 0) ||
-                (worked_->kind == WordKind::clear && worked_->last());
+                (worked_->kind == PacketKind::clear && worked_->last());
   if (!is_cleared_) return;
-  expect("enable", cells.enabled(cell_) ? 1 : 0, bit_of(registers_->enable) ? 1 : 0);
-  if (worked_->kind == WordKind::clear && !worked_->last()) return;  // the Verilog clears word by word
-  const std::span<const std::uint64_t> memory = cells.memory(cell_);
-  for (std::uint32_t bit = 0; bit < memory_bits_; bit += 64) {
-    const std::size_t at = std::size_t{cell_} * memory_bits_ + bit;
-    const std::uint64_t verilog = part_of(registers_->memory, at, std::min(memory_bits_ - bit, 64U));
-    if (memory[bit / 64] != verilog) expect(fmt::format("memory from bit {} on", bit), memory[bit / 64], verilog);
+  expect("enable", chain_->enabled(cell_) ? 1 : 0, bit_of(registers_->enable) ? 1 : 0);
+  if (worked_->kind == PacketKind::clear && !worked_->last()) return;  // the Verilog clears word by word
+  for (std::uint32_t bit = 0; bit < memory_bits_; bit += isa::max_field_width) {
+    const std::uint32_t bits = std::min(memory_bits_ - bit, isa::max_field_width);
+    const std::uint64_t systemc =
+        chain_->read(cell_, {static_cast<std::uint16_t>(bit), static_cast<std::uint16_t>(bits)});
+    const std::uint64_t verilog = part_of(registers_->memory, std::size_t{cell_} * memory_bits_ + bit, bits);
+    if (systemc != verilog) expect(fmt::format("memory from bit {} on", bit), systemc, verilog);
   }
 }
 
 void CellCheck::compare_handed_on() {
   if (cell_ + 1 == pixels_) return;
-  const PacketWord* const next = chain_->beat_in(cell_ + 1);
+  const PlainBeat* const next = plain_->beat_in(cell_ + 1);
   if (next == nullptr || !brings_words(*next)) return;
   expect("the next cell's word of F", next->f, of(registers_->next_f, shape_.word_bits));
   expect("the next cell's word of A", next->a, of(registers_->next_a, shape_.word_bits));
@@ -131,7 +132,7 @@ void CellCheck::compare_handed_on() {
 
 void CellCheck::compare_refresh() {
   if (chain_->shifting(pixels_ - 1)) shown_ = held_;  // the shift chain has just taken the line
-  if (worked_->kind == WordKind::mark && worked_->last())
+  if (worked_->kind == PacketKind::mark && worked_->last())
     held_ = worked_->background ? isa::Field{0, isa::max_field_width} : worked_->accesses.sources[0].field;
   if (held_) {
     const Bits held = low(of(registers_->held, colour_bits_) >> place_of(*held_), held_->width);
@@ -145,7 +146,7 @@ void CellCheck::compare_refresh() {
 
 void CellCheck::compare_sum() {
   if (!brings_words(*worked_)) return;
-  const Cells& cells = chain_->cells();
+  const PlainCells& cells = plain_->cells();
   expect("the sum's carry", cells.carry(cell_) ? 1 : 0, bit_of(registers_->carry) ? 1 : 0);
   if (degree_ > 1)
     expect("the difference's carry", cells.difference_carry(cell_) ? 1 : 0,
@@ -177,7 +178,7 @@ std::uint32_t CellCheck::taken() const {
 }
 
 void CellCheck::compare_operands() {
-  const Cells& cells = chain_->cells();
+  const PlainCells& cells = plain_->cells();
   const auto& [first, second] = worked_->accesses.sources;
   const bool has_work = worked_clocks() > 0;
   if (has_work && !is_moved()) return;
@@ -212,7 +213,7 @@ void CellCheck::compare_operands() {
 
 void CellCheck::compare_alu() {
   const AluFunction function = worked_->work.function;
-  const scan_line::CellAlu& alu = chain_->cells().alu(cell_);
+  const test::PlainAlu& alu = plain_->cells().alu(cell_);
   const auto flag = [&](std::string_view what, bool systemc, bool verilog) {
     expect(what, systemc ? 1 : 0, verilog ? 1 : 0);
   };
@@ -226,7 +227,7 @@ void CellCheck::compare_alu() {
     }
   }
   if (worked_->number >= worked_->accesses.result && worked_->accesses.target.count > 0)
-    flag("that the result is written", chain_->cells().writes(cell_), bit_of(registers_->written));
+    flag("that the result is written", plain_->cells().writes(cell_), bit_of(registers_->written));
 }
 
 }  // namespace csgsim::rtl

@@ -14,9 +14,10 @@ namespace csgsim::rtl {
 /// Bits of a register, the least significant first.
 __extension__ using Bits = unsigned __int128;
 
-/// Holds a cell's registers in Verilog against those in SystemC, which has operands from bit 0 on where the Verilog has
-/// them as they lie in words: those of fields that are read, and F, until they are moved, then where they have come to
-/// lie, and then with what the ALU has put there.
+/// Holds a cell in Verilog against the SystemC, of which memory, enable, hold register and shift chain are looked at,
+/// and its other registers against those of plain cells. These have operands from bit 0 on where the Verilog has them
+/// as they lie in words: those of fields that are read, and F, until they are moved, then where they have come to lie,
+/// and then with what the ALU has put there.
 class CellCheck {
  public:
   CellCheck(std::uint32_t cell, const scan_line::CellShape& shape, const machines::Machine& machine);
@@ -29,8 +30,8 @@ class CellCheck {
 
   /// `worked`: the beat that was in the cell in the clock that has been; `pixels`: of a line.
   /// Returns the first difference; empty if there is none.
-  std::string compare(const scan_line::Chain& chain, const scan_line::PacketWord& worked, std::uint32_t pixels,
-                      const ChainRegisters& registers);
+  std::string compare(const scan_line::Chain& chain, const test::PlainChain& plain, const test::PlainBeat& worked,
+                      std::uint32_t pixels, const ChainRegisters& registers);
 
  private:
   void compare_state();
@@ -65,7 +66,8 @@ class CellCheck {
 
   // Of the comparison that is made.
   const scan_line::Chain* chain_ = nullptr;
-  const scan_line::PacketWord* worked_ = nullptr;
+  const test::PlainChain* plain_ = nullptr;
+  const test::PlainBeat* worked_ = nullptr;
   const ChainRegisters* registers_ = nullptr;
   std::uint32_t pixels_ = 0;
   std::string difference_;

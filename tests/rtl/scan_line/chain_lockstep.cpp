@@ -6,10 +6,30 @@
 
 namespace csgsim::rtl {
 
+namespace {
+
+test::PlainBeat in_first_cell(const scan_line::Beat& beat, const scan_line::CellShape& shape) {
+  test::PlainBeat here;
+  if (beat.packet == nullptr) return here;
+  static_cast<scan_line::Packet&>(here) = *beat.packet;
+  here.number = beat.number;
+  if (!here.brings_f() || here.number >= here.words) return here;
+  const auto [f, a, aa] = scan_line::words_in(beat, 0, shape);
+  here.f = f;
+  here.a = a;
+  here.aa = aa;
+  return here;
+}
+
+}  // namespace
+
 ChainLockstep::ChainLockstep(const machines::Machine& machine)
-    : machine_(machine), systemc_(machine), verilog_(std::make_unique<RtlChain>()) {
-  const scan_line::CellShape shape = scan_line::cell_shape(machines::own<scan_line::Figures>(machine));
-  for (std::uint32_t i = 0; i < machine.array.width; ++i) cells_.emplace_back(i, shape, machine);
+    : machine_(machine),
+      shape_(scan_line::cell_shape(machines::own<scan_line::Figures>(machine))),
+      systemc_(machine),
+      plain_(machine.array.width, machine.array.memory_bits, shape_),
+      verilog_(std::make_unique<RtlChain>()) {
+  for (std::uint32_t i = 0; i < machine.array.width; ++i) cells_.emplace_back(i, shape_, machine);
 }
 
 std::string ChainLockstep::run(std::span<const isa::Program> programs, std::uint8_t fault) {
@@ -49,8 +69,10 @@ void ChainLockstep::drain(std::uint8_t fault) {
 }
 
 void ChainLockstep::clock(std::uint8_t fault) {
-  worked_.push_front(systemc_.entry());
+  const scan_line::Beat& entry = systemc_.entry();
+  worked_.push_front(in_first_cell(entry, shape_));
   worked_.pop_back();
+  plain_.step(entry);
   systemc_.clock();
   verilog_->edge(worked_.front(), pixels_, fault);
   ++clock_;
@@ -67,7 +89,7 @@ void ChainLockstep::compare() {
     return;
   }
   for (std::uint32_t i = 0; i < pixels_; ++i) {
-    const std::string difference = cells_[i].compare(systemc_.chain(), worked_[i], pixels_, registers);
+    const std::string difference = cells_[i].compare(systemc_.chain(), plain_, worked_[i], pixels_, registers);
     if (difference.empty()) continue;
     difference_ = fmt::format("clock {}, cell {}: {}", clock_, i, difference);
     return;

@@ -15,7 +15,8 @@
 
 namespace csgsim::rtl {
 
-/// The chain in SystemC, with the packets that its host sends, and the chain in Verilog, with the same.
+/// The chain in SystemC, with the packets that its host sends, and with the same the chain in Verilog and the plain
+/// one, which has each clock's registers.
 class ChainLockstep {
  public:
   explicit ChainLockstep(const machines::Machine& machine);
@@ -33,10 +34,12 @@ class ChainLockstep {
   void clear();
 
   machines::Machine machine_;
+  scan_line::CellShape shape_;
   ClockedChain systemc_;
+  test::PlainChain plain_;
   std::unique_ptr<RtlChain> verilog_;
   std::uint32_t pixels_ = 0;
-  std::deque<scan_line::PacketWord> worked_;  ///< by cell: the beat that was in it in the clock that has been
+  std::deque<test::PlainBeat> worked_;  ///< by cell: the beat that was in it in the clock that has been
   std::vector<CellCheck> cells_;
   bool comparing_ = false;
   std::uint64_t clock_ = 0;  ///< of the frames that are drawn

@@ -28,8 +28,8 @@ class ClockedChain final : public sc_core::sc_module {
   /// To the middle of the next clock, where all is settled.
   void clock();
 
-  /// What is in cell 0 in this clock.
-  [[nodiscard]] const scan_line::PacketWord& entry() const { return entry_.read(); }
+  /// What is in cell 0 in this clock, until it is over.
+  [[nodiscard]] const scan_line::Beat& entry() const { return entry_.read(); }
   [[nodiscard]] const scan_line::RefreshPixel& refresh() const { return refresh_.read(); }
   [[nodiscard]] const scan_line::Chain& chain() const { return chain_.chain(); }
 
@@ -37,7 +37,7 @@ class ClockedChain final : public sc_core::sc_module {
   systemc::Clock clock_;
   sc_core::sc_fifo<std::uint32_t> lines_{"lines", 1};
   sc_core::sc_fifo<isa::LinkWord> words_;
-  sc_core::sc_signal<scan_line::PacketWord> entry_{"entry"};
+  sc_core::sc_signal<scan_line::Beat> entry_{"entry"};
   sc_core::sc_signal<bool> entering_{"entering"};
   sc_core::sc_signal<scan_line::RefreshPixel> refresh_{"refresh"};
   sc_core::sc_fifo<scan_line::EntryAccount> accounts_;

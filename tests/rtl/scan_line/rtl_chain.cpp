@@ -73,7 +73,7 @@ RtlChain::RtlChain() : verilated_(std::make_unique<Verilated>()) {
 
 RtlChain::~RtlChain() { verilated_->top.final(); }
 
-void RtlChain::edge(const scan_line::PacketWord& entry, std::uint32_t pixels, std::uint8_t fault) {
+void RtlChain::edge(const test::PlainBeat& entry, std::uint32_t pixels, std::uint8_t fault) {
   Vprobed_chain& top = verilated_->top;
   top.fault = fault;
   put(top.pixels, pixels);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "hw/scan_line/packet.h"
+#include "tests/support/plain_cells.h"
 
 /// The chain in Verilog, as Verilator made it, with the parameters of one build.
 namespace csgsim::rtl {
@@ -52,7 +52,7 @@ class RtlChain {
 
   /// A clock in which that beat is in cell 0. `fault`: number of the planted one (hw/rtl/scan_line/faults.vh), 0 for
   /// none.
-  void edge(const scan_line::PacketWord& entry, std::uint32_t pixels, std::uint8_t fault);
+  void edge(const test::PlainBeat& entry, std::uint32_t pixels, std::uint8_t fault);
   [[nodiscard]] const ChainRegisters& registers() const { return registers_; }
 
  private:

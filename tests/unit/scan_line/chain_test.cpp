@@ -9,39 +9,52 @@
 
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
+#include "tests/support/plain_cells.h"
 #include "tests/support/random_program.h"
 
 using namespace csgsim;
 using isa::Field;
 using isa::Instruction;
 using isa::Opcode;
+using scan_line::Beat;
 using scan_line::CellShape;
 using scan_line::Chain;
 using scan_line::Departure;
-using scan_line::PacketWord;
+using scan_line::Packet;
+using scan_line::PacketKind;
 using scan_line::RefreshPixel;
-using scan_line::WordKind;
 using systemc::Keep;
 
 namespace {
 
-constexpr PacketWord nothing{};
+constexpr Beat nothing{};
 constexpr Field colour{0, 8};
 
-/// The packet's beats, in order.
-std::vector<PacketWord> packet(const Instruction& instruction, const CellShape& shape, bool begins_line = false) {
-  PacketWord first = scan_line::instruction_packet(instruction, shape);
-  first.begins_line = begins_line;
-  first.keep = Keep::all;
-  std::vector<PacketWord> all{first};
-  while (!all.back().last()) all.push_back(scan_line::next_beat(all.back(), shape));
-  return all;
+Packet packet(const Instruction& instruction, const CellShape& shape, bool begins_line = false) {
+  Packet packet = scan_line::instruction_packet(instruction, shape);
+  packet.begins_line = begins_line;
+  packet.keep = Keep::all;
+  return packet;
 }
 
-PacketWord mark() {
-  PacketWord word = scan_line::mark_packet(colour, {.word_bits = 8, .ports = 1});
-  word.keep = Keep::all;
-  return word;
+/// Sends the packet through the entry, and calls seen() after each clock.
+template <class Machine, class Seen>
+void send(Machine& chain, const Packet& packet, const Seen& seen) {
+  for (std::uint32_t beat = 0; beat < packet.beats; ++beat) {
+    chain.step({&packet, beat});
+    seen();
+  }
+}
+
+template <class Machine>
+void send(Machine& chain, const Packet& packet) {
+  send(chain, packet, [] {});
+}
+
+Packet mark() {
+  Packet packet = scan_line::mark_packet(colour, {.word_bits = 8, .ports = 1});
+  packet.keep = Keep::all;
+  return packet;
 }
 
 void require_same(const scan_line::Snapshot& actual, const reference::ReferenceArray& expected, isa::ArrayShape shape) {
@@ -61,16 +74,17 @@ TEST_CASE("a packet of two words acts in cell x one clock after cell x - 1, and 
   Chain chain(9, 8, shape);
   chain.begin(5);
   const Instruction instruction{.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}};
-  const std::vector<PacketWord> words = packet(instruction, shape);
-  std::vector<WordKind> left;
+  const Packet sent = packet(instruction, shape);
+  REQUIRE(sent.beats == 2);
+  std::vector<PacketKind> left;
   std::uint64_t busy_cells = 0;
-  for (std::size_t clock = 0; clock < 8; ++clock) {
-    chain.step(clock < words.size() ? words[clock] : nothing);
+  for (std::uint32_t clock = 0; clock < 8; ++clock) {
+    chain.step(clock < sent.beats ? Beat{&sent, clock} : nothing);
     left.push_back(chain.departure().kind);
     busy_cells += chain.departure().busy_cells;
   }
-  std::vector<WordKind> expected(8, WordKind::none);
-  expected[1 + 4] = WordKind::instruction;
+  std::vector<PacketKind> expected(8, PacketKind::none);
+  expected[1 + 4] = PacketKind::instruction;
   CHECK(left == expected);
   CHECK(busy_cells == 2 * 5);
 }
@@ -90,17 +104,12 @@ TEST_CASE("after random packets, some many words long, every cell holds what the
     std::size_t left = 0;
     const auto look = [&] {
       const Departure& departure = chain.departure();
-      if (departure.kind == WordKind::none) return;
+      if (departure.kind == PacketKind::none) return;
       RC_ASSERT(departure.enabled_pixels == judge.enabled_pixels());
       judge.execute(instructions[left++]);
       require_same(*departure.snapshot, judge, shape);
     };
-    for (const Instruction& instruction : instructions) {
-      for (const PacketWord& word : packet(instruction, cell)) {
-        chain.step(word);
-        look();
-      }
-    }
+    for (const Instruction& instruction : instructions) send(chain, packet(instruction, cell), look);
     for (std::uint32_t i = 0; i < shape.width; ++i) {
       chain.step(nothing);
       look();
@@ -114,12 +123,12 @@ TEST_CASE("the first packet of a line finds memory and enable clear") {
   Chain chain(2, 8, shape);
   chain.begin(2);
   const Instruction set{.opcode = Opcode::set_constant, .fields = {colour}, .constant = 200};
-  for (const Instruction& one : {Instruction{.opcode = Opcode::enable_all}, set}) chain.step(packet(one, shape).at(0));
-  chain.step(packet({.opcode = Opcode::enable_invert}, shape).at(0));
-  CHECK(chain.cells().read(0, colour) == 200);
-  chain.step(packet(set, shape, true).at(0));
-  CHECK(chain.cells().read(0, colour) == 0);
-  CHECK_FALSE(chain.cells().enabled(0));
+  for (const Instruction& one : {Instruction{.opcode = Opcode::enable_all}, set}) send(chain, packet(one, shape));
+  send(chain, packet({.opcode = Opcode::enable_invert}, shape));
+  CHECK(chain.read(0, colour) == 200);
+  send(chain, packet(set, shape, true));
+  CHECK(chain.read(0, colour) == 0);
+  CHECK_FALSE(chain.enabled(0));
 }
 
 TEST_CASE("pixel x is at the refresh port in the x-th clock after that in which the shift chain took the line") {
@@ -128,9 +137,9 @@ TEST_CASE("pixel x is at the refresh port in the x-th clock after that in which 
   Chain chain(5, 8, shape);
   chain.begin(pixels);
   const Instruction ramp{.opcode = Opcode::load_linear, .fields = {colour}, .linear = {.a = 5, .c = 7, .width = 10}};
-  chain.step(packet({.opcode = Opcode::enable_all}, shape).at(0));
-  for (const PacketWord& word : packet(ramp, shape)) chain.step(word);
-  chain.step(mark());
+  send(chain, packet({.opcode = Opcode::enable_all}, shape));
+  send(chain, packet(ramp, shape));
+  send(chain, mark());
   std::vector<RefreshPixel> seen;  // from the clock after the mark's entry on
   for (std::uint32_t i = 0; i < 8; ++i) {
     seen.push_back(chain.refresh());
@@ -147,17 +156,18 @@ TEST_CASE("a mark may follow another as many clocks later as a line has pixels, 
     Chain chain(6, 8, {.word_bits = 8, .ports = 1});
     chain.begin(pixels);
     std::uint32_t shown = 0;
-    const auto step = [&](const PacketWord& word) {
-      chain.step(word);
+    const Packet sent = mark();
+    const auto step = [&](const Beat& beat) {
+      chain.step(beat);
       shown += chain.refresh().valid ? 1U : 0U;
     };
-    step(mark());
+    step({&sent, 0});
     for (std::uint32_t i = 1; i < apart; ++i) step(nothing);
     if (apart < pixels) {
-      CHECK_THROWS_AS(step(mark()), std::logic_error);
+      CHECK_THROWS_AS(step({&sent, 0}), std::logic_error);
       continue;
     }
-    CHECK_NOTHROW(step(mark()));
+    CHECK_NOTHROW(step({&sent, 0}));
     for (std::uint32_t i = 0; i < 4 * pixels; ++i) step(nothing);
     CHECK(shown == 2 * pixels);
   }
@@ -167,23 +177,86 @@ TEST_CASE("a clear packet clears a cell with its last beat") {
   constexpr CellShape shape{.word_bits = 8, .ports = 1};
   Chain chain(1, 8, shape);
   chain.begin(1);
-  chain.step(packet({.opcode = Opcode::enable_all}, shape).at(0));
-  chain.step(packet({.opcode = Opcode::set_constant, .fields = {colour}, .constant = 9}, shape).at(0));
-  PacketWord clear = scan_line::clear_packet(2);
-  chain.step(clear);
-  CHECK(chain.cells().read(0, colour) == 9);
-  chain.step(scan_line::next_beat(clear, shape));
-  CHECK(chain.cells().read(0, colour) == 0);
-  CHECK_FALSE(chain.cells().enabled(0));
+  send(chain, packet({.opcode = Opcode::enable_all}, shape));
+  send(chain, packet({.opcode = Opcode::set_constant, .fields = {colour}, .constant = 9}, shape));
+  const Packet clear = scan_line::clear_packet(2);
+  chain.step({&clear, 0});
+  CHECK(chain.read(0, colour) == 9);
+  chain.step({&clear, 1});
+  CHECK(chain.read(0, colour) == 0);
+  CHECK_FALSE(chain.enabled(0));
 }
 
 TEST_CASE("a packet that is not followed by its own next beat is an error") {
   constexpr CellShape shape{.word_bits = 4, .ports = 1};
-  const std::vector<PacketWord> beats =
-      packet({.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}}, shape);
+  const Packet sent = packet({.opcode = Opcode::edge_negative, .linear = {.a = 1, .c = 3, .width = 8}}, shape);
   Chain chain(2, 8, shape);
   chain.begin(2);
-  CHECK_THROWS_AS(chain.step(beats.at(1)), std::logic_error);
-  chain.step(beats.at(0));
+  CHECK_THROWS_AS(chain.step({&sent, 1}), std::logic_error);
+  chain.step({&sent, 0});
   CHECK_THROWS_AS(chain.step(nothing), std::logic_error);
+}
+
+namespace {
+
+/// Random packets of a line, with breaks between them.
+std::vector<Packet> random_packets(isa::ArrayShape shape, const CellShape& cell) {
+  std::vector<Packet> packets{scan_line::clear_packet(*rc::gen::inRange(1U, 4U))};
+  isa::Linear squares;
+  for (const Instruction& instruction : *rc::gen::resize(
+           20,
+           rc::gen::container<std::vector<Instruction>>(test::arbitrary_instruction(shape, shape.memory_bits, 0, 2)))) {
+    packets.push_back(scan_line::instruction_packet(instruction, cell, squares));
+    packets.back().begins_line = *rc::gen::inRange(0, 10) == 0;
+    squares = instruction.opcode == Opcode::squares ? instruction.linear : isa::Linear{};
+  }
+  return packets;
+}
+
+/// All that can be seen of the cell, and of the beat that comes into it.
+void require_same(const Chain& chain, const test::PlainChain& judge, std::uint32_t x, isa::ArrayShape shape,
+                  const CellShape& cell) {
+  RC_ASSERT(chain.enabled(x) == judge.cells().enabled(x));
+  RC_ASSERT(chain.sum(x) == judge.cells().sum(x));
+  for (std::uint32_t bit = 0; bit < shape.memory_bits; ++bit) {
+    const Field field{static_cast<std::uint16_t>(bit), 1};
+    RC_ASSERT(chain.read(x, field) == judge.cells().read(x, field));
+  }
+  if (chain.clocks_to(x) == 0) return;
+  const Beat actual = chain.beat_in(x);
+  const test::PlainBeat* const expected = judge.beat_in(x);
+  RC_ASSERT((actual.packet == nullptr) == (expected == nullptr));
+  if (expected == nullptr) return;
+  RC_ASSERT(*actual.packet == static_cast<const Packet&>(*expected));
+  RC_ASSERT(actual.number == expected->number);
+  if (cell.tree_bits == 0 && expected->brings_f())
+    RC_ASSERT(words_in(actual, x, cell) == (scan_line::BeatWords{expected->f, expected->a, expected->aa}));
+}
+
+}  // namespace
+
+TEST_CASE("a cell that is looked at in any clock is as one that has done each clock's work at once") {
+  CHECK(rc::check([] {
+    const isa::ArrayShape shape{*rc::gen::inRange(1U, 40U), 1, *rc::gen::inRange(1U, 100U)};
+    const CellShape cell{.word_bits = *rc::gen::inRange(1U, 65U),
+                         .ports = *rc::gen::inRange(0U, 6U),
+                         .alu_bits = *rc::gen::inRange(0U, 40U),
+                         .shift_bits = *rc::gen::inRange(0U, 40U),
+                         .tree_bits = *rc::gen::element(0U, 0U, 1U, 7U, 64U)};
+    Chain chain(shape.width, shape.memory_bits, cell);
+    chain.begin(shape.width);
+    test::PlainChain judge(shape.width, shape.memory_bits, cell);
+    const auto step = [&](const Beat& beat) {
+      chain.step(beat);
+      judge.step(beat);
+      if (*rc::gen::inRange(0, 4) != 0) return;
+      require_same(chain, judge, *rc::gen::inRange(0U, shape.width), shape, cell);
+    };
+    for (const Packet& sent : random_packets(shape, cell)) {
+      for (std::uint32_t beat = 0; beat < sent.beats; ++beat) step({&sent, beat});
+      for (auto breaks = *rc::gen::inRange(0, 3); breaks > 0; --breaks) step(nothing);
+    }
+    for (std::uint32_t i = 0; i < shape.width; ++i) step(nothing);
+    for (std::uint32_t x = 0; x < shape.width; ++x) require_same(chain, judge, x, shape, cell);
+  }));
 }

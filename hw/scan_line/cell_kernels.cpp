@@ -1,0 +1,371 @@
+#include "hw/scan_line/cell_kernels.h"
+
+#include "hw/isa/opcodes.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "hw/scan_line/cell_kernels.cpp"
+#include <hwy/foreach_target.h>
+//
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+#include "hw/scan_line/cell_lanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace csgsim::scan_line::kernels {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Of what the ALU has found, by bit of the flags.
+constexpr int carry_flag = 0;  // out of the bits gone through; of a difference the borrow
+constexpr int differs_flag = 1;
+constexpr int beyond_flag = 2;    // a bit of x is 1 above the field that it is meant to fit
+constexpr int negative_flag = 3;  // the highest bit of the value
+constexpr int x_flag = 4;         // and of the operands
+constexpr int y_flag = 5;
+// Of a root: the carry likewise, and whether the remainder is negative.
+constexpr int remainder_flag = 1;
+
+void fetch(const FieldPart& part, std::uint64_t* fetched, const Lanes& lanes, CellRange range) {
+  each(range, [&](Place at) HWY_ATTR {
+    const Vector bits = bits_at(lanes, part.bits, at);
+    store(part.from == 0 ? bits : hn::Or(load(fetched, at), left(bits, part.from)), fetched, at);
+  });
+}
+
+/// The root found so far takes the field's upper bits, which the remainder does not need any more; its bit k is tried
+/// against k + 3 bits of the field.
+void try_root(const Packet& packet, const CellStep& step, const Lanes& lanes, CellRange range) {
+  const std::uint32_t bits = packet.accesses.target.field.width / 2U;
+  const std::uint32_t length = step.root_bit + 3;
+  const std::uint32_t lowest = 2 * (bits - 1 - step.root_bit);
+  const std::uint32_t place = lowest + step.trial.from;
+  const Vector mask = set(ones(step.trial.count));
+  const bool is_last = step.trial.from + step.trial.count == length;
+  const Vector sign = set(std::uint64_t{1} << (lowest + length - 1));
+  each(range, [&](Place at) HWY_ATTR {
+    Vector value = load(lanes.fetched[0], at);
+    Vector flags = load(lanes.flags, at);
+    if (step.begins_root) {
+      value = hn::And(value, set(ones(2 * bits)));
+      flags = hn::Zero(Tag());
+    }
+    Vector negative = bit<remainder_flag>(flags);
+    const Vector found = hn::ShiftLeft<2>(hn::ShiftRight<1>(right(value, 2 * bits - step.root_bit)));
+    const Vector operand = select(spread(negative), hn::Add(found, set(3)), hn::Not(hn::Add(found, set(1))));
+    const Vector carry = step.trial.from == 0 ? hn::Xor(negative, set(1)) : bit<carry_flag>(flags);
+    const Vector sum =
+        hn::Add(hn::And(right(value, place), mask), hn::Add(hn::And(right(operand, step.trial.from), mask), carry));
+    value = select(left(mask, place), left(hn::And(sum, mask), place), value);
+    if (is_last) {
+      negative = any(hn::And(value, sign));
+      value = hn::Xor(value, sign);
+    }
+    store(value, lanes.fetched[0], at);
+    store(hn::Or(bit<0>(right(sum, step.trial.count)), hn::ShiftLeft<remainder_flag>(negative)), lanes.flags, at);
+  });
+}
+
+HWY_INLINE Vector result_of(AluFunction function, Vector x, Vector y, Vector carry, Vector mask) {
+  switch (function) {
+    case AluFunction::none: break;
+    case AluFunction::add: return hn::Add(hn::Add(x, y), carry);
+    case AluFunction::subtract: return hn::Sub(hn::Sub(x, y), carry);
+    case AluFunction::bit_and: return hn::And(x, y);
+    case AluFunction::bit_or: return hn::Or(x, y);
+    case AluFunction::bit_xor: return hn::Xor(x, y);
+    case AluFunction::bit_and_not: return hn::AndNot(y, x);
+    case AluFunction::bit_not: return hn::Xor(x, mask);
+  }
+  return hn::Zero(Tag());
+}
+
+void go_through(const Packet& packet, AluBits bits, const Lanes& lanes, CellRange range) {
+  Operands operands(packet, lanes, range);
+  const bool begins = bits.from == 0;
+  const std::uint32_t field_bits = packet.brings_f() ? packet.instruction.fields[0].width : 0U;
+  const std::uint32_t inside = std::clamp(field_bits, bits.from, bits.from + bits.count) - bits.from;
+  const Vector mask = set(ones(bits.count));
+  const Vector outside = set(~ones(inside));
+  const Vector kept = set(1U << differs_flag | 1U << beyond_flag);
+  const auto top = [&](Vector number) HWY_ATTR { return bit<0>(right(number, bits.count - 1)); };
+  each(range, [&](Place at) HWY_ATTR {
+    const Vector x = hn::And(right(operands.x(at), bits.from), mask);
+    const Vector y = hn::And(right(operands.y(at), bits.from), mask);
+    const Vector flags = begins ? hn::Zero(Tag()) : load(lanes.flags, at);
+    const Vector sum = result_of(packet.work.function, x, y, bit<carry_flag>(flags), mask);
+    const Vector value = hn::And(sum, mask);
+    const Vector found =
+        hn::Or(hn::ShiftLeft<differs_flag>(any(value)), hn::ShiftLeft<beyond_flag>(any(hn::And(x, outside))));
+    const Vector signs = hn::Or(hn::ShiftLeft<negative_flag>(top(sum)),
+                                hn::Or(hn::ShiftLeft<x_flag>(top(x)), hn::ShiftLeft<y_flag>(top(y))));
+    const Vector carry = bit<0>(right(sum, bits.count));
+    store(hn::Or(hn::Or(hn::And(flags, kept), found), hn::Or(signs, carry)), lanes.flags, at);
+    store(begins ? value : hn::Or(load(lanes.value, at), left(value, bits.from)), lanes.value, at);
+  });
+}
+
+/// Where x - y, or F less the field, lets a comparison hold; all ones or zeros.
+struct Holds {
+  bool where_less = false;
+  bool where_equal = false;
+  bool where_greater = false;
+  bool with_signs = true;
+};
+
+struct Comparison {
+  isa::Opcode opcode;
+  Holds holds;
+};
+
+constexpr auto comparisons = std::to_array<Comparison>({
+    {isa::Opcode::linear_ge, {false, true, true}},
+    {isa::Opcode::linear_gt, {false, false, true}},
+    {isa::Opcode::keep_max, {false, false, true}},
+    {isa::Opcode::linear_le, {true, true, false}},
+    {isa::Opcode::linear_lt, {true, false, false}},
+    {isa::Opcode::keep_min, {true, false, false}},
+    {isa::Opcode::linear_eq, {false, true, false}},
+    {isa::Opcode::field_eq, {false, true, false}},
+    {isa::Opcode::field_lt, {true, false, false, false}},
+    {isa::Opcode::field_le, {true, true, false, false}},
+    {isa::Opcode::load_linear, {true, true, true}},
+});
+
+constexpr Holds holds_of(isa::Opcode opcode) {
+  for (const Comparison& row : comparisons)
+    if (row.opcode == opcode) return row.holds;
+  return {};
+}
+
+/// What the ALU has found; nothing of operands without bits.
+class Found {
+ public:
+  HWY_INLINE Found(const Packet& packet, const Lanes& lanes)
+      : holds_(holds_of(packet.instruction.opcode)), flags_(packet.work.bits == 0 ? nullptr : lanes.flags) {}
+
+  HWY_INLINE void look(Place at) { now_ = flags_ == nullptr ? hn::Zero(Tag()) : load(flags_, at); }
+
+  [[nodiscard]] HWY_INLINE Vector holds() const {
+    const Vector equal = hn::Xor(bit<differs_flag>(now_), set(1));
+    const Vector less = holds_.with_signs ? less_with_signs() : bit<carry_flag>(now_);
+    const Vector greater = hn::Xor(hn::Or(equal, less), set(1));
+    Vector held = hn::Zero(Tag());
+    if (holds_.where_less) held = hn::Or(held, less);
+    if (holds_.where_equal) held = hn::Or(held, equal);
+    if (holds_.where_greater) held = hn::Or(held, greater);
+    return spread(held);
+  }
+
+  /// x the field.
+  [[nodiscard]] HWY_INLINE Vector fits() const {
+    return spread(hn::Xor(hn::Or(bit<x_flag>(now_), bit<beyond_flag>(now_)), set(1)));
+  }
+
+ private:
+  [[nodiscard]] HWY_INLINE Vector less_with_signs() const {
+    const Vector x = bit<x_flag>(now_);
+    return select(spread(hn::Xor(x, bit<y_flag>(now_))), x, bit<negative_flag>(now_));
+  }
+
+  Holds holds_;
+  const std::uint64_t* flags_;
+  Vector now_ = hn::Zero(Tag());
+};
+
+/// Puts enable(place, what it was) in place of the enable bits. Returns how many there were.
+template <class Enable>
+HWY_ATTR HWY_INLINE std::uint64_t change_enable(const Lanes& lanes, CellRange range, const Enable& enable) {
+  Vector count = hn::Zero(Tag());
+  each(range, [&](Place at) HWY_ATTR {
+    const Vector before = load(lanes.enable, at);
+    count = hn::Sub(count, at.inside(before));
+    store(enable(at, before), lanes.enable, at);
+  });
+  return hn::GetLane(hn::SumOfLanes(Tag(), count));
+}
+
+std::uint64_t keep_enable(const Lanes& lanes, CellRange range) {
+  Vector count = hn::Zero(Tag());
+  each(range, [&](Place at) HWY_ATTR { count = hn::Sub(count, at.inside(load(lanes.enable, at))); });
+  return hn::GetLane(hn::SumOfLanes(Tag(), count));
+}
+
+/// Puts enable(what it was, whether the field is not 0) in place of the enable bits.
+template <class Enable>
+HWY_ATTR HWY_INLINE std::uint64_t meet_bit(const Packet& packet, const Lanes& lanes, CellRange range,
+                                           const Enable& enable) {
+  const Source source(packet, lanes, 0);
+  return change_enable(lanes, range,
+                       [&](Place at, Vector before) HWY_ATTR { return enable(before, spread(any(source.at(at)))); });
+}
+
+/// Leaves those enabled where F is negative, or where it is not.
+std::uint64_t meet_sign(const Packet& packet, bool wanted, const Lanes& lanes, CellRange range) {
+  Expression f(packet, range.first);
+  const Vector other = wanted ? hn::Zero(Tag()) : set(~std::uint64_t{0});
+  return change_enable(lanes, range, [&](Place, Vector before) HWY_ATTR {
+    return hn::And(before, hn::Xor(spread(bit<lane_bits - 1>(f.next())), other));
+  });
+}
+
+std::uint64_t compare(const Packet& packet, const Lanes& lanes, CellRange range) {
+  Found found(packet, lanes);
+  return change_enable(lanes, range, [&](Place at, Vector before) HWY_ATTR {
+    found.look(at);
+    return hn::And(before, found.holds());
+  });
+}
+
+/// F is to be written where the comparison holds, and where it does not fit the cell is disabled.
+std::uint64_t keep_f(const Packet& packet, const Lanes& lanes, CellRange range) {
+  Found found(packet, lanes);
+  return change_enable(lanes, range, [&](Place at, Vector before) HWY_ATTR {
+    found.look(at);
+    const Vector writes = hn::And(before, found.holds());
+    store(writes, lanes.writes, at);
+    return hn::AndNot(hn::AndNot(found.fits(), writes), before);
+  });
+}
+
+std::uint64_t act(const Packet& packet, const Lanes& lanes, CellRange range) {
+  using isa::Opcode;
+  switch (packet.instruction.opcode) {
+    case Opcode::enable_all:
+      return change_enable(lanes, range, [](Place, Vector) HWY_ATTR { return set(~std::uint64_t{0}); });
+    case Opcode::enable_invert:
+      return change_enable(lanes, range, [](Place, Vector before) HWY_ATTR { return hn::Not(before); });
+    case Opcode::enable_load:
+      return meet_bit(packet, lanes, range, [](Vector, Vector field) HWY_ATTR { return field; });
+    case Opcode::enable_and:
+      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::And(e, field); });
+    case Opcode::enable_and_not:
+      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::AndNot(field, e); });
+    case Opcode::enable_or:
+      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Or(e, field); });
+    case Opcode::enable_xor:
+      return meet_bit(packet, lanes, range, [](Vector e, Vector field) HWY_ATTR { return hn::Xor(e, field); });
+    case Opcode::edge_not_negative: return meet_sign(packet, false, lanes, range);
+    case Opcode::edge_negative:
+    case Opcode::stripe: return meet_sign(packet, true, lanes, range);
+    case Opcode::linear_ge:
+    case Opcode::linear_gt:
+    case Opcode::linear_le:
+    case Opcode::linear_lt:
+    case Opcode::linear_eq:
+    case Opcode::field_lt:
+    case Opcode::field_le:
+    case Opcode::field_eq: return compare(packet, lanes, range);
+    case Opcode::load_linear:
+    case Opcode::keep_max:
+    case Opcode::keep_min: return keep_f(packet, lanes, range);
+    case Opcode::enable_store:
+    case Opcode::set_constant:
+    case Opcode::copy:
+    case Opcode::bit_and:
+    case Opcode::bit_or:
+    case Opcode::bit_xor:
+    case Opcode::bit_and_not:
+    case Opcode::bit_not:
+    case Opcode::xor_constant:
+    case Opcode::add:
+    case Opcode::linear_plus:
+    case Opcode::linear_minus:
+    case Opcode::root:
+    case Opcode::global_or:
+    case Opcode::skip_if_none:
+    case Opcode::squares: break;
+  }
+  return keep_enable(lanes, range);
+}
+
+/// Writes the part of value(place) where mask(place) is all ones.
+template <class Value>
+HWY_ATTR HWY_INLINE void write_part(const FieldPart& part, const Lanes& lanes, CellRange range,
+                                    const std::uint64_t* mask, const Value& value) {
+  each(range, [&](Place at) HWY_ATTR {
+    const Vector where = mask == nullptr ? set(~std::uint64_t{0}) : load(mask, at);
+    put_bits(lanes, part.bits, right(value(at), part.from), where, at);
+  });
+}
+
+void write(const Packet& packet, const FieldPart& part, const Lanes& lanes, CellRange range) {
+  using isa::Opcode;
+  const Opcode opcode = packet.instruction.opcode;
+  if (opcode == Opcode::enable_store) {
+    write_part(part, lanes, range, nullptr, [&](Place at) HWY_ATTR { return bit<0>(load(lanes.enable, at)); });
+  } else if (opcode == Opcode::load_linear || opcode == Opcode::keep_max || opcode == Opcode::keep_min) {
+    Expression f(packet, range.first);
+    write_part(part, lanes, range, lanes.writes, [&](Place) HWY_ATTR { return f.next(); });
+  } else if (opcode == Opcode::set_constant) {
+    const Vector constant = set(packet.instruction.constant);
+    write_part(part, lanes, range, lanes.enable, [&](Place) HWY_ATTR { return constant; });
+  } else if (opcode == Opcode::copy || opcode == Opcode::root) {
+    const Source source(packet, lanes, 0);
+    write_part(part, lanes, range, lanes.enable, [&](Place at) HWY_ATTR { return source.at(at); });
+  } else {
+    const bool has_bits = packet.work.bits > 0;
+    write_part(part, lanes, range, lanes.enable,
+               [&](Place at) HWY_ATTR { return has_bits ? load(lanes.value, at) : hn::Zero(Tag()); });
+  }
+}
+
+std::uint64_t CarryOut(const Packet& packet, std::span<const CellStep> steps, const Lanes& lanes, CellRange range) {
+  std::uint64_t enabled = 0;
+  for (const CellStep& step : steps) {
+    for (std::size_t source = 0; source < step.reads.size(); ++source)
+      if (step.reads[source].bits.width > 0) fetch(step.reads[source], lanes.fetched[source], lanes, range);
+    if (step.trial.count > 0) try_root(packet, step, lanes, range);
+    if (step.alu.count > 0) go_through(packet, step.alu, lanes, range);
+    if (step.acts) enabled += act(packet, lanes, range);
+    if (step.writes.bits.width > 0) write(packet, step.writes, lanes, range);
+  }
+  return enabled;
+}
+
+bool AnyOnes(std::span<const std::uint64_t> lanes) {
+  Vector all = hn::Zero(Tag());
+  each({0, static_cast<std::uint32_t>(lanes.size())},
+       [&](Place at) HWY_ATTR { all = hn::Or(all, at.inside(load(lanes.data(), at))); });
+  return !hn::AllTrue(Tag(), hn::Eq(all, hn::Zero(Tag())));
+}
+
+void AddBits(const std::uint64_t* lanes, CellRange range, std::span<std::uint64_t> words) {
+  each(range, [&](Place at) HWY_ATTR {
+    std::uint8_t bytes[sizeof(std::uint64_t)] = {};
+    hn::StoreMaskBits(Tag(), hn::Ne(at.inside(load(lanes, at)), hn::Zero(Tag())), bytes);
+    const std::uint64_t bits = bytes[0];
+    const std::size_t place = at.first % lane_bits;
+    words[at.first / lane_bits] |= bits << place;
+    if (place + most_lanes > lane_bits && bits >> (lane_bits - place) != 0)
+      words[at.first / lane_bits + 1] |= bits >> (lane_bits - place);
+  });
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+}  // namespace csgsim::scan_line::kernels
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace csgsim::scan_line::kernels {
+
+HWY_EXPORT(CarryOut);
+HWY_EXPORT(AnyOnes);
+HWY_EXPORT(AddBits);
+
+std::uint64_t carry_out(const Packet& packet, std::span<const CellStep> steps, const Lanes& lanes, CellRange range) {
+  return HWY_DYNAMIC_DISPATCH(CarryOut)(packet, steps, lanes, range);
+}
+
+void add_bits(const std::uint64_t* lanes, CellRange range, std::span<std::uint64_t> words) {
+  HWY_DYNAMIC_DISPATCH(AddBits)(lanes, range, words);
+}
+
+bool any_ones(std::span<const std::uint64_t> lanes) { return HWY_DYNAMIC_DISPATCH(AnyOnes)(lanes); }
+
+}  // namespace csgsim::scan_line::kernels
+#endif
