@@ -89,9 +89,12 @@ void Cells::clear(CellRange range) {
   std::fill_n(&enable_[range.first], count, 0U);
 }
 
+/// Of a line that shows nothing, whose mark has no field, 0.
 void Cells::hold(const Packet& mark, CellRange range) {
+  const bool has_colour = !mark.background && mark.accesses.sources[0].count > 0;
+  const auto constant = static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : 0);
   for (std::uint32_t cell = range.first; cell < range.end; ++cell)
-    hold_[cell] = static_cast<std::uint32_t>(mark.background ? mark.instruction.constant : fetched_[cell]);
+    hold_[cell] = has_colour ? static_cast<std::uint32_t>(fetched_[cell]) : constant;
 }
 
 }  // namespace csgsim::scan_line

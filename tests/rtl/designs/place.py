@@ -21,8 +21,8 @@ BEGIN, END = "<!-- placed -->\n", "<!-- end -->"
 PARTS = {"hx8k": "HX8K", "up5k": "UP5K"}
 FULL, FED = "`pixel-planes-4`", "`pixel-planes-4`, fed over a serial line"
 WORDS = {FULL: [MODEL], FED: []}
-# Of each part the most pixels that fit with a row or column less than those that do not; and what else is worth knowing.
-ROWS = [(FULL, "hx8k", "8x8"), (FULL, "hx8k", "16x8"), (FULL, "up5k", "8x8"), (FED, "hx8k", "8x8"), (FULL, "hx8k", "16x9"), (FULL, "up5k", "9x8")]
+# Of each part the most pixels that fit, and a row or column more, which do not.
+ROWS = [(FULL, "hx8k", "8x8"), (FULL, "hx8k", "16x8"), (FULL, "hx8k", "16x9"), (FULL, "up5k", "9x8"), (FULL, "up5k", "10x8"), (FED, "hx8k", "8x8")]
 
 
 def placed(csgsim, words, part, size):
