@@ -46,7 +46,8 @@ std::set<std::string> files_below(const fs::path& folder) {
 /// All of hw/rtl, and what is written around it.
 std::set<std::string> with_modules(std::set<std::string> files) {
   for (const fs::directory_entry& entry : fs::directory_iterator(std::string(CSGSIM_SOURCE_DIR) + "/hw/rtl")) {
-    if (entry.path().extension() != ".md") files.insert("rtl/" + entry.path().filename().native());
+    if (entry.is_regular_file() && entry.path().extension() != ".md")
+      files.insert("rtl/" + entry.path().filename().native());
   }
   return files;
 }
@@ -72,8 +73,8 @@ TEST_CASE("a design with a Program is written whole, again over itself, and says
     CHECK(outcome.out.find("pixel-planes-4, 8 x 4 pixels with a Program; make -C d icarus") != std::string::npos);
   }
   CHECK(files_below(folder.path() / "d") ==
-        with_modules({"Makefile", "README.md", "begins.hex", "beside.py", "board.v", "hx8k.pcf", "png.py", "program.hex",
-                      "system.v", "testbench.v", "up5k.pcf"}));
+        with_modules({"Makefile", "README.md", "begins.hex", "beside.py", "board.v", "hx8k.pcf", "png.py",
+                      "program.hex", "system.v", "testbench.v", "up5k.pcf"}));
   check_filled(folder.path() / "d");
   const std::string system = content(folder / "d/system.v");
   CHECK(system.find(".WIDTH(8), ") != std::string::npos);
