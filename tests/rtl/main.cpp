@@ -15,24 +15,17 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
-#include <exception>
 #include <fstream>
 #include <limits>
-#include <map>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "hw/isa/opcodes.h"
-#include "hw/machines/regions.h"
 #include "tests/bench/typical_mix.h"
-#include "tests/lockstep/row.h"
+#include "tests/rtl/commands.h"
 #include "tests/rtl/lockstep.h"
 #include "tests/rtl/random_frames.h"
-#include "tests/support/drawing.h"
 
 namespace csgsim::rtl {
 
@@ -40,87 +33,19 @@ namespace {
 
 constexpr std::uint8_t planted_faults = 27;  ///< in hw/rtl/faults.vh
 
-using Words = std::vector<std::string>;
-
 /// The figures that are the host's: latency= and word= are clocks of the link.
-machines::Machine machine_with(const Words& words, std::size_t first) {
+machines::Machine machine_with(const Words& words) {
   machines::Machine machine = machine_of_parameters();
-  const std::map<std::string, std::uint32_t*> known{{"latency", &machine.link.latency},
-                                                    {"word", &machine.link.word_clocks}};
-  for (std::size_t i = first; i < words.size(); ++i) {
-    const std::size_t equals = words[i].find('=');
-    *known.at(words[i].substr(0, equals)) = static_cast<std::uint32_t>(std::stoul(words[i].substr(equals + 1)));
-  }
+  set_figures(words, {{"latency", &machine.link.latency}, {"word", &machine.link.word_clocks}});
   return machine;
 }
 
-int random_programs(const Words& words) {
-  const auto programs = static_cast<unsigned>(std::stoul(words.at(1)));
-  const std::size_t instructions = std::stoul(words.at(2));
-  Lockstep lockstep(machine_with(words, 3));
-  std::set<isa::Opcode> sent;
-  const int code = test::exit_code_of(programs, [&] {
-    return rc::check("the Verilog has the registers and the memory of the SystemC in every clock", [&] {
-      const std::vector<isa::Program> frames = *arbitrary_frames(machine_of_parameters(), instructions);
-      const std::string difference = lockstep.run(frames);
-      if (!difference.empty()) RC_FAIL(difference);
-      for (const isa::Program& frame : frames)
-        for (const isa::Segment& segment : frame.segments)
-          for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
-    });
-  });
-  const machines::Machine machine = machine_of_parameters();
-  std::size_t never = machine.evaluator_degree == 1 ? 1 : 0;  // `squares`, which such trees do not take
-  if (!machines::has_global_or(machine)) never += 2;          // and questions
-  constexpr unsigned many = 20;                               ///< fewer need not have every instruction
-  if (programs >= many && code == 0 && sent.size() + never != isa::opcode_table.size())
-    throw std::runtime_error("an instruction was never sent");
-  fmt::print("{} clocks compared\n", lockstep.clocks_compared());
-  return code;
-}
-
-int models(const Words& words) {
-  const machines::Machine machine = machine_of_parameters();
-  Lockstep lockstep(machine);
+testing::Setup setup_of(const machines::Machine& machine) {
   testing::Setup setup;
   setup.sampling.width = machine.array.width;
   setup.sampling.height = machine.array.height;
   setup.memory_bits = machine.array.memory_bits;
-  for (std::size_t i = 1; i < words.size(); ++i) {
-    const testing::Compiled compiled =
-        testing::compile_default_view(testing::model_path(words[i]), setup, view::Projection::perspective);
-    const std::string difference = lockstep.run({&compiled.program, 1});
-    if (!difference.empty()) throw std::runtime_error(words[i] + ": " + difference);
-    fmt::print("{}: equal, {} clocks compared so far\n", words[i], lockstep.clocks_compared());
-  }
-  return 0;
-}
-
-/// The number of sequences of random Programs until one notices the fault; 0 if none of so many does.
-unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned programs, std::size_t instructions) {
-  const auto any_frames = arbitrary_frames(machine_of_parameters(), instructions);
-  constexpr int size = 50;
-  for (unsigned i = 1; i <= programs; ++i) {
-    const std::vector<isa::Program> frames = any_frames(rc::Random(i), size).value();
-    if (!lockstep.run(frames, fault).empty()) return i;
-  }
-  return 0;
-}
-
-int faults(const Words& words) {
-  const auto programs = static_cast<unsigned>(std::stoul(words.at(1)));
-  const std::size_t instructions = std::stoul(words.at(2));
-  std::set<unsigned long> left_out;
-  for (std::size_t i = 3; i < words.size(); ++i) left_out.insert(std::stoul(words[i]));
-  Lockstep lockstep(machine_of_parameters());
-  if (noticed_by(lockstep, 0, programs, instructions) != 0) throw std::runtime_error("a difference without any fault");
-  int code = 0;
-  for (std::uint8_t fault = 1; fault <= planted_faults; ++fault) {
-    const unsigned noticed = noticed_by(lockstep, fault, programs, instructions);
-    fmt::print("fault {}: {}\n", fault, noticed == 0 ? "not noticed" : fmt::format("noticed by Program {}", noticed));
-    if ((noticed == 0) != left_out.contains(fault)) code = 1;
-  }
-  return code;
+  return setup;
 }
 
 /// Runs a frame on the Verilog alone. Returns its clocks.
@@ -207,9 +132,10 @@ int host(const Words& words) {
 int run(const Words& words) {
   if (words.at(0) == "host") return host(words);
   if (words.at(0) == "speed") return speed(words);
-  if (words.at(0) == "random") return random_programs(words);
-  if (words.at(0) == "models") return models(words);
-  if (words.at(0) == "faults") return faults(words);
+  const machines::Machine machine = machine_of_parameters();
+  if (words.at(0) == "random") return random_frames<Lockstep>(machine_with(words), arbitrary_frames, words);
+  if (words.at(0) == "models") return models<Lockstep>(machine, setup_of(machine), words);
+  if (words.at(0) == "faults") return faults<Lockstep>(machine, arbitrary_frames, planted_faults, words);
   throw std::invalid_argument("no such test: " + words.at(0));
 }
 
@@ -217,11 +143,4 @@ int run(const Words& words) {
 
 }  // namespace csgsim::rtl
 
-int main(int count, char** words) {
-  try {
-    return csgsim::rtl::run({words + 1, words + count});
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-  }
-  return 2;
-}
+int main(int count, char** words) { return csgsim::rtl::exit_code(count, words, csgsim::rtl::run); }

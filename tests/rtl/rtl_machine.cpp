@@ -11,21 +11,11 @@
 #include "Vprobed_planes.h"
 #include "hw/pixel_planes/figures.h"
 #include "tests/lockstep/lockstep.h"
+#include "tests/rtl/wires.h"
 
 namespace csgsim::rtl {
 
 namespace {
-
-template <std::unsigned_integral Number>
-void assign(Vector& to, Number from) {
-  to.assign(1, from);
-}
-
-template <std::size_t Words>
-void assign(Vector& to, const VlWide<Words>& from) {
-  to.assign((Words + 1) / 2, 0);
-  for (std::size_t i = 0; i < Words; ++i) to[i / 2] |= std::uint64_t{from[i]} << (i % 2 * 32);
-}
 
 template <std::unsigned_integral Number>
 void put(Number& to, const isa::LinkWord& word) {

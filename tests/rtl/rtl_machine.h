@@ -9,6 +9,7 @@
 
 #include "hw/isa/link_word.h"
 #include "hw/machines/machine.h"
+#include "tests/rtl/vector.h"
 
 /// The machine in Verilog, as Verilator made it, with the parameters of one build.
 namespace csgsim::rtl {
@@ -27,9 +28,6 @@ struct Inputs {
   isa::LinkWord word{};
   std::uint8_t fault = 0;  ///< number of the planted fault (hw/rtl/faults.vh); 0: none
 };
-
-/// Bit i of a vector is bit i % 64 of word i / 64.
-using Vector = std::vector<std::uint64_t>;
 
 /// The counters of hw/rtl/counters.v, as the machine's stats have them.
 inline constexpr auto counted =

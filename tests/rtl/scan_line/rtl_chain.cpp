@@ -5,26 +5,15 @@
 #include <verilated.h>
 
 #include <concepts>
-#include <cstddef>
 
 #include "Vprobed_chain.h"
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
+#include "tests/rtl/wires.h"
 
 namespace csgsim::rtl {
 
 namespace {
-
-template <std::unsigned_integral Number>
-void assign(Vector& to, Number from) {
-  to.assign(1, from);
-}
-
-template <std::size_t Words>
-void assign(Vector& to, const VlWide<Words>& from) {
-  to.assign((Words + 1) / 2, 0);
-  for (std::size_t i = 0; i < Words; ++i) to[i / 2] |= std::uint64_t{from[i]} << (i % 2 * 32);
-}
 
 template <std::unsigned_integral Wire, class Number>
 void put(Wire& wire, Number value) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
+#include "tests/rtl/vector.h"
 #include "tests/support/plain_cells.h"
 
 /// The chain in Verilog, as Verilator made it, with the parameters of one build.
@@ -12,9 +13,6 @@ namespace csgsim::rtl {
 
 /// What the parameters say of a scan-line array, whose picture is as wide as the chain.
 machines::Machine chain_of_parameters();
-
-/// Bit i of a vector is bit i % 64 of word i / 64.
-using Vector = std::vector<std::uint64_t>;
 
 /// On the wires from the chain after an edge: of each cell as many bits, those of cell 0 first.
 struct ChainRegisters {

@@ -1,0 +1,42 @@
+#include "tests/rtl/commands.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "hw/isa/opcodes.h"
+#include "hw/machines/regions.h"
+
+namespace csgsim::rtl {
+
+void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>& known) {
+  for (std::size_t i = 3; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    *known.at(words[i].substr(0, equals)) = static_cast<std::uint32_t>(std::stoul(words[i].substr(equals + 1)));
+  }
+}
+
+void add_instructions(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent) {
+  for (const isa::Program& program : programs)
+    for (const isa::Segment& segment : program.segments)
+      for (const isa::Instruction& instruction : segment.instructions) sent.insert(instruction.opcode);
+}
+
+std::size_t possible_instructions(const machines::Machine& machine) {
+  const auto fits = [&](const isa::OpcodeInfo& row) {
+    if (isa::is_question(row.opcode)) return machines::has_global_or(machine);
+    return machine.evaluator_degree > 1 || row.opcode != isa::Opcode::squares;
+  };
+  return static_cast<std::size_t>(std::count_if(isa::opcode_table.begin(), isa::opcode_table.end(), fits));
+}
+
+int exit_code(int count, char** words, const std::function<int(const Words&)>& run) {
+  try {
+    return run({words + 1, words + count});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  }
+  return 2;
+}
+
+}  // namespace csgsim::rtl

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <fmt/format.h>
+#include <rapidcheck.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <set>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hw/isa/program.h"
+#include "hw/machines/machine.h"
+#include "tests/lockstep/row.h"
+#include "tests/support/drawing.h"
+
+/// The commands of a program that runs a machine in SystemC and one in Verilog in lockstep. Their Lockstep has
+/// run(Programs, fault), which returns the first difference, or nothing, and clocks_compared().
+namespace csgsim::rtl {
+
+using Words = std::vector<std::string>;
+
+/// Programs that follow each other, with so many instructions a segment at most.
+using AnyFrames = std::function<rc::Gen<std::vector<isa::Program>>(const machines::Machine&, std::size_t instructions)>;
+
+/// Sets figures of the host: words from the third on are KEY=NUMBER.
+void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>& known);
+
+/// Adds the instructions that the Programs have.
+void add_instructions(std::span<const isa::Program> programs, std::set<isa::Opcode>& sent);
+
+/// Instructions of the table that a random Program for the machine may have.
+std::size_t possible_instructions(const machines::Machine& machine);
+
+/// random SEQUENCES INSTRUCTIONS ...: draws so many. Throws if an instruction that there may be never came.
+template <class Lockstep>
+int random_frames(const machines::Machine& machine, const AnyFrames& any_frames, const Words& words) {
+  const auto sequences = static_cast<unsigned>(std::stoul(words.at(1)));
+  const std::size_t instructions = std::stoul(words.at(2));
+  Lockstep lockstep(machine);
+  std::set<isa::Opcode> sent;
+  const int code = test::exit_code_of(sequences, [&] {
+    return rc::check("the Verilog has the registers and the memory of the SystemC in every clock", [&] {
+      const std::vector<isa::Program> frames = *any_frames(machine, instructions);
+      const std::string difference = lockstep.run(frames, 0);
+      if (!difference.empty()) RC_FAIL(difference);
+      add_instructions(frames, sent);
+    });
+  });
+  constexpr unsigned many = 20;  ///< fewer need not have every instruction
+  if (sequences >= many && code == 0 && sent.size() != possible_instructions(machine))
+    throw std::runtime_error(
+        fmt::format("{} instructions were sent of {}", sent.size(), possible_instructions(machine)));
+  fmt::print("{} clocks compared\n", lockstep.clocks_compared());
+  return code;
+}
+
+/// models MODEL...: draws test models.
+template <class Lockstep>
+int models(const machines::Machine& machine, const testing::Setup& setup, const Words& words) {
+  Lockstep lockstep(machine);
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const testing::Compiled compiled =
+        testing::compile_default_view(testing::model_path(words[i]), setup, view::Projection::perspective);
+    const std::string difference = lockstep.run({&compiled.program, 1}, 0);
+    if (!difference.empty()) throw std::runtime_error(words[i] + ": " + difference);
+    fmt::print("{}: equal, {} clocks compared so far\n", words[i], lockstep.clocks_compared());
+  }
+  return 0;
+}
+
+/// The number of random sequences until one notices the fault; 0 if none of so many does.
+template <class Lockstep>
+unsigned noticed_by(Lockstep& lockstep, std::uint8_t fault, unsigned sequences,
+                    const rc::Gen<std::vector<isa::Program>>& any_frames) {
+  constexpr int size = 50;
+  for (unsigned i = 1; i <= sequences; ++i) {
+    const std::vector<isa::Program> frames = any_frames(rc::Random(i), size).value();
+    if (!lockstep.run(frames, fault).empty()) return i;
+  }
+  return 0;
+}
+
+/// faults SEQUENCES INSTRUCTIONS NUMBER...: all so many planted faults but those are noticed, and those are not.
+template <class Lockstep>
+int faults(const machines::Machine& machine, const AnyFrames& any_frames, std::uint8_t planted, const Words& words) {
+  const auto sequences = static_cast<unsigned>(std::stoul(words.at(1)));
+  const rc::Gen<std::vector<isa::Program>> frames = any_frames(machine, std::stoul(words.at(2)));
+  std::set<unsigned long> left_out;
+  for (std::size_t i = 3; i < words.size(); ++i) left_out.insert(std::stoul(words[i]));
+  Lockstep lockstep(machine);
+  if (noticed_by(lockstep, 0, sequences, frames) != 0) throw std::runtime_error("a difference without any fault");
+  int code = 0;
+  for (std::uint8_t fault = 1; fault <= planted; ++fault) {
+    const unsigned noticed = noticed_by(lockstep, fault, sequences, frames);
+    fmt::print("fault {}: {}\n", fault, noticed == 0 ? "not noticed" : fmt::format("noticed by sequence {}", noticed));
+    if ((noticed == 0) != left_out.contains(fault)) code = 1;
+  }
+  return code;
+}
+
+/// What main returns: of `run`, or 2 if it throws.
+int exit_code(int count, char** words, const std::function<int(const Words&)>& run);
+
+}  // namespace csgsim::rtl

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <verilated.h>
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+
+#include "tests/rtl/vector.h"
+
+namespace csgsim::rtl {
+
+/// What is on wires, of which Verilator makes a number, or words of 32 bits.
+template <std::unsigned_integral Number>
+void assign(Vector& to, Number from) {
+  to.assign(1, from);
+}
+
+template <std::size_t Words>
+void assign(Vector& to, const VlWide<Words>& from) {
+  to.assign((Words + 1) / 2, 0);
+  for (std::size_t i = 0; i < Words; ++i) to[i / 2] |= std::uint64_t{from[i]} << (i % 2 * 32);
+}
+
+}  // namespace csgsim::rtl
