@@ -13,6 +13,8 @@ namespace csgsim::csg {
 namespace HWY_NAMESPACE {
 namespace {
 
+#if HWY_HAVE_FLOAT64
+
 namespace hn = hwy::HWY_NAMESPACE;
 
 using Tag = hn::CappedTag<double, farthest_row>;
@@ -58,6 +60,24 @@ std::size_t first_farthest_of(const std::array<std::span<const double>, 3>& axes
   }
   return size;
 }
+
+#else
+
+std::size_t first_farthest_of(const std::array<std::span<const double>, 3>& axes, const glm::dvec3& direction) {
+  const auto& [x, y, z] = axes;
+  double most = -std::numeric_limits<double>::infinity();
+  std::size_t farthest = x.size();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double found = x[i] * direction.x + y[i] * direction.y + z[i] * direction.z;
+    if (farthest < x.size() ? found > most : found >= most) {
+      most = found;
+      farthest = i;
+    }
+  }
+  return farthest;
+}
+
+#endif
 
 }  // namespace
 }  // namespace HWY_NAMESPACE
