@@ -82,7 +82,7 @@ def row(csgsim, size):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("csgsim", type=existing)
-    parser.add_argument("sizes", nargs="*", default=["8x8", "16x16"])
+    parser.add_argument("sizes", nargs="*", default=["8x8", "16x16", "64x64"])
     options = parser.parse_args()
     print("| pixels | Icarus, µs a clock | Verilator | csgsim, trees stepped | csgsim | Verilator, ns a pixel and clock | csgsim |")
     print("|--:|--:|--:|--:|--:|--:|--:|")
