@@ -240,6 +240,9 @@ def main():
     parser.add_argument("wave", type=pathlib.Path)
     parser.add_argument("-o", dest="output", type=pathlib.Path, default=pathlib.Path("beside.vcd"))
     options = parser.parse_args()
+    for path in (options.wave, options.wave.with_suffix(".gtkw")):
+        if not path.exists():
+            sys.exit(f"beside.py: there is no {path}; csgsim wave MODEL ... --pixel 5,5 --window 0:200 -o {options.wave} writes it")
     ours = Wave(options.wave)
     clocks = Clocks(ours)
     wires = options.output.with_suffix(".wires.vcd")
