@@ -54,14 +54,7 @@ bool clip_corners(std::vector<glm::dvec3>& corners, const facet::Plane& plane, d
 class Around {
  public:
   explicit Around(const std::vector<glm::dvec3>& corners) {
-    glm::dvec3 low = corners.front();
-    glm::dvec3 high = low;
-    for (const glm::dvec3& corner : corners) {
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = corner[axis] < low[axis] ? corner[axis] : low[axis];
-        high[axis] = corner[axis] > high[axis] ? corner[axis] : high[axis];
-      }
-    }
+    const auto [low, high] = facet::box_of(corners);
     middle_ = (low + high) / 2.0;
     half_ = (high - low) * 0.5000001;
   }

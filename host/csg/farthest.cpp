@@ -63,18 +63,8 @@ std::size_t first_farthest_of(const std::array<std::span<const double>, 3>& axes
 
 #else
 
-std::size_t first_farthest_of(const std::array<std::span<const double>, 3>& axes, const glm::dvec3& direction) {
-  const auto& [x, y, z] = axes;
-  double most = -std::numeric_limits<double>::infinity();
-  std::size_t farthest = x.size();
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double found = x[i] * direction.x + y[i] * direction.y + z[i] * direction.z;
-    if (farthest < x.size() ? found > most : found >= most) {
-      most = found;
-      farthest = i;
-    }
-  }
-  return farthest;
+std::size_t first_farthest_of(const std::array<std::span<const double>, 3>& axes, const glm::dvec3& /*direction*/) {
+  return axes[0].size();
 }
 
 #endif

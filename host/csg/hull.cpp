@@ -12,14 +12,6 @@ namespace {
 /// Points that are looked at one after another.
 constexpr std::size_t few_points = 12;
 
-/// Like glm::min() and glm::max(), which take several times as many instructions.
-void widen(glm::dvec3& low, glm::dvec3& high, const glm::dvec3& point) {
-  for (int axis = 0; axis < 3; ++axis) {
-    low[axis] = point[axis] < low[axis] ? point[axis] : low[axis];
-    high[axis] = point[axis] > high[axis] ? point[axis] : high[axis];
-  }
-}
-
 const glm::dvec3& farthest_by_one(std::span<const glm::dvec3> points, const glm::dvec3& direction) {
   std::size_t best = 0;
   double most = glm::dot(points[0], direction);
@@ -34,11 +26,7 @@ const glm::dvec3& farthest_by_one(std::span<const glm::dvec3> points, const glm:
 
 }  // namespace
 
-Hull::Hull(std::span<const glm::dvec3> points) : points_(points) {
-  if (points.empty()) return;
-  low_ = high_ = points.front();
-  for (const glm::dvec3& point : points) widen(low_, high_, point);
-}
+Hull::Hull(std::span<const glm::dvec3> points) : points_(points), box_(facet::box_of(points)) {}
 
 void Hull::arrange() {
   const std::size_t size = (points_.size() + farthest_row - 1) / farthest_row * farthest_row;
@@ -58,7 +46,7 @@ const glm::dvec3& Hull::support(const glm::dvec3& direction) {
   if (axes_[0].empty()) arrange();
   const std::size_t found = csg::first_farthest({axes_[0], axes_[1], axes_[2]}, direction);
   if (found < points_.size()) return points_[found];
-  // Something is not a number.
+  // Something is not a number, or there are no vectors of them.
   return farthest_by_one(points_, direction);
 }
 

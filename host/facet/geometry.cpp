@@ -148,8 +148,15 @@ Box common(const Box& a, const Box& b) {
 }
 
 Box box_of(std::span<const glm::dvec3> points) {
-  Box box;
-  for (const glm::dvec3& point : points) box = hull(box, point);
+  if (points.empty()) return {};
+  Box box{points.front(), points.front()};
+  for (const glm::dvec3& point : points) {
+    // Like glm::min() and glm::max(), which take several times as many instructions.
+    for (int axis = 0; axis < 3; ++axis) {
+      box.low[axis] = point[axis] < box.low[axis] ? point[axis] : box.low[axis];
+      box.high[axis] = point[axis] > box.high[axis] ? point[axis] : box.high[axis];
+    }
+  }
   return box;
 }
 

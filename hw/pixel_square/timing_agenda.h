@@ -38,6 +38,11 @@ struct PartNumbers {
   [[nodiscard]] std::size_t count() const { return processor(processors); }
 };
 
+/// Who comes after `number` of so many that take turns.
+constexpr std::size_t next_in_turn(std::size_t number, std::size_t count) {
+  return number + 1 == count ? 0 : number + 1;
+}
+
 /// When which part acts next. A part sleeps while nothing but another part can let it go on. Most parts act again at
 /// the next edge: those of this edge and of the next are sets of bits, the others a heap.
 class Agenda {

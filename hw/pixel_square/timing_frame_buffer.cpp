@@ -27,13 +27,13 @@ void FrameBufferTiming::store(Time now) {
   std::size_t served = 0;
   bool word_follows = false;
   std::size_t port = turn_;
-  for (std::size_t i = 0; i < ports; ++i, port = port + 1 == ports ? 0 : port + 1) {
+  for (std::size_t i = 0; i < ports; ++i, port = next_in_turn(port, ports)) {
     if (!clears_now(port) && !ports_[port]->word_follows()) continue;
     const std::optional<TimedPortWord> word = waiting(port, now);
     if (word && served < turns && take_bank(*word)) {
       take(port, *word, now);
       ++served;
-      turn_ = port + 1 == ports ? 0 : port + 1;
+      turn_ = next_in_turn(port, ports);
     }
     word_follows = word_follows || word || ports_[port]->word_follows();
   }

@@ -29,12 +29,12 @@ void RingTiming::carry(Time now) {
   std::size_t carried = 0;
   bool look_again = false;
   std::size_t source = turn_;
-  for (std::size_t i = 0; i < sources && carried < channels_; ++i, source = source + 1 == sources ? 0 : source + 1) {
+  for (std::size_t i = 0; i < sources && carried < channels_; ++i, source = next_in_turn(source, sources)) {
     const Found found = carry_from(source, now);
     look_again = look_again || found == Found::later || found == Found::carried;
     if (found != Found::carried) continue;
     ++carried;
-    turn_ = source + 1 == sources ? 0 : source + 1;
+    turn_ = next_in_turn(source, sources);
   }
   words_ += carried;
   if (carried > 0) {

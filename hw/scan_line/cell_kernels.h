@@ -27,7 +27,7 @@ struct Lanes {
   std::uint64_t* enable = nullptr;
   std::array<std::uint64_t*, 2> fetched{};  ///< fields that have been read; a root is taken in the first
   std::uint64_t* value = nullptr;           ///< what the ALU has made of the operands so far
-  std::uint64_t* flags = nullptr;           ///< and found (kernels.cpp), or of a root
+  std::uint64_t* flags = nullptr;           ///< and found (cell_kernels.cpp), or of a root
   std::uint64_t* writes = nullptr;          ///< whether F is written
 };
 

@@ -9,6 +9,10 @@
 
 namespace csgsim::rtl {
 
+std::uint32_t pick(std::uint32_t least, std::uint32_t most) {
+  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, most + 1));
+}
+
 void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>& known) {
   for (std::size_t i = 3; i < words.size(); ++i) {
     const std::size_t equals = words[i].find('=');

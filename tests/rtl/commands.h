@@ -27,6 +27,9 @@ using Words = std::vector<std::string>;
 /// Programs that follow each other, with so many instructions a segment at most.
 using AnyFrames = std::function<rc::Gen<std::vector<isa::Program>>(const machines::Machine&, std::size_t instructions)>;
 
+/// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
+std::uint32_t pick(std::uint32_t least, std::uint32_t most);
+
 /// Sets figures of the host: words from the third on are KEY=NUMBER.
 void set_figures(const Words& words, const std::map<std::string, std::uint32_t*>& known);
 

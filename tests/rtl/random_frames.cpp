@@ -3,26 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "hw/isa/opcode.h"
 #include "hw/machines/regions.h"
+#include "tests/rtl/commands.h"
 #include "tests/support/random_program.h"
 
 namespace csgsim::rtl {
-
-namespace {
-
-/// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
-std::uint32_t pick(std::uint32_t least, std::uint32_t most) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, most + 1));
-}
-
-void erase_questions(isa::Program& program) {
-  for (isa::Segment& segment : program.segments)
-    std::erase_if(segment.instructions,
-                  [](const isa::Instruction& instruction) { return isa::is_question(instruction.opcode); });
-}
-
-}  // namespace
 
 rc::Gen<std::vector<isa::Program>> arbitrary_frames(const machines::Machine& machine, std::size_t instructions) {
   return rc::gen::exec([=] {
@@ -34,7 +19,8 @@ rc::Gen<std::vector<isa::Program>> arbitrary_frames(const machines::Machine& mac
     std::vector<isa::Program> frames(pick(1, 3));
     for (isa::Program& frame : frames) {
       frame = *test::arbitrary_program(shape, instructions / frames.size(), machine.evaluator_degree);
-      if (!machines::has_global_or(machine)) erase_questions(frame);
+      if (!machines::has_global_or(machine))
+        for (isa::Segment& segment : frame.segments) test::erase_questions(segment.instructions);
       frame.facts.fields.clear();
       frame.colour = {static_cast<std::uint16_t>(pick(0, shape.memory_bits - width)),
                       static_cast<std::uint16_t>(width)};

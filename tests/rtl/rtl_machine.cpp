@@ -75,10 +75,7 @@ void Machine::clock(const Inputs& inputs) {
   top.frame = inputs.frame ? 1 : 0;
   top.word_valid = inputs.word_valid ? 1 : 0;
   put(top.word, inputs.word);
-  top.clk = 0;
-  top.eval();
-  top.clk = 1;
-  top.eval();
+  step(top);
 }
 
 void Machine::read_host() {

@@ -22,4 +22,13 @@ void assign(Vector& to, const VlWide<Words>& from) {
   for (std::size_t i = 0; i < Words; ++i) to[i / 2] |= std::uint64_t{from[i]} << (i % 2 * 32);
 }
 
+/// A rising edge of the clock.
+template <class Top>
+void step(Top& top) {
+  top.clk = 0;
+  top.eval();
+  top.clk = 1;
+  top.eval();
+}
+
 }  // namespace csgsim::rtl

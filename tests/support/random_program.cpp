@@ -451,6 +451,10 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
   });
 }
 
+void erase_questions(std::vector<Instruction>& instructions) {
+  std::erase_if(instructions, [](const Instruction& instruction) { return isa::is_question(instruction.opcode); });
+}
+
 rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machine, std::size_t max_instructions,
                                                  unsigned degree) {
   return rc::gen::exec([=] {
@@ -473,8 +477,7 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
           if (instruction.opcode == Opcode::global_or)
             instruction = {Opcode::enable_invert, {}, {}, 0, instruction.origin};
       } else {
-        std::erase_if(instructions,
-                      [](const Instruction& instruction) { return isa::is_question(instruction.opcode); });
+        erase_questions(instructions);
       }
       if (pick(0U, 9U) < without) instructions.clear();
     }

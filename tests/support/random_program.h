@@ -30,6 +30,9 @@ rc::Gen<isa::Instruction> arbitrary_instruction(isa::ArrayShape region, std::uin
 /// engines to be held against each other.
 rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_instructions, unsigned degree = 1);
 
+/// For a machine without a global OR.
+void erase_questions(std::vector<isa::Instruction>& instructions);
+
 /// As those, for a machine that works on parts of the picture: a segment for each of machines::regions. Some, sometimes
 /// all, have no instructions, and none asks for an answer to the host; some skip, if the
 /// machine has a global OR. Some Programs have no colour.

@@ -10,20 +10,10 @@ import pathlib
 import sys
 import tempfile
 
-from tools import MODELS, ROOT, attempt, existing, run, skip_without, stop
+from tools import MODELS, attempt, existing, plant, run, skip_without, stop
 
 MODEL = MODELS / "thesis_fig_2_3.csg"
 FAULTS = {"FAULT_CARRY": "carry", "FAULT_TREE_ADDER": "tree_bit", "FAULT_ENABLE": "enable"}
-
-
-def plant(folder, fault):
-    """In the design's own copy of the modules."""
-    path = folder / "rtl/faults.vh"
-    text = (ROOT / "hw/rtl/faults.vh").read_text()
-    none = "FAULT(NUMBER) 1'b0"
-    if none not in text:
-        stop(f"faults.vh has no {none}")
-    path.write_text(text.replace(none, f"FAULT(NUMBER) (NUMBER == `{fault})"))
 
 
 def check(csgsim, folder):
@@ -41,7 +31,7 @@ def check(csgsim, folder):
     if "verilog.pixel_0_7.enable" not in view:
         stop("beside.gtkw does not show the Verilog's pixel")
     for fault, signal in FAULTS.items():
-        plant(folder, fault)
+        plant(folder, f"`{fault}")
         done = attempt(beside)
         if done.returncode == 0 or f".{signal} is " not in done.stdout:
             stop(f"{fault} does not show in {signal}:\n{done.stdout}{done.stderr}")

@@ -8,14 +8,13 @@ next, are those of csgsim's clocked level. Then the same of a netlist with each 
 The exit code is 77 where Yosys or Icarus is not there."""
 
 import argparse
-import json
 import pathlib
 import re
 import shutil
 import sys
 import tempfile
 
-from tools import MODELS, existing, run, skip_without, stop
+from tools import MODELS, designed, existing, plant, run, skip_without
 
 MODEL = MODELS / "thesis_fig_2_3.csg"
 FIGURES = ["--size", "4x4", "--colour-bits", "6", "--set", "scan_out.pixels=1", "--set", "link.fifo_depth=2"]
@@ -26,16 +25,6 @@ TIMES = {"clocks": "drawn", "interval_clocks": "next", "shown_clocks": "shown"}
 def cell_models():
     """Yosys' models of an iCE40's cells."""
     return pathlib.Path(shutil.which("yosys")).resolve().parents[1] / "share/yosys/ice40/cells_sim.v"
-
-
-def plant(folder, fault):
-    """Builds the fault of that number in, as Yosys takes no reference upwards to the wires that choose one."""
-    faults = folder / "rtl/faults.vh"
-    none = "`define FAULT(NUMBER) 1'b0"
-    text = faults.read_text()
-    if none not in text:
-        stop(f"faults.vh has no {none}")
-    faults.write_text(text.replace(none, f"`define FAULT(NUMBER) (NUMBER == {fault})"))
 
 
 def synthesise(folder):
@@ -53,9 +42,7 @@ def drawn(folder):
 
 def differences(csgsim, fault, folder):
     """What is not as csgsim has it, a line each."""
-    run([csgsim, "rtl", "pixel-planes-4", MODEL, *FIGURES, "-o", folder, "--quiet"])
-    run([csgsim, "render", MODEL, *FIGURES, "--level", "cycle", "-o", folder / "csgsim.ppm", "--stats", folder / "csgsim.json", "--quiet"])
-    stats = json.loads((folder / "csgsim.json").read_text())
+    stats = designed(csgsim, "pixel-planes-4", [MODEL, *FIGURES], folder)
     if fault:
         plant(folder, fault)
     synthesise(folder)

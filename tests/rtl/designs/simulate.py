@@ -17,7 +17,7 @@ import sys
 import tempfile
 from dataclasses import dataclass
 
-from tools import MODELS, existing, run, skip_without, stop
+from tools import MODELS, designed, existing, run, skip_without, stop
 
 PROGRAMS = {"icarus": ["iverilog", "vvp"], "verilator": ["verilator"]}
 PARTS = ["issuing", "clearing", "starved", "answering", "jumping", "draining"]
@@ -104,10 +104,7 @@ def compare(csgsim, simulator, name, folder):
     row = ROWS[name]
     model = MODELS / f"{row.model}.csg"
     words = [str(model), "--size", row.size, *row.options]
-    run([csgsim, "rtl", row.machine, *words, "-o", folder, "--quiet"])
-    run([csgsim, "render", *words, "--machine", row.machine, "--level", "cycle", "-o", folder / "csgsim.ppm",
-         "--stats", folder / "csgsim.json", "--quiet"])
-    stats = json.loads((folder / "csgsim.json").read_text())
+    stats = designed(csgsim, row.machine, words, folder)
     told, warned = drawn(simulator, row.frames, folder)
     wrong = []
 

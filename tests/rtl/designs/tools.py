@@ -1,5 +1,6 @@
 """What the scripts of this folder share: commands that they run, and where things are."""
 
+import json
 import pathlib
 import shutil
 import subprocess
@@ -25,6 +26,23 @@ def run(command, folder=None):
     if done.returncode != 0:
         stop(f"{' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
     return done
+
+
+def plant(folder, fault):
+    """Builds a fault of hw/rtl/faults.vh, by number or by macro, into a design's own copy of the modules, in place of any other."""
+    none = "FAULT(NUMBER) 1'b0"
+    text = (ROOT / "hw/rtl/faults.vh").read_text()
+    if none not in text:
+        stop(f"faults.vh has no {none}")
+    (folder / "rtl/faults.vh").write_text(text.replace(none, f"FAULT(NUMBER) (NUMBER == {fault})"))
+
+
+def designed(csgsim, machine, words, folder):
+    """Writes a design, and what csgsim's clocked level draws, csgsim.ppm. Returns its stats."""
+    run([csgsim, "rtl", machine, *words, "-o", folder, "--quiet"])
+    run([csgsim, "render", *words, "--machine", machine, "--level", "cycle", "-o", folder / "csgsim.ppm", "--stats",
+         folder / "csgsim.json", "--quiet"])
+    return json.loads((folder / "csgsim.json").read_text())
 
 
 def existing(path):

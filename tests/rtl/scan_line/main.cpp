@@ -29,11 +29,6 @@ machines::Machine machine_with(const Words& words) {
   return machine;
 }
 
-/// Any number of `least` to `most`, whatever the size that rapidcheck has come to.
-std::uint32_t pick(std::uint32_t least, std::uint32_t most) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, most + 1));
-}
-
 /// Of one width mostly, and one to three lines each.
 rc::Gen<std::vector<isa::Program>> arbitrary_pictures(const machines::Machine& machine, std::size_t instructions) {
   return rc::gen::exec([=] {

@@ -55,7 +55,7 @@ struct RtlChain::Verilated {
 
 RtlChain::RtlChain() : verilated_(std::make_unique<Verilated>()) {
   verilated_->top.reset = 1;
-  clock();
+  step(verilated_->top);
   verilated_->top.reset = 0;
   read();
 }
@@ -88,16 +88,8 @@ void RtlChain::edge(const test::PlainBeat& entry, std::uint32_t pixels, std::uin
   put(top.entry_linear_width, entry.instruction.linear.width);
   put(top.entry_linear_shift, entry.instruction.linear.shift);
   put(top.entry_constant, entry.instruction.constant);
-  clock();
+  step(top);
   read();
-}
-
-void RtlChain::clock() {
-  Vprobed_chain& top = verilated_->top;
-  top.clk = 0;
-  top.eval();
-  top.clk = 1;
-  top.eval();
 }
 
 void RtlChain::read() {

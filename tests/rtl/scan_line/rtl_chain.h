@@ -55,7 +55,6 @@ class RtlChain {
 
  private:
   struct Verilated;
-  void clock();
   void read();
 
   std::unique_ptr<Verilated> verilated_;
