@@ -86,7 +86,7 @@ TEST_CASE("random solids whose faces often coincide: closed, and winding once ar
     RC_ASSERT(testing::fault_of(mesh) == "");
     std::mt19937_64 points(seed);
     std::uniform_real_distribution<double> place(-4, 4);
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 180; ++i) {
       const glm::dvec3 point(place(points), place(points), place(points));
       const testing::Held held = testing::held_by(tree, point, 1e-6);
       if (held == testing::Held::unsure) continue;
