@@ -216,12 +216,13 @@ class FrameModel {
     std::uint64_t slowest = now;
     // By columns and rows; where nodes branch, by where they are too.
     std::map<std::array<std::uint32_t, 4>, std::uint64_t> known;
+    const RenderingClocks rendering(part, machine_);
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = own_pixels(region, i);
       const bool is_alike = part.met == nullptr;
       const auto [one, is_new] =
           known.try_emplace({own.columns, own.rows, is_alike ? 0 : own.first_x, is_alike ? 0 : own.first_y});
-      if (is_new) one->second = refresh_.end_of(now, rendering_clocks(part, own, colour_, machine_));
+      if (is_new) one->second = refresh_.end_of(now, rendering.all(own, colour_));
       counted_.nodes[i].add(NodeActivity::rendering, one->second - now);
       slowest = std::max(slowest, one->second);
     }
@@ -253,13 +254,14 @@ class FrameModel {
       whole.end = std::max(whole.end, one.end);
     };
     std::vector<ClockSpan>& issued = wanted_.timeline->issued[number];
+    const RenderingClocks rendering(part, machine_);
     for (std::uint32_t i = 0; i < counted_.nodes.size(); ++i) {
       const NodePixels own = own_pixels(segment.region, i);
       if (own.count() == 0) continue;
       if (part.begins)
         widen(wanted_.timeline->cleared[number], told({0, clearing_clocks(own, machine_)}, begin, refresh_));
-      const auto first = spans_at_pixel(part, own, 0, 0, machine_);
-      const auto last = spans_at_pixel(part, own, own.columns - 1, own.rows - 1, machine_);
+      const auto first = rendering.spans_at(own, 0, 0);
+      const auto last = rendering.spans_at(own, own.columns - 1, own.rows - 1);
       for (std::size_t index = 0; index < first.size(); ++index)
         widen(issued[piece.first + index], told({first[index].begin, last[index].end}, begin, refresh_));
     }
@@ -364,8 +366,8 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   }
   std::vector<ClockSpan> all;
   for (const BegunPart& one : parts) {
-    for (const ClockSpan& span : spans_at_pixel(one.part, own, column, row, machine))
-      all.push_back(told(span, one.begin, refresh));
+    const RenderingClocks rendering(one.part, machine);
+    for (const ClockSpan& span : rendering.spans_at(own, column, row)) all.push_back(told(span, one.begin, refresh));
   }
   return all;
 }

@@ -69,10 +69,10 @@ void check_pixels(const multi_processor::PixelMemory& memory, const NodePixels& 
 void check_moments(const std::vector<std::vector<multi_processor::PixelMoment>>& moments,
                    const std::vector<multi_processor::NodeState>& steps, const std::vector<isa::Instruction>& list,
                    const NodePixels& own, const machines::MetPixels* met, const machines::Machine& machine) {
+  const multi_processor::RenderingClocks clocks({.instructions = list, .met = met}, machine);
   for (std::uint32_t pixel = 0; pixel < moments.size(); ++pixel) {
     RC_ASSERT(moments[pixel].size() == list.size());
-    const auto spans = multi_processor::spans_at_pixel({.instructions = list, .met = met}, own, pixel % own.columns,
-                                                       pixel / own.columns, machine);
+    const auto spans = clocks.spans_at(own, pixel % own.columns, pixel / own.columns);
     for (std::size_t i = 0; i < list.size(); ++i) {
       const multi_processor::PixelMoment& moment = moments[pixel][i];
       RC_ASSERT(moment.index == i);
@@ -127,7 +127,7 @@ TEST_CASE("nodes leave the reference's bits after every instruction of any list,
       }
       RC_ASSERT(renderer.store_colours(colour).size() == own.count());
       const auto clocks = [&](const machines::MetPixels* pixels) {
-        return multi_processor::rendering_clocks({.instructions = list, .met = pixels}, own, colour, machine);
+        return multi_processor::RenderingClocks({.instructions = list, .met = pixels}, machine).all(own, colour);
       };
       RC_ASSERT(renderer.clocks() == clocks(met));
       RC_ASSERT(renderer.clocks() <= clocks(nullptr));
@@ -224,7 +224,7 @@ TEST_CASE("a node gets the numbers of an instruction out of its bits: a hand cal
   const std::vector<isa::Instruction> list{
       {.opcode = isa::Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}}};
   const auto clocks = [&] {
-    return multi_processor::rendering_clocks({.instructions = list}, {0, 0, 1, 1}, {0, 8}, machine);
+    return multi_processor::RenderingClocks({.instructions = list}, machine).all({0, 0, 1, 1}, {0, 8});
   };
   const std::uint64_t before = clocks();
   figures.field_clocks = 73;
@@ -293,7 +293,7 @@ TEST_CASE("a native node decodes a list once, and then calls its instructions: h
     const auto of = [&](multi_processor::NodeProgram program) {
       figures.order = order;
       figures.chain.program = program;
-      return multi_processor::rendering_clocks({.instructions = list}, {0, 0, 3, 5}, {0, 8}, machine);
+      return multi_processor::RenderingClocks({.instructions = list}, machine).all({0, 0, 3, 5}, {0, 8});
     };
     const std::uint64_t interpreted = of(multi_processor::NodeProgram::interpreted);
     return static_cast<std::int64_t>(of(multi_processor::NodeProgram::native) - interpreted);
