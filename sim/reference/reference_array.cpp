@@ -1,6 +1,9 @@
 #include "sim/reference/reference_array.h"
 
 #include <algorithm>
+#include <bit>
+#include <functional>
+#include <numeric>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
@@ -35,11 +38,10 @@ std::uint64_t root_of(std::uint64_t square) {
 
 /// What `root` makes of a field of 2w + 1 bits.
 std::uint64_t with_root(std::uint64_t field, unsigned w) {
-  const std::uint64_t square = field & ((std::uint64_t{1} << 2 * w) - 1);
+  const std::uint64_t square = field & low_bits(2 * w);
   const std::uint64_t root = root_of(square);
   const std::uint64_t odd = root | 1U;
-  const std::uint64_t low_bits = (std::uint64_t{2} << w) - 1;
-  return root << (w + 1) | ((square - odd * odd) & low_bits);
+  return root << (w + 1) | ((square - odd * odd) & low_bits(w + 1));
 }
 
 /// Does the number fit `width` bits of two's complement?
@@ -50,12 +52,8 @@ bool fits_signed(Wide number, unsigned width) {
 
 /// F: the low `width` bits as a two's complement number, shifted right with floor.
 std::int64_t value_of_f(Wide sum, const isa::Linear& linear) {
-  const auto bits = static_cast<std::uint64_t>(sum);
-  std::int64_t number = 0;
-  for (unsigned bit = 0; bit + 1 < linear.width; ++bit) number += static_cast<std::int64_t>(bits >> bit & 1U) << bit;
-  const unsigned sign = linear.width - 1U;
-  if ((bits >> sign & 1U) != 0) number -= std::int64_t{1} << sign;
-  return number >> linear.shift;
+  const unsigned beyond = 64U - linear.width;
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) << beyond) >> beyond >> linear.shift;
 }
 
 bool fits_unsigned(std::int64_t value, unsigned width) { return value >= 0 && value >> width == 0; }
@@ -64,101 +62,155 @@ bool fits_unsigned(std::int64_t value, unsigned width) { return value >= 0 && va
 
 ReferenceArray::ReferenceArray(isa::Region region, std::uint32_t memory_bits)
     : region_(region),
-      memory_bits_(memory_bits),
-      memory_(static_cast<std::size_t>(region.width) * region.height * memory_bits),
-      enable_(static_cast<std::size_t>(region.width) * region.height) {}
-
-std::int64_t ReferenceArray::get(std::size_t pixel, isa::Field field) const {
-  std::int64_t value = 0;
-  for (unsigned bit = 0; bit < field.width; ++bit)
-    value += std::int64_t{memory_[pixel * memory_bits_ + field.base + bit]} << bit;
-  return value;
-}
+      words_a_pixel_(memory_bits / bits_a_word + 1),
+      memory_(static_cast<std::size_t>(region.width) * region.height * words_a_pixel_),
+      words_a_row_((region.width + bits_a_word - 1) / bits_a_word),
+      enable_(words_a_row_ * region.height) {}
 
 void ReferenceArray::put(std::size_t pixel, isa::Field field, std::uint64_t value) {
-  for (unsigned bit = 0; bit < field.width; ++bit)
-    memory_[pixel * memory_bits_ + field.base + bit] = static_cast<Bit>(value >> bit & 1U);
+  std::uint64_t* const words = &memory_[pixel * words_a_pixel_ + field.base / bits_a_word];
+  const unsigned begin = field.base % bits_a_word;
+  const std::uint64_t mask = low_bits(field.width);
+  words[0] = (words[0] & ~(mask << begin)) | (value & mask) << begin;
+  if (begin + field.width <= bits_a_word) return;
+  const unsigned done = bits_a_word - begin;
+  words[1] = (words[1] & ~(mask >> done)) | (value & mask) >> done;
 }
 
-void ReferenceArray::put_linear(std::size_t pixel, isa::Field field, std::int64_t value) {
-  put(pixel, field, static_cast<std::uint64_t>(value));
-  if (!fits_unsigned(value, field.width)) enable_[pixel] = 0;
+template <class Act>
+void ReferenceArray::at_enabled(const Act& act) {
+  for (std::uint32_t y = 0; y < region_.height; ++y) {
+    for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_a_word) {
+      std::uint64_t& word = enable_[enable_word(x0, y)];
+      std::uint64_t after = 0;
+      for (std::uint64_t left = word; left != 0; left &= left - 1) {
+        const auto bit = static_cast<unsigned>(std::countr_zero(left));
+        after |= std::uint64_t{act(pixel_at(x0 + bit, y), x0 + bit, y)} << bit;
+      }
+      word = after;
+    }
+  }
 }
 
-/// 0 where E is 0: no instruction looks at F there.
-std::int64_t ReferenceArray::f_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction) {
-  if (!enabled(x, y) || !isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear)) return 0;
-  const Wide sum = exact_sum(instruction.linear, x, y) + exact_squares(squares_, x, y);
-  if (!isa::cuts_sum(instruction.opcode) && !fits_signed(sum, instruction.linear.width)) ++overflows_;
-  return value_of_f(sum, instruction.linear);
+template <class Act>
+void ReferenceArray::at_enabled_with_f(const isa::Instruction& instruction, const Act& act) {
+  const isa::Linear& linear = instruction.linear;
+  const bool has_to_fit = !isa::cuts_sum(instruction.opcode);
+  const bool has_squares = squares_ != isa::Linear{};
+  at_enabled([&](std::size_t pixel, std::uint32_t x, std::uint32_t y) {
+    Wide sum = exact_sum(linear, x, y);
+    if (has_squares) sum += exact_squares(squares_, x, y);
+    if (has_to_fit && !fits_signed(sum, linear.width)) ++overflows_;
+    return act(pixel, value_of_f(sum, linear));
+  });
 }
 
-void ReferenceArray::execute_at(std::uint32_t x, std::uint32_t y, const isa::Instruction& instruction) {
+template <class Becomes>
+void ReferenceArray::set_enable(const Becomes& becomes) {
+  for (std::uint32_t y = 0; y < region_.height; ++y) {
+    for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_a_word) {
+      std::uint64_t& word = enable_[enable_word(x0, y)];
+      const std::uint32_t pixels = std::min(bits_a_word, region_.width - x0);
+      std::uint64_t after = 0;
+      for (std::uint32_t bit = 0; bit < pixels; ++bit)
+        after |= std::uint64_t{becomes(pixel_at(x0 + bit, y), (word >> bit & 1U) != 0)} << bit;
+      word = after;
+    }
+  }
+}
+
+void ReferenceArray::carry_out(const isa::Instruction& instruction) {
   using isa::Opcode;
-  const std::size_t pixel = pixel_at(x, y);
-  const isa::Field& first = instruction.fields[0];
-  const isa::Field& second = instruction.fields[1];
-  const isa::Field& third = instruction.fields[2];
-  const bool e = enable_[pixel] != 0;
-  const auto set_enable = [&](bool one) { write_enable(x, y, one); };
-  const auto bits = [&](isa::Field field) { return static_cast<std::uint64_t>(get(pixel, field)); };
-  const auto store = [&](auto value) {
-    if (e) put(pixel, first, value());
+  const auto& [first, second, third] = instruction.fields;
+  const auto bits = [&](std::size_t pixel, const isa::Field& field) {
+    return static_cast<std::uint64_t>(get(pixel, field));
   };
-  const std::int64_t f = f_at(x, y, instruction);
-  const auto keep = [&](bool where) {
-    if (where) put_linear(pixel, first, f);
+  const auto bit = [&](std::size_t pixel) { return get(pixel, first) == 1; };
+  const auto narrow = [&](const auto& holds) {
+    at_enabled([&](std::size_t pixel, auto, auto) { return holds(pixel); });
+  };
+  const auto narrow_by_f = [&](const auto& holds) {
+    at_enabled_with_f(instruction, [&](std::size_t pixel, std::int64_t f) { return holds(f, get(pixel, first)); });
+  };
+  const auto keep = [&](const auto& holds) {
+    at_enabled_with_f(instruction, [&](std::size_t pixel, std::int64_t f) {
+      if (!holds(f, get(pixel, first))) return true;
+      put(pixel, first, static_cast<std::uint64_t>(f));
+      return fits_unsigned(f, first.width);
+    });
+  };
+  const auto store = [&](const auto& value) {
+    at_enabled([&](std::size_t pixel, auto, auto) {
+      put(pixel, first, value(pixel));
+      return true;
+    });
+  };
+  const auto store_with_f = [&](const auto& value) {
+    at_enabled_with_f(instruction, [&](std::size_t pixel, std::int64_t f) {
+      put(pixel, first, value(static_cast<std::uint64_t>(f), bits(pixel, first)));
+      return true;
+    });
   };
 
   switch (instruction.opcode) {
-    case Opcode::enable_all: return set_enable(true);
-    case Opcode::enable_invert: return set_enable(!e);
-    case Opcode::enable_load: return set_enable(get(pixel, first) == 1);
-    case Opcode::enable_and: return set_enable(e && get(pixel, first) == 1);
-    case Opcode::enable_and_not: return set_enable(e && get(pixel, first) == 0);
-    case Opcode::enable_or: return set_enable(e || get(pixel, first) == 1);
-    case Opcode::enable_xor: return set_enable(e != (get(pixel, first) == 1));
-    case Opcode::enable_store: return put(pixel, first, e ? 1 : 0);
-    case Opcode::edge_not_negative: return set_enable(e && f >= 0);
+    case Opcode::enable_all: return set_enable([](auto, bool) { return true; });
+    case Opcode::enable_invert: return set_enable([](auto, bool e) { return !e; });
+    case Opcode::enable_load: return set_enable([&](auto p, bool) { return bit(p); });
+    case Opcode::enable_and: return set_enable([&](auto p, bool e) { return e && bit(p); });
+    case Opcode::enable_and_not: return set_enable([&](auto p, bool e) { return e && !bit(p); });
+    case Opcode::enable_or: return set_enable([&](auto p, bool e) { return e || bit(p); });
+    case Opcode::enable_xor: return set_enable([&](auto p, bool e) { return e != bit(p); });
+    case Opcode::enable_store:
+      return set_enable([&](auto p, bool e) {
+        put(p, first, e ? 1 : 0);
+        return e;
+      });
+    case Opcode::edge_not_negative: return narrow_by_f([](auto f, auto) { return f >= 0; });
     case Opcode::edge_negative:
-    case Opcode::stripe: return set_enable(e && f < 0);
-    case Opcode::linear_ge: return set_enable(e && f >= get(pixel, first));
-    case Opcode::linear_gt: return set_enable(e && f > get(pixel, first));
-    case Opcode::linear_le: return set_enable(e && f <= get(pixel, first));
-    case Opcode::linear_lt: return set_enable(e && f < get(pixel, first));
-    case Opcode::linear_eq: return set_enable(e && f == get(pixel, first));
-    case Opcode::load_linear: return keep(e);
-    case Opcode::keep_max: return keep(e && f > get(pixel, first));
-    case Opcode::keep_min: return keep(e && f < get(pixel, first));
-    case Opcode::set_constant: return store([&] { return instruction.constant; });
-    case Opcode::copy: return store([&] { return bits(second); });
-    case Opcode::field_lt: return set_enable(e && get(pixel, first) < get(pixel, second));
-    case Opcode::field_le: return set_enable(e && get(pixel, first) <= get(pixel, second));
-    case Opcode::field_eq: return set_enable(e && get(pixel, first) == get(pixel, second));
-    case Opcode::bit_and: return store([&] { return bits(second) & bits(third); });
-    case Opcode::bit_or: return store([&] { return bits(second) | bits(third); });
-    case Opcode::bit_xor: return store([&] { return bits(second) ^ bits(third); });
-    case Opcode::bit_and_not: return store([&] { return bits(second) & ~bits(third); });
-    case Opcode::bit_not: return store([&] { return ~bits(second); });
+    case Opcode::stripe: return narrow_by_f([](auto f, auto) { return f < 0; });
+    case Opcode::linear_ge: return narrow_by_f([](auto f, auto s) { return f >= s; });
+    case Opcode::linear_gt: return narrow_by_f([](auto f, auto s) { return f > s; });
+    case Opcode::linear_le: return narrow_by_f([](auto f, auto s) { return f <= s; });
+    case Opcode::linear_lt: return narrow_by_f([](auto f, auto s) { return f < s; });
+    case Opcode::linear_eq: return narrow_by_f([](auto f, auto s) { return f == s; });
+    case Opcode::load_linear: return keep([](auto, auto) { return true; });
+    case Opcode::keep_max: return keep([](auto f, auto t) { return f > t; });
+    case Opcode::keep_min: return keep([](auto f, auto t) { return f < t; });
+    case Opcode::set_constant: return store([&](auto) { return instruction.constant; });
+    case Opcode::copy: return store([&](auto p) { return bits(p, second); });
+    case Opcode::field_lt: return narrow([&](auto p) { return get(p, first) < get(p, second); });
+    case Opcode::field_le: return narrow([&](auto p) { return get(p, first) <= get(p, second); });
+    case Opcode::field_eq: return narrow([&](auto p) { return get(p, first) == get(p, second); });
+    case Opcode::bit_and: return store([&](auto p) { return bits(p, second) & bits(p, third); });
+    case Opcode::bit_or: return store([&](auto p) { return bits(p, second) | bits(p, third); });
+    case Opcode::bit_xor: return store([&](auto p) { return bits(p, second) ^ bits(p, third); });
+    case Opcode::bit_and_not: return store([&](auto p) { return bits(p, second) & ~bits(p, third); });
+    case Opcode::bit_not: return store([&](auto p) { return ~bits(p, second); });
     case Opcode::global_or:
     case Opcode::skip_if_none:
     case Opcode::squares: return;
-    case Opcode::xor_constant: return store([&] { return bits(first) ^ instruction.constant; });
-    case Opcode::add: return store([&] { return bits(first) + bits(second); });
-    case Opcode::linear_plus: return store([&] { return static_cast<std::uint64_t>(f) + bits(first); });
-    case Opcode::linear_minus: return store([&] { return static_cast<std::uint64_t>(f) - bits(first); });
-    case Opcode::root: return store([&] { return with_root(bits(first), first.width / 2U); });
+    case Opcode::xor_constant: return store([&](auto p) { return bits(p, first) ^ instruction.constant; });
+    case Opcode::add: return store([&](auto p) { return bits(p, first) + bits(p, second); });
+    case Opcode::linear_plus: return store_with_f([](auto f, auto t) { return f + t; });
+    case Opcode::linear_minus: return store_with_f([](auto f, auto t) { return f - t; });
+    case Opcode::root: return store([&](auto p) { return with_root(bits(p, first), first.width / 2U); });
   }
 }
 
 void ReferenceArray::execute(const isa::Instruction& instruction) {
-  for (std::uint32_t y = 0; y < region_.height; ++y)
-    for (std::uint32_t x = 0; x < region_.width; ++x) execute_at(x, y, instruction);
+  carry_out(instruction);
   squares_ = instruction.opcode == isa::Opcode::squares ? instruction.linear : isa::Linear{};
 }
 
 std::uint64_t ReferenceArray::enabled_pixels() const {
-  return static_cast<std::uint64_t>(std::count(enable_.begin(), enable_.end(), Bit{1}));
+  return std::transform_reduce(enable_.begin(), enable_.end(), std::uint64_t{0}, std::plus<>{},
+                               [](std::uint64_t word) { return static_cast<std::uint64_t>(std::popcount(word)); });
+}
+
+void ReferenceArray::write_enable(std::uint32_t x, std::uint32_t y, bool value) {
+  std::uint64_t& word = enable_[enable_word(x, y)];
+  const std::uint64_t bit = std::uint64_t{1} << x % bits_a_word;
+  word = value ? word | bit : word & ~bit;
 }
 
 std::uint32_t ReferenceArray::read(isa::Field field, std::uint32_t x, std::uint32_t y) const {
@@ -170,16 +222,10 @@ void ReferenceArray::write(isa::Field field, std::uint32_t x, std::uint32_t y, s
 }
 
 void ReferenceArray::read_field(isa::Field field, std::span<std::uint32_t> values) const {
-  for (std::size_t pixel = 0; pixel < enable_.size(); ++pixel)
+  for (std::size_t pixel = 0; pixel < values.size(); ++pixel)
     values[pixel] = static_cast<std::uint32_t>(get(pixel, field));
 }
 
-void ReferenceArray::read_enable(std::span<std::uint64_t> words) const {
-  const std::size_t words_a_row = (region_.width + 63U) / 64U;
-  std::fill(words.begin(), words.end(), 0U);
-  for (std::uint32_t y = 0; y < region_.height; ++y)
-    for (std::uint32_t x = 0; x < region_.width; ++x)
-      if (enabled(x, y)) words[y * words_a_row + x / 64U] |= std::uint64_t{1} << x % 64U;
-}
+void ReferenceArray::read_enable(std::span<std::uint64_t> words) const { std::ranges::copy(enable_, words.begin()); }
 
 }  // namespace csgsim::reference

@@ -7,7 +7,7 @@
 
 namespace csgsim::reference {
 
-/// A run an instruction, a pixel and a bit at a time. The Program has to outlive it.
+/// A run an instruction and a pixel at a time. The Program has to outlive it.
 class ReferenceRun final : public engine::Run {
  public:
   /// Throws InputError if the machine lacks what the Program needs.
