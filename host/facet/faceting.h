@@ -21,6 +21,8 @@ struct Faceting {
   double fewest_round = 13;
   /// With exact curves: by primitive, those that are faceted all the same; none if empty.
   std::vector<bool> faceted{};
+
+  bool operator==(const Faceting&) const = default;
 };
 
 /// Corners of a regular polygon inside a circle whose sides stay within `tolerance` of it (the sagitta): the least n

@@ -29,6 +29,8 @@ struct Sampling {
   double edge_on_fraction = 1.0 / 256;  ///< of a pixel: steeper planes become edge tests
   std::optional<double> near;           ///< distance of the near plane in a perspective view, model units
   glm::dvec2 offset{0};                 ///< columns and rows from a pixel's centre to where it is sampled
+
+  bool operator==(const Sampling&) const = default;
 };
 
 /// A linear function of the picture's columns and rows, as the pixels sample it.

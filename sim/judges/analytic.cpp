@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -106,58 +107,109 @@ Window window_of(const TrueSolid& solid, const LongCamera& camera, std::uint32_t
   return {clamped(x0, width), clamped(y0, height), clamped(x1, width), clamped(y1, height)};
 }
 
+constexpr long double infinitely_far = std::numeric_limits<long double>::infinity();
+
 struct RayEvent {
   long double depth;
   std::uint32_t primitive;
   bool enters;
 };
 
+/// The pixels of one picture.
+class RayPainter {
+ public:
+  /// `nearest`: where each pixel's ray first meets a solid, whatever the near plane; kept up to date.
+  RayPainter(const model::Tree& tree, std::span<const TrueSolid> solids, const view::Camera& camera, long double near,
+             Truth& truth, std::span<long double> nearest)
+      : solids_(solids),
+        view_(camera, truth.width, truth.height),
+        near_(near),
+        truth_(truth),
+        nearest_(nearest),
+        on_ray_(tree) {
+    for (const TrueSolid& solid : solids) windows_.push_back(window_of(solid, view_, truth.width, truth.height, near));
+  }
+
+  /// Those that something is met at before that distance.
+  void paint(long double before) {
+    for (std::uint32_t row = 0; row < truth_.height; ++row) {
+      enter_row(row);
+      for (std::uint32_t column = 0; column < truth_.width; ++column) {
+        const std::size_t pixel = static_cast<std::size_t>(row) * truth_.width + column;
+        if (nearest_[pixel] < before) paint_pixel(column, row, pixel);
+      }
+    }
+  }
+
+ private:
+  void enter_row(std::uint32_t row) {
+    in_row_.clear();
+    for (std::uint32_t i = 0; i < windows_.size(); ++i) {
+      if (windows_[i].y0 <= row && row < windows_[i].y1) in_row_.push_back(i);
+    }
+  }
+
+  void paint_pixel(std::uint32_t column, std::uint32_t row, std::size_t pixel) {
+    const Line ray = view_.ray(column, row);
+    long double nearest = infinitely_far;
+    events_.clear();
+    for (const std::uint32_t i : in_row_) {
+      if (column < windows_[i].x0 || column >= windows_[i].x1) continue;
+      Interval in = solids_[i].on(ray);
+      if (in.empty()) continue;
+      nearest = std::min(nearest, in.low);
+      if (view_.perspective()) in.low = std::max(in.low, near_);
+      if (in.empty()) continue;
+      events_.push_back({in.low, i, true});
+      events_.push_back({in.high, i, false});
+    }
+    nearest_[pixel] = nearest;
+    std::sort(events_.begin(), events_.end(), [](const RayEvent& a, const RayEvent& b) { return a.depth < b.depth; });
+    const RayEvent* seen =
+        first_seen(on_ray_, std::span<const RayEvent>(events_),
+                   [&](const RayEvent& a, const RayEvent& b) { return view_.same_depth(a.depth, b.depth); });
+    truth_.distance[pixel] =
+        seen == nullptr ? std::numeric_limits<double>::infinity() : static_cast<double>(seen->depth);
+    truth_.owner[pixel] = seen == nullptr ? nothing : seen->primitive;
+  }
+
+  std::span<const TrueSolid> solids_;
+  const LongCamera view_;
+  const long double near_;
+  Truth& truth_;
+  std::span<long double> nearest_;
+  TreeOnRay on_ray_;
+  std::vector<Window> windows_;
+  std::vector<std::uint32_t> in_row_;
+  std::vector<RayEvent> events_;
+};
+
 }  // namespace
+
+AnalyticPictures::AnalyticPictures(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
+                                   std::uint32_t width, std::uint32_t height)
+    : tree_(tree), camera_(camera), truth_(empty_truth(width, height)), nearest_(truth_.owner.size(), -infinitely_far) {
+  truth_.plane.clear();
+  for (const model::Primitive& primitive : tree.primitives) meant_.push_back(as_meant(primitive, drawn_as));
+  for (const model::Primitive& primitive : meant_) solids_.emplace_back(primitive);
+}
+
+const Truth& AnalyticPictures::truth(const isa::DepthScale& depth) {
+  if (tree_.root == model::no_index) return truth_;
+  const long double near = depth.near;
+  const bool is_first = !near_;
+  const bool has_changed = near_ && *near_ != near && camera_.projection == view::Projection::perspective;
+  if (is_first || has_changed) {
+    RayPainter painter(tree_, solids_, camera_, near, truth_, nearest_);
+    painter.paint(is_first ? infinitely_far : std::max(*near_, near));
+  }
+  near_ = near;
+  return truth_;
+}
 
 Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
                      std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth) {
-  Truth truth = empty_truth(width, height);
-  truth.plane.clear();
-  if (tree.root == model::no_index) return truth;
-  const LongCamera view(camera, width, height);
-  std::vector<model::Primitive> meant;
-  for (const model::Primitive& primitive : tree.primitives) meant.push_back(as_meant(primitive, drawn_as));
-  std::vector<TrueSolid> solids;
-  std::vector<Window> windows;
-  for (const model::Primitive& primitive : meant) {
-    solids.emplace_back(primitive);
-    windows.push_back(window_of(solids.back(), view, width, height, depth.near));
-  }
-  TreeOnRay on_ray(tree);
-  std::vector<std::uint32_t> in_row;
-  std::vector<RayEvent> events;
-  for (std::uint32_t row = 0; row < height; ++row) {
-    in_row.clear();
-    for (std::uint32_t i = 0; i < solids.size(); ++i) {
-      if (windows[i].y0 <= row && row < windows[i].y1) in_row.push_back(i);
-    }
-    for (std::uint32_t column = 0; column < width; ++column) {
-      const Line ray = view.ray(column, row);
-      events.clear();
-      for (const std::uint32_t i : in_row) {
-        if (column < windows[i].x0 || column >= windows[i].x1) continue;
-        Interval in = solids[i].on(ray);
-        if (view.perspective()) in.low = std::max(in.low, static_cast<long double>(depth.near));
-        if (in.empty()) continue;
-        events.push_back({in.low, i, true});
-        events.push_back({in.high, i, false});
-      }
-      std::sort(events.begin(), events.end(), [](const RayEvent& a, const RayEvent& b) { return a.depth < b.depth; });
-      const RayEvent* seen =
-          first_seen(on_ray, std::span<const RayEvent>(events),
-                     [&](const RayEvent& a, const RayEvent& b) { return view.same_depth(a.depth, b.depth); });
-      if (seen == nullptr) continue;
-      const std::size_t pixel = static_cast<std::size_t>(row) * width + column;
-      truth.distance[pixel] = static_cast<double>(seen->depth);
-      truth.owner[pixel] = seen->primitive;
-    }
-  }
-  return truth;
+  return AnalyticPictures(tree, drawn_as, camera, width, height).truth(depth);
 }
 
 }  // namespace csgsim::judges

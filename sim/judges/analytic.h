@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "host/facet/faceting.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/isa/program.h"
+#include "sim/judges/solid_ray.h"
 #include "sim/judges/truth.h"
 
 namespace csgsim::judges {
@@ -23,5 +26,25 @@ namespace csgsim::judges {
 /// that here too.
 Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
                      std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
+
+/// The same of one depth scale after the other. Another near plane changes only what is seen of rays that meet a solid
+/// before it or the one before: only these are followed again.
+class AnalyticPictures {
+ public:
+  /// The tree outlives this.
+  AnalyticPictures(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
+                   std::uint32_t width, std::uint32_t height);
+
+  const Truth& truth(const isa::DepthScale& depth);
+
+ private:
+  const model::Tree& tree_;
+  view::Camera camera_;
+  std::vector<model::Primitive> meant_;
+  std::vector<TrueSolid> solids_;
+  Truth truth_;                       ///< with the near plane of the last depth scale
+  std::optional<long double> near_;   ///< where that is
+  std::vector<long double> nearest_;  ///< a pixel: where its ray first meets a solid, before any near plane too
+};
 
 }  // namespace csgsim::judges

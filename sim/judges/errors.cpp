@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
+#include <type_traits>
 #include <vector>
 
 #include "hw/base/text.h"
@@ -25,10 +25,11 @@ DepthError summarise(std::vector<double> errors) {
   return {*std::max_element(at, errors.end()), *at};
 }
 
-/// What rounding may make of the depth of the plane that is seen in truth.
-using Allowed = std::function<Steps(std::uint32_t plane, PixelPlace place)>;
-using MayShow = std::function<bool(PixelPlace place, std::uint32_t owner, std::uint32_t depth)>;
+/// What rounding may make of the depth of the plane that is seen in truth, and what may be seen at all. Pictures that
+/// are only compared have neither.
+struct NoBounds {};
 
+template <class Allowed, class MayShow>
 Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Allowed& allowed,
                const MayShow& may_show) {
   if (frame.width != truth.width || frame.height != truth.height) {
@@ -41,7 +42,8 @@ Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Progr
   std::vector<double> model_units;
   std::vector<double> steps;
   for (std::size_t i = 0; i < truth.owner.size(); ++i) {
-    const PixelPlace place{static_cast<std::uint32_t>(i % truth.width), static_cast<std::uint32_t>(i / truth.width)};
+    [[maybe_unused]] const PixelPlace place{static_cast<std::uint32_t>(i % truth.width),
+                                            static_cast<std::uint32_t>(i / truth.width)};
     const std::uint32_t expected = truth.owner[i];
     const std::uint32_t depth = frame.depth[i];
     const std::uint32_t owner = depth == farthest ? nothing : frame.owner[i];
@@ -57,18 +59,20 @@ Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Progr
     if (!wrong && expected != nothing) {
       model_units.push_back(std::abs(isa::distance_of(program.facts.depth_scale, bits, depth) - truth.distance[i]));
       steps.push_back(std::abs(isa::depth_of(program.facts.depth_scale, bits, truth.distance[i]) - depth));
-      if (allowed) {
+      if constexpr (!std::is_same_v<Allowed, NoBounds>) {
         const Steps may = allowed(truth.plane[i], place);
         wrong = depth < std::max<std::int64_t>(may.low, 0) || depth > std::max<std::int64_t>(may.high, 0);
         if (wrong) ++errors.depth;
       }
     }
-    if (!wrong || !may_show) continue;
-    if (may_show(place, owner, depth)) {
-      ++errors.explained;
-    } else {
-      ++errors.unexplained;
-      if (!errors.first_unexplained) errors.first_unexplained = place;
+    if constexpr (!std::is_same_v<MayShow, NoBounds>) {
+      if (!wrong) continue;
+      if (may_show(place, owner, depth)) {
+        ++errors.explained;
+      } else {
+        ++errors.unexplained;
+        if (!errors.first_unexplained) errors.first_unexplained = place;
+      }
     }
   }
   errors.model_units = summarise(std::move(model_units));
@@ -79,7 +83,7 @@ Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Progr
 }  // namespace
 
 Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program) {
-  return measure(truth, frame, program, {}, {});
+  return measure(truth, frame, program, NoBounds{}, NoBounds{});
 }
 
 Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer) {

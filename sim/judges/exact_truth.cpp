@@ -13,7 +13,7 @@ namespace csgsim::judges {
 namespace {
 
 /// Pixels a side below which tiles are drawn pixel by pixel.
-constexpr std::uint32_t small_tile = 8;
+constexpr std::uint32_t small_tile = 4;
 
 /// A place along a ray where it enters or leaves a primitive.
 struct Event {
@@ -114,13 +114,19 @@ class Painter {
 
 }  // namespace
 
-Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
-                  std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth) {
+Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const Sight& sight) {
+  const std::uint32_t width = sight.camera().width;
+  const std::uint32_t height = sight.camera().height;
   Truth truth = empty_truth(width, height);
   if (tree.root == model::no_index) return truth;
-  const Sight sight(geometry, camera, width, height, depth);
   Painter(tree, sight, truth).paint(all_pieces(geometry, sight), {0, 0, width, height});
   return truth;
+}
+
+Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
+                  std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth) {
+  if (tree.root == model::no_index) return empty_truth(width, height);
+  return exact_truth(tree, geometry, Sight(geometry, camera, width, height, depth));
 }
 
 }  // namespace csgsim::judges

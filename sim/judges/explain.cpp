@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim/judges/truth.h"
 
@@ -56,11 +57,24 @@ struct Explainer::Nature {
 
 Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
                      const isa::Program& program)
+    : Explainer(tree, geometry,
+                std::make_unique<Sight>(geometry, camera, program.shape.width, program.shape.height,
+                                        program.facts.depth_scale),
+                program) {}
+
+Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, std::unique_ptr<const Sight> sight,
+                     const isa::Program& program)
+    : Explainer(tree, geometry, *sight, program) {
+  own_sight_ = std::move(sight);
+}
+
+Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, const Sight& sight,
+                     const isa::Program& program)
     : tree_(tree),
       geometry_(geometry),
       width_(program.shape.width),
       height_(program.shape.height),
-      sight_(geometry, camera, width_, height_, program.facts.depth_scale),
+      sight_(sight),
       line_(depth_line(program, sight_.axis_length())),
       quadrics_(geometry, sight_, line_),
       reaches_(solid_reaches(geometry, sight_.camera())),

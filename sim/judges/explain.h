@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "host/facet/geometry.h"
@@ -34,6 +35,9 @@ class Explainer {
   Explainer(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
             const isa::Program& program);
 
+  /// The same, of how that geometry is seen, in the Program's size and with its depth scale; kept by reference too.
+  Explainer(const model::Tree& tree, const facet::Geometry& geometry, const Sight& sight, const isa::Program& program);
+
   /// Whether the machine may show that primitive (or `nothing`) at that depth step at the pixel.
   [[nodiscard]] bool may_show(std::uint32_t column, std::uint32_t row, std::uint32_t owner, std::uint32_t depth) const;
 
@@ -41,6 +45,9 @@ class Explainer {
   [[nodiscard]] Steps steps(std::uint32_t surface, Place place) const;
 
  private:
+  Explainer(const model::Tree& tree, const facet::Geometry& geometry, std::unique_ptr<const Sight> sight,
+            const isa::Program& program);
+
   struct Nature;
   [[nodiscard]] Nature nature(std::uint32_t plane, Place place) const;
   [[nodiscard]] bool add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const;
@@ -52,7 +59,8 @@ class Explainer {
   const facet::Geometry& geometry_;
   std::uint32_t width_;
   std::uint32_t height_;
-  Sight sight_;
+  std::unique_ptr<const Sight> own_sight_;  ///< where none was given
+  const Sight& sight_;
   DepthLine line_;
   QuadricBounds quadrics_;
   std::vector<PlaceRect> reaches_;  ///< one a solid

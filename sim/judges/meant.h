@@ -10,4 +10,7 @@ namespace csgsim::judges {
 /// has. Where a tolerance or a $fn for all takes the place of its own, it is round as the others.
 model::Primitive as_meant(const model::Primitive& primitive, const facet::Faceting& faceting);
 
+/// The least $fn of a model's own that is round if it is faceted so: as_meant asks no more of a faceting.
+double fewest_round_of(const facet::Faceting& faceting);
+
 }  // namespace csgsim::judges

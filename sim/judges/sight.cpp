@@ -79,12 +79,7 @@ SightPlane Sight::make_filter(std::uint32_t index) const {
   return plane;
 }
 
-int Sight::compare(std::uint32_t first, std::uint32_t second, Place place) const {
-  if (first == second) return 0;
-  const SightPlane& a = planes_[first];
-  const SightPlane& b = planes_[second];
-  const double difference = a.at(place) - b.at(place);
-  if (std::abs(difference) > 2.0 * (a.error + b.error)) return difference > 0.0 ? 1 : -1;
+int Sight::compare_exactly(std::uint32_t first, std::uint32_t second, Place place) const {
   const Exact& one = exact(first);
   const Exact& other = exact(second);
   const int sign = (one.l.at(place) * other.k - other.l.at(place) * one.k).sign();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -81,7 +82,14 @@ class Sight {
 
   /// Sign of the depth of plane `first` minus that of `second`, exact. Neither may be an edge.
   /// A face in the near plane lies behind it: it is not cut.
-  [[nodiscard]] int compare(std::uint32_t first, std::uint32_t second, Place place) const;
+  [[nodiscard]] int compare(std::uint32_t first, std::uint32_t second, Place place) const {
+    if (first == second) return 0;
+    const SightPlane& a = planes_[first];
+    const SightPlane& b = planes_[second];
+    const double difference = a.at(place) - b.at(place);
+    if (std::abs(difference) > 2.0 * (a.error + b.error)) return difference > 0.0 ? 1 : -1;
+    return compare_exactly(first, second, place);
+  }
 
   /// The same of any two sheets; the quadrics have to have those depths there.
   [[nodiscard]] int compare(Sheet first, Sheet second, Place place) const {
@@ -108,6 +116,7 @@ class Sight {
   [[nodiscard]] SightPlane make_filter(std::uint32_t index) const;
   [[nodiscard]] double denominator_size(std::uint32_t index) const;
 
+  [[nodiscard]] int compare_exactly(std::uint32_t first, std::uint32_t second, Place place) const;
   [[nodiscard]] int compare_with_roots(Sheet first, Sheet second, Place place) const;
   [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
   [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;

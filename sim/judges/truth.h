@@ -11,6 +11,8 @@
 
 namespace csgsim::judges {
 
+class Sight;
+
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
 /// What is seen at the pixel centres of a picture, in row order from the top left.
@@ -50,5 +52,8 @@ inline Truth empty_truth(std::uint32_t width, std::uint32_t height) {
 /// some 0.1 s for 512 x 512 pixels of a few thousand half-spaces. `depth` is used for its near plane only.
 Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const view::Camera& camera,
                   std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
+
+/// The same, as that geometry is seen.
+Truth exact_truth(const model::Tree& tree, const facet::Geometry& geometry, const Sight& sight);
 
 }  // namespace csgsim::judges

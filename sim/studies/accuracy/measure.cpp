@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <utility>
 
 #include "host/emit/compile.h"
@@ -14,9 +16,10 @@
 #include "hw/isa/colour_format.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
-#include "sim/judges/analytic.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
+#include "sim/judges/meant.h"
+#include "sim/judges/sight.h"
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
@@ -69,22 +72,24 @@ Drawn draw(isa::Program program, const machines::Machine& machine) {
 
 /// Sum over pixels and channels of the difference of the colours, which have so many bits.
 double colour_difference(const observe::Frame& a, const observe::Frame& b, unsigned bits) {
-  double sum = 0;
+  std::uint64_t sum = 0;
   for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    if (a.colour[i] == b.colour[i]) continue;
     const std::array<std::uint8_t, 3> of_a = isa::unpack_colour(a.colour[i], bits);
     const std::array<std::uint8_t, 3> of_b = isa::unpack_colour(b.colour[i], bits);
     for (std::size_t channel = 0; channel < of_a.size(); ++channel)
-      sum += std::abs(static_cast<double>(of_a[channel]) - static_cast<double>(of_b[channel]));
+      sum += static_cast<std::uint64_t>(std::abs(int{of_a[channel]} - int{of_b[channel]}));
   }
-  return sum;
+  return static_cast<double>(sum);
 }
 
 }  // namespace
 
 struct Meter::Subject {
   facet::Geometry scene;
-  judges::Truth exact;     ///< of the half-spaces
-  judges::Truth analytic;  ///< of the curved surfaces
+  std::unique_ptr<const judges::Sight> sight;  ///< of the scene
+  judges::Truth exact;                         ///< of the half-spaces
+  judges::Truth analytic;                      ///< of the curved surfaces
   observe::Frame finest;
 };
 
@@ -128,19 +133,25 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   const facet::Faceting faceting = faceting_that_fits(tree_, settings, cameras_[camera]);
   const std::string key = fmt::format("{} {}x{} {}", name_of(faceting), sampling.width, sampling.height, camera);
   const auto known = subjects_.find(key);
-  if (known != subjects_.end()) return known->second;
+  if (known != subjects_.end()) return *known->second;
 
   facet::Geometry scene = facet::make_geometry(tree_, faceting);
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, shell::ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
-  const isa::DepthScale& depth = drawn.program.facts.depth_scale;
-  judges::Truth exact = judges::exact_truth(tree_, scene, cameras_[camera], sampling.width, sampling.height, depth);
-  judges::Truth analytic =
-      judges::analytic_truth(tree_, faceting, cameras_[camera], sampling.width, sampling.height, depth);
-  return subjects_
-      .emplace(key, Subject{std::move(scene), std::move(exact), std::move(analytic), std::move(drawn.frame)})
-      .first->second;
+  const isa::DepthScale depth = drawn.program.facts.depth_scale;
+  auto made = std::make_unique<Subject>(Subject{std::move(scene), nullptr, {}, {}, std::move(drawn.frame)});
+  made->sight = std::make_unique<judges::Sight>(made->scene, cameras_[camera], sampling.width, sampling.height, depth);
+  made->exact = judges::exact_truth(tree_, made->scene, *made->sight);
+  made->analytic = analytic(faceting, sampling, camera).truth(depth);
+  return *subjects_.emplace(key, std::move(made)).first->second;
+}
+
+judges::AnalyticPictures& Meter::analytic(const facet::Faceting& faceting, const view::Sampling& sampling,
+                                          std::size_t camera) {
+  const std::string key =
+      fmt::format("{} {}x{} {}", judges::fewest_round_of(faceting), sampling.width, sampling.height, camera);
+  return analytic_.try_emplace(key, tree_, faceting, cameras_[camera], sampling.width, sampling.height).first->second;
 }
 
 std::uint64_t Meter::clocks(const Settings& settings) {
@@ -155,16 +166,26 @@ std::uint64_t Meter::clocks(const Settings& settings) {
 }
 
 Measurement Meter::measure(const Settings& settings) {
+  const auto is_same = [&](const auto& known) {
+    return known.first.faceting == settings.faceting && known.first.sampling == settings.sampling;
+  };
+  const auto known = std::ranges::find_if(known_, is_same);
+  Measurement measurement = known == known_.end() ? measure_anew(settings) : known->second;
+  measurement.knob = settings.knob;
+  measurement.value = settings.value;
+  if (known == known_.end()) known_.emplace_back(settings, measurement);
+  return measurement;
+}
+
+Measurement Meter::measure_anew(const Settings& settings) {
   const machines::Machine machine = sized(machine_, settings.sampling);
   Measurement sum;
-  sum.knob = settings.knob;
-  sum.value = settings.value;
   double difference = 0;
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const Subject& subject = this->subject(settings, camera);
     const Drawn drawn =
         draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine, options_), machine);
-    const judges::Explainer explainer(tree_, subject.scene, cameras_[camera], drawn.program);
+    const judges::Explainer explainer(tree_, subject.scene, *subject.sight, drawn.program);
     const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);
     const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -13,6 +15,7 @@
 #include "host/model/tree.h"
 #include "host/view/camera.h"
 #include "hw/machines/machine.h"
+#include "sim/judges/analytic.h"
 #include "sim/studies/accuracy/settings.h"
 #include "sim/studies/inputs.h"
 
@@ -67,7 +70,8 @@ struct Measurement {
   }
 };
 
-/// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size.
+/// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size, and
+/// points whose settings are the same are measured once.
 class Meter {
  public:
   /// `cameras` are the views that a point is measured in, `options` how all of them are compiled.
@@ -86,12 +90,17 @@ class Meter {
   /// What does not depend on the arithmetic: one faceting, one size, one view.
   struct Subject;
   Subject& subject(const Settings& settings, std::size_t camera);
+  judges::AnalyticPictures& analytic(const facet::Faceting& faceting, const view::Sampling& sampling,
+                                     std::size_t camera);
+  [[nodiscard]] Measurement measure_anew(const Settings& settings);
 
   const model::Tree& tree_;
   std::vector<view::Camera> cameras_;
   machines::Machine machine_;
   emit::Options options_;
-  std::map<std::string, Subject> subjects_;
+  std::map<std::string, std::unique_ptr<Subject>> subjects_;
+  std::map<std::string, judges::AnalyticPictures> analytic_;  ///< facetings share what they stand for
+  std::vector<std::pair<Settings, Measurement>> known_;
 };
 
 /// The settings of a grid that take the fewest clocks of those with at most `most_wrong` wrong pixels; nothing if none

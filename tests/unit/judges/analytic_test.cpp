@@ -220,3 +220,29 @@ TEST_CASE("what the model means as a polygon is one in the true picture, unless 
     CHECK(truth_as({.fewest_round = 3}).distance == round.distance);
   }
 }
+
+TEST_CASE("one near plane after the other gives the pictures that each gives alone") {
+  // Balls on and before each other, in front of the eye, around it and behind it.
+  const std::string balls =
+      "difference(){sphere($fn=50,$fa=12,$fs=2,r=9);"
+      "multmatrix([[1,0,0,3],[0,1,0,-7],[0,0,1,1],[0,0,0,1]]){sphere($fn=50,$fa=12,$fs=2,r=5);}}"
+      "multmatrix([[1,0,0,-9],[0,1,0,-20],[0,0,1,0],[0,0,0,1]]){sphere($fn=50,$fa=12,$fs=2,r=4);}"
+      "multmatrix([[1,0,0,0],[0,1,0,-75],[0,0,1,-4],[0,0,0,1]]){sphere($fn=50,$fa=12,$fs=2,r=9);}";
+  for (const Projection projection : {Projection::orthographic, Projection::perspective}) {
+    const Scenery scenery = make_scenery(balls, straight(size.height, projection), size);
+    judges::AnalyticPictures pictures(scenery.tree, {}, scenery.camera, size.width, size.height);
+    std::size_t changed = 0;
+    std::vector<double> before;
+    for (const double near : {1.0, 60.0, 67.5, 71.0, 75.4, 3.0, 68.0, 68.0, 200.0, 1.0}) {
+      const isa::DepthScale depth{projection == Projection::perspective, near, 1000};
+      const judges::Truth alone =
+          judges::analytic_truth(scenery.tree, {}, scenery.camera, size.width, size.height, depth);
+      const judges::Truth& truth = pictures.truth(depth);
+      CHECK(truth.distance == alone.distance);
+      CHECK(truth.owner == alone.owner);
+      changed += truth.distance != before ? 1U : 0U;
+      before = truth.distance;
+    }
+    CHECK(changed == (projection == Projection::perspective ? 9U : 1U));
+  }
+}
