@@ -18,9 +18,7 @@ class Hash {
 
   /// Low bytes first, on every machine.
   void add(std::span<const std::uint32_t> words) {
-    for (const std::uint32_t word : words) {
-      for (unsigned shift = 0; shift < 32; shift += 8) add_byte(static_cast<unsigned char>(word >> shift & 0xffU));
-    }
+    for (const std::uint32_t word : words) add_word(word);
   }
 
   [[nodiscard]] std::uint64_t value() const { return state_; }
@@ -29,7 +27,17 @@ class Hash {
   [[nodiscard]] std::string text() const { return fmt::format("{:016x}", state_); }
 
  private:
-  void add_byte(unsigned char byte) { state_ = (state_ ^ byte) * 0x100000001b3ULL; }
+  static constexpr std::uint64_t prime = 0x100000001b3ULL;
+
+  void add_byte(unsigned char byte) { state_ = (state_ ^ byte) * prime; }
+
+  /// High bytes that are 0 multiply alone, all at once.
+  void add_word(std::uint32_t word) {
+    constexpr std::uint64_t powers[] = {prime * prime * prime, prime * prime, prime, 1};
+    unsigned bytes = 0;
+    for (add_byte(word & 0xffU); word >>= 8U; ++bytes) add_byte(word & 0xffU);
+    state_ *= powers[bytes];
+  }
 
   std::uint64_t state_ = 0xcbf29ce484222325ULL;
 };

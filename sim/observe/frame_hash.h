@@ -1,25 +1,28 @@
 #pragma once
 
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "hw/base/hash.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::observe {
 
-/// Of depth, owner and colour of every pixel.
-inline std::string hash_of(const observe::Frame& frame) {
+struct FrameHashes {
+  std::string surfaces;  ///< of depth and owner of every pixel
+  std::string picture;   ///< of its colour too
+};
+
+inline FrameHashes hashes_of(const Frame& frame) {
   Hash hash;
-  for (const std::vector<std::uint32_t>* values : {&frame.depth, &frame.owner, &frame.colour}) hash.add(*values);
-  return hash.text();
+  hash.add(frame.depth);
+  hash.add(frame.owner);
+  std::string surfaces = hash.text();
+  hash.add(frame.colour);
+  return {std::move(surfaces), hash.text()};
 }
 
-/// Of depth and owner alone.
-inline std::string hash_of_surfaces(const observe::Frame& frame) {
-  Hash hash;
-  for (const std::vector<std::uint32_t>* values : {&frame.depth, &frame.owner}) hash.add(*values);
-  return hash.text();
-}
+/// Of depth, owner and colour of every pixel.
+inline std::string hash_of(const Frame& frame) { return hashes_of(frame).picture; }
 
 }  // namespace csgsim::observe

@@ -62,8 +62,9 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   const observe::ClockShares shares = observe::clock_shares(program, result, stats.stats());
   row.instruction_clocks = shares.whole;
   row.dearest = dear_primitives(shares);
-  row.picture = hash_of(frame.frame());
-  row.surfaces = observe::hash_of_surfaces(frame.frame());
+  const observe::FrameHashes hashes = observe::hashes_of(frame.frame());
+  row.picture = hashes.picture;
+  row.surfaces = hashes.surfaces;
 }
 
 void draw_on_machine(const ComparisonJob& job, const model::Tree& tree, ComparisonRow& row) {

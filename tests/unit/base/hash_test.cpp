@@ -1,0 +1,39 @@
+#include "hw/base/hash.h"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+using namespace csgsim;
+
+TEST_CASE("a hash is FNV-1a of the bytes") {
+  // From the draft draft-eastlake-fnv, appendix C.
+  Hash nothing;
+  CHECK(nothing.value() == 0xcbf29ce484222325ULL);
+  Hash letter;
+  letter.add("a");
+  CHECK(letter.value() == 0xaf63dc4c8601ec8cULL);
+  Hash word;
+  word.add("foobar");
+  CHECK(word.value() == 0x85944171f73967e8ULL);
+}
+
+TEST_CASE("words are hashed as their bytes, the low ones first") {
+  CHECK(rc::check([] {
+    const auto words = *rc::gen::container<std::vector<std::uint32_t>>(
+        rc::gen::apply([](std::uint32_t word, unsigned bits) { return bits == 0 ? 0U : word >> (32U - bits); },
+                       rc::gen::arbitrary<std::uint32_t>(), rc::gen::inRange(0U, 33U)));
+    std::string bytes;
+    for (const std::uint32_t word : words) {
+      for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(word >> shift & 0xffU);
+    }
+    Hash of_words;
+    of_words.add(words);
+    Hash of_bytes;
+    of_bytes.add(bytes);
+    RC_ASSERT(of_words.value() == of_bytes.value());
+  }));
+}
