@@ -94,6 +94,14 @@ build() {
   cmake --build --preset "$preset"
 }
 
+# The program with all that it opens. A build that has tests keeps them; they are not built.
+program() {
+  set --
+  [ -e build/release/build.ninja ] || set -- -DCSGSIM_BUILD_TESTS=OFF
+  cmake --preset release "$@"
+  cmake --build --preset release --target hw/all host/all sim/all
+}
+
 # fuzz MINUTES [RUNS]: the time is shared out among the fuzzers, of which two run at a time.
 fuzz() {
   case "${1:-}" in
@@ -158,7 +166,7 @@ lint() {
 demo() {
   # shellcheck disable=SC2086
   need $build_packages
-  build release -DCSGSIM_BUILD_TESTS=OFF
+  program
   out=build/demo
   mkdir -p "$out"
   view="--camera 560,-590,420,-5,0,68 --projection perspective"
@@ -243,7 +251,7 @@ web() {
 
 web_test() {
   need python3 nodejs chromium
-  build release -DCSGSIM_BUILD_TESTS=OFF
+  program
   python3 tests/web/session_test.py build/release/csgsim . build/web
   python3 tests/web/counts_test.py build/release/csgsim . build/web
   python3 tests/web/page_test.py build/release/csgsim . build/web
@@ -286,7 +294,7 @@ case "${1:-}" in
   build)
     # shellcheck disable=SC2086
     need $build_packages
-    build release -DCSGSIM_BUILD_TESTS=OFF
+    program
     ;;
   test)
     # shellcheck disable=SC2086
@@ -336,13 +344,13 @@ case "${1:-}" in
   screenshots)
     # shellcheck disable=SC2086
     need $build_packages gtkwave xvfb imagemagick iverilog make python3
-    build release
+    program
     PATH=$PWD/build/release:$PATH tests/waves/screenshots.sh
     ;;
   report-test)
     # shellcheck disable=SC2086
     need $build_packages python3 chromium
-    build release
+    program
     python3 tests/report/pages_test.py build/release/csgsim .
     python3 tests/report/story_test.py build/release/csgsim .
     python3 tests/view/page_test.py build/release/csgsim .
@@ -350,7 +358,7 @@ case "${1:-}" in
   cluster)
     # shellcheck disable=SC2086
     need $build_packages gnuplot-nox slurmctld slurmd slurm-client munge parallel openmpi-bin procps
-    build release -DCSGSIM_BUILD_TESTS=OFF
+    program
     as_root tests/cluster/slurm.sh build/release/csgsim build/cluster.log
     ;;
   openscad-tests)
@@ -358,7 +366,7 @@ case "${1:-}" in
     shift
     # shellcheck disable=SC2086
     need $build_packages python3-numpy openscad
-    build release -DCSGSIM_BUILD_TESTS=OFF
+    program
     exec /usr/bin/python3 tests/corpus/openscad_tests.py "$@"
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
