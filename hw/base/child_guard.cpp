@@ -19,6 +19,8 @@ namespace csgsim {
 
 namespace {
 
+constexpr std::size_t kibibyte = 1024;  // the unit of ru_maxrss
+
 /// What handles a signal in csgsim has nothing to do here; what is ignored stays so.
 void drop_handlers() {
   for (int signal = 1; signal <= SIGRTMAX; ++signal) {
@@ -61,7 +63,7 @@ void follow(pid_t parent, int signal) {
   ::close_range(STDERR_FILENO + 1, std::numeric_limits<unsigned>::max(), CLOSE_RANGE_CLOEXEC);
   ::pthread_sigmask(SIG_SETMASK, &signals, nullptr);
   ::execvp(program.words[0], program.words);
-  tell(program.told, {errno, 0});
+  tell(program.told, {errno, 0, 0});
   ::_exit(1);
 }
 
@@ -92,7 +94,7 @@ void wait_for(pid_t program) {
   const pid_t child = ::fork();
   if (child == 0) become(program, self, signals);
   if (child < 0) {
-    tell(program.told, {errno, 0});
+    tell(program.told, {errno, 0, 0});
     ::_exit(1);
   }
   ::setpgid(child, child);
@@ -102,8 +104,10 @@ void wait_for(pid_t program) {
   ::kill(-child, SIGKILL);
   GuardReport report;
   int status = 0;
-  for (pid_t ended = 0; (ended = ::waitpid(-child, &status, 0)) > 0;) {
+  rusage usage{};
+  for (pid_t ended = 0; (ended = ::wait4(-child, &status, 0, &usage)) > 0;) {
     if (ended == child) report.status = status;
+    report.memory = std::max(report.memory, static_cast<std::size_t>(usage.ru_maxrss) * kibibyte);
   }
   tell(STDIN_FILENO, report);
   ::_exit(0);

@@ -18,8 +18,9 @@ struct GuardedProgram {
 
 /// How the program has ended.
 struct GuardReport {
-  int error = 0;   ///< errno, if it could not be run
-  int status = 0;  ///< as waitpid tells it
+  int error = 0;           ///< errno, if it could not be run
+  int status = 0;          ///< as waitpid tells it
+  std::size_t memory = 0;  ///< most bytes that a process of its group had in memory
 };
 
 /// Starts a process that runs the program in a process group and waits for it: the guard. When the program ends, when

@@ -139,11 +139,12 @@ std::optional<ChildEnd> run_child(std::span<const std::string> words, const Memo
         ended.exceeded = stream.exceeded;
     }
   }
-  GuardReport report{0, SIGKILL};  // of a guard that somebody has ended
+  GuardReport report{0, SIGKILL, 0};  // of a guard that somebody has ended
   static_cast<void>(!::read(told.out.number(), &report, sizeof report));
   if (is_missing(report.error)) return std::nullopt;
   if (report.error != 0) fail(program, report.error);
   ended.status = report.status;
+  ended.memory = report.memory;
   return ended;
 }
 

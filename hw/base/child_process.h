@@ -27,7 +27,8 @@ enum class Exceeded : std::uint8_t { nothing, time, output, errors };
 
 /// How a program that was run has ended.
 struct ChildEnd {
-  int status = 0;  ///< as waitpid tells it
+  int status = 0;          ///< as waitpid tells it
+  std::size_t memory = 0;  ///< most bytes that one of its processes had in memory; at least what its caller has
   Exceeded exceeded = Exceeded::nothing;
   std::string output;  ///< up to its limit
   std::string errors;  ///< up to its limit

@@ -67,6 +67,15 @@ TEST_CASE("what a program leaves behind is ended with it, and not waited for") {
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
+TEST_CASE("the most memory of a program's processes is told") {
+  constexpr std::size_t held = 64 * mib;
+  const ChildEnd ended = run_shell("head -c 64M /dev/zero | tail -c 64M > /dev/null");
+  CHECK(is_done(ended));
+  CHECK(ended.memory >= held);
+  CHECK(ended.memory < 4 * held);
+  CHECK(run_shell("true").memory < held);
+}
+
 TEST_CASE("a program that a signal ends is told as such") {
   const ChildEnd ended = run_shell("kill -SEGV $$");
   CHECK(why_failed(ended, usual) == "it was ended by a signal: Segmentation fault");
