@@ -22,8 +22,9 @@ Usage: ./setup.sh COMMAND
   flags  build without optimisation, and for this very processor, and hold both against the golden figures
   faults fail every write, fsync and rename of every command, one at a time, and print what came of it
   bench  build and run the benchmarks of kernels
-  performance
-         measure the figures of docs/performance.md here, and write its tables and plots
+  performance [OTHER]
+         measure the figures of docs/performance.md here, and write its tables and plots; with OTHER, the csgsim of an
+         older commit, beside it, in turn
   docs [OPTIONS...]
          make every figure, table and picture of README.md and docs/ again, and show what changed; with --exact only
          what does not depend on the machine's speed, with --page NAME only one page; more: tests/docs/make.py --help
@@ -193,7 +194,8 @@ performance() {
   cmake --preset release -DCSGSIM_BUILD_TESTS=ON
   cmake --build --preset release --target csgsim_bench csgsim_pictures_module csgsim_text_module
   out=build/performance
-  xvfb-run -a build/release/csgsim_bench measure tests/models/carburettor.csg tests/models/terrain_vehicle.csg --rounds 3 -o "$out"
+  xvfb-run -a build/release/csgsim_bench measure tests/models/carburettor.csg tests/models/terrain_vehicle.csg tests/models/rietveld_house.csg \
+    --rounds 3 ${1:+--beside "$1"} -o "$out"
   awk -v tables="$out/bench.md" '
     /^<!-- end/ { skipping = 0 }
     !skipping { print }
@@ -210,7 +212,7 @@ docs() {
   need $build_packages $test_packages $rtl_packages libbenchmark-dev python3 git openscad povray gtkwave xvfb xauth imagemagick \
     qflow-tech-osu050
   cmake --preset release -DCSGSIM_BUILD_TESTS=ON -DCSGSIM_BUILD_BENCHMARKS=ON
-  cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module bench_division m68000_clocks
+  cmake --build --preset release --target csgsim csgsim_pictures_module csgsim_text_module csgsim_bench bench_division m68000_clocks
   python3 tests/docs/make.py build/release "$@" || failed=$?
   git --no-pager diff --stat -- README.md docs hw/machines/area_table.h
   return "${failed:-0}"
@@ -290,7 +292,7 @@ case "${1:-}" in
     ;;
   site) site ;;
   reproduce) docs --page docs/reproduction.md --exact ;;
-  performance) performance ;;
+  performance) performance "${2:-}" ;;
   build)
     # shellcheck disable=SC2086
     need $build_packages

@@ -12,6 +12,7 @@
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/camera.h"
+#include "tests/performance/subjects.h"
 #include "tests/support/drawing.h"
 
 namespace {
@@ -49,16 +50,8 @@ std::string grid(std::int64_t count) {
   return text + "}";
 }
 
-/// A plate with holes.
-std::string plate(std::int64_t count) {
-  const auto side = static_cast<std::int64_t>(std::ceil(std::sqrt(static_cast<double>(count))));
-  std::string text = fmt::format("difference(){{\ncube(size=[{0},{0},1],center=false);\n", 2 * side);
-  for (std::int64_t i = 1; i < count; ++i) {
-    text += moved(1.0 + 2.0 * static_cast<double>(i % side), 1.0 + 2.0 * static_cast<double>(i / side), 0.5,
-                  "cylinder($fn=6,h=3,r1=0.6,r2=0.6,center=true);");
-  }
-  return text + "}";
-}
+/// A plate with holes of six sides.
+std::string plate(std::int64_t count) { return bench::drilled_plate(static_cast<unsigned>(count - 1), 6, 0.6); }
 
 /// Solids with others taken from them, all over one another in the picture and many in space.
 std::string bodies(std::int64_t count) {
@@ -71,15 +64,7 @@ std::string bodies(std::int64_t count) {
   return text + "}";
 }
 
-/// A union of a difference of a union of ..., as deep as it has primitives.
-std::string deep(std::int64_t count) {
-  Places places(count);
-  std::string text;
-  for (std::int64_t i = 1; i < count; ++i) text += i % 3 == 0 ? "difference(){" : "union(){";
-  text += places.put("cube(size=[2,2,2],center=true);");
-  for (std::int64_t i = 1; i < count; ++i) text += places.put("cube(size=[2,1,2],center=true);") + "}";
-  return text;
-}
+std::string deep(std::int64_t count) { return bench::deep_tree(static_cast<unsigned>(count)); }
 
 constexpr std::int64_t halfspaces_of_ball = 45 * 23 + 2;
 

@@ -13,9 +13,13 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
+const std::string binary_folder = CSGSIM_BINARY_DIR;
+
+Outcome bench(const std::vector<std::string>& words) { return run_program(binary_folder + "/csgsim_bench", words); }
+
 Outcome measure(std::vector<std::string> words) {
   words.insert(words.begin(), "measure");
-  return run_program(std::string(CSGSIM_BINARY_DIR) + "/csgsim_bench", words);
+  return bench(words);
 }
 
 }  // namespace
@@ -52,13 +56,55 @@ TEST_CASE("bench measures in turn, tells what was measured and by which command,
   CHECK(misused.err.find("speed") != std::string::npos);
 }
 
+TEST_CASE("bench measures another build beside this one, and tells the ratio") {
+  const Folder folder;
+  ::setenv("PATH", folder.path().c_str(), 1);
+  const Outcome outcome = measure({"--size", "32x32", "--rounds", "1", "--parts", "speed,counts,schedule,works",
+                                   "--works", "picture", "--machines", "pixel-square", "--levels", "functional",
+                                   "--beside", binary_folder + "/csgsim", "-o", folder / "b"});
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.code == 0);
+  CHECK(outcome.out.find("other ÷ this") != std::string::npos);
+  const nlohmann::json bench = json(folder / "b/bench.json");
+  REQUIRE(bench["speed"].size() == 2);
+  REQUIRE(bench["works"].size() == 1);
+  for (const nlohmann::json& row : {bench["speed"][0], bench["speed"][1], bench["works"][0]}) {
+    // Of one round.
+    CHECK(row["other_over_this"].get<double>() ==
+          doctest::Approx(row["other_wall_seconds"].get<double>() / row["wall_seconds"].get<double>()));
+  }
+  CHECK(bench["works"][0]["memory_bytes"] > 1e6);
+  CHECK(bench["works"][0]["other_memory_bytes"] > 1e6);
+  REQUIRE(bench["counts"].size() == 2);
+  for (const nlohmann::json& row : bench["counts"]) {
+    CHECK(row["instructions"] > 0);
+    CHECK(row["not_counted"] == "valgrind: not installed");
+  }
+  REQUIRE(bench["schedule"].size() == 2);
+  for (const nlohmann::json& row : bench["schedule"]) {
+    CHECK(row["tiles"].size() == row["segments"].size());
+    CHECK(row["segments"].back()["seconds"] < row["segments"].front()["seconds"]);
+  }
+}
+
+TEST_CASE("bench counts what a Program takes, the same each time") {
+  const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3_squares.csgt";
+  const Outcome outcome = bench({"count", program});
+  CHECK(outcome.code == 0);
+  CHECK(outcome.out.starts_with("segments "));
+  CHECK(bench({"count", program}).out == outcome.out);
+  const nlohmann::json counts = nlohmann::json::parse(bench({"count", "--json", program}).out);
+  CHECK(outcome.out.find("\nlongest " + counts["longest"].dump() + "\n") != std::string::npos);
+  CHECK(bench({"count", std::string(CSGSIM_SOURCE_DIR) + "/README.md"}).code == 1);
+}
+
 TEST_CASE("bench fits what growth costs, and draws it") {
   const Folder folder;
   const Outcome outcome = measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"});
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   const nlohmann::json growth = json(folder / "b/bench.json")["growth"];
-  REQUIRE(growth.size() == 6);
+  REQUIRE(growth.size() == 7);
   for (const nlohmann::json& row : growth) {
     CHECK(row["points"].size() >= 2);
     CHECK((row.contains("exponent") && row["exponent"].is_number()) == (row["points"].size() >= 3));

@@ -37,6 +37,7 @@ case "$counter" in
     under --tool=massif --massif-out-file="$work/heap" "$csgsim" "$@"
     sed -n 's/^mem_heap_B=//p' "$work/heap" | sort -n | tail -n 1
     ;;
+  work-*) "$(dirname "$csgsim")/csgsim_bench" "$@" | sed -n "s/^${counter#work-} //p" ;;
   *)
     echo "there is no counter $counter" >&2
     exit 1

@@ -24,6 +24,9 @@ plots::Chart chart_of(const std::vector<Growth>& growths, const std::string& aga
     plots::Series series{power ? fmt::format("{}: exponent {:.2f}", growth.part, *power) : growth.part};
     for (const Point& point : growth.points) series.points.push_back({point.x, point.y * 1e3});
     chart.series.push_back(std::move(series));
+    if (growth.others.empty()) continue;
+    plots::Series& other = chart.series.emplace_back(plots::Series{growth.part + ", the other build"});
+    for (const Point& point : growth.others) other.points.push_back({point.x, point.y * 1e3});
   }
   return chart;
 }

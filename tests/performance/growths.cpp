@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <thread>
+#include <utility>
 
 #include "tests/performance/process.h"
 #include "tests/performance/runs.h"
@@ -22,30 +24,56 @@ struct Step {
   unsigned threads = 1;
 };
 
-/// Measures all steps in turn, the runs and, where it is asked for, the whole compilations.
-std::vector<Growth> growth_of(const Settings& settings, const std::string& against, const std::vector<Step>& steps,
-                              bool with_compile) {
-  Growth compiles{against, "compile", {}, {}};
-  Growth runs{against, "run", {}, {}};
-  std::vector<Timed> compilations;
-  std::vector<Timed> timed;
-  for (const Step& step : steps) {
-    const Compiled compiled = compile(settings, step.model, growing_machine, step.size);
-    const Words compile_line = compile_words(settings, step.model, compiled, step.size);
-    const Words run_line = run_words(settings, compiled, level, step.threads);
-    timed.emplace_back([&settings, run_line] { return run(settings, run_line).wall; });
-    if (with_compile) compilations.emplace_back([compile_line] { return whole_process(compile_line); });
-    compiles.command = command_text(compile_line);
-    runs.command = command_text(run_line);
-  }
-  timed.insert(timed.end(), compilations.begin(), compilations.end());
-  const std::vector<double> medians = medians_in_turn(timed, settings.rounds);
+/// What is measured of each step.
+struct Measured {
+  bool compile = true;
+  bool run = true;
+  Words options{};  ///< of compiling
+};
+
+/// The seconds of one part of every step, of each build.
+struct Part {
+  Growth growth;
+  std::array<std::vector<Timed>, 2> timed;
+};
+
+/// Of one build: 0 is this one, 1 the one beside it.
+void add_step(const Settings& settings, std::size_t side, const Step& step, const Measured& measured, Part& compiles,
+              Part& runs) {
+  const Compiled compiled{program_path(settings, step.model, growing_machine, step.size), growing_machine};
+  Words compile_line = compile_words(settings, step.model, compiled, step.size);
+  compile_line.insert(compile_line.end(), measured.options.begin(), measured.options.end());
+  const Words run_line = run_words(settings, compiled, level, step.threads);
+  if (measured.run) whole_process(compile_line);
+  compiles.timed.at(side).emplace_back([compile_line] { return whole_process(compile_line); });
+  runs.timed.at(side).emplace_back([&settings, run_line] { return run(settings, run_line).wall; });
+  if (side != 0) return;
+  compiles.growth.command = command_text(compile_line);
+  runs.growth.command = command_text(run_line);
+}
+
+Growth measure(Part part, const std::vector<Step>& steps, const Rounds& rounds) {
+  const std::vector<Compared> seconds = compare_in_turn(part.timed[0], part.timed[1], rounds);
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    runs.points.push_back({steps[i].x, medians[i]});
-    if (with_compile) compiles.points.push_back({steps[i].x, medians[steps.size() + i]});
+    part.growth.points.push_back({steps[i].x, seconds[i].seconds});
+    if (seconds[i].other) part.growth.others.push_back({steps[i].x, seconds[i].other->seconds});
   }
-  if (!with_compile) return {runs};
-  return {compiles, runs};
+  return part.growth;
+}
+
+/// Measures all steps in turn: the whole compilations, the runs, or both.
+std::vector<Growth> growth_of(const Settings& settings, const std::string& against, const std::vector<Step>& steps,
+                              const Measured& measured) {
+  Part compiles{{against, "compile", {}, {}}, {}};
+  Part runs{{against, "run", {}, {}}, {}};
+  const std::vector<Settings> sides = sides_of(settings);
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    for (const Step& step : steps) add_step(sides[side], side, step, measured, compiles, runs);
+  }
+  std::vector<Growth> growths;
+  if (measured.compile) growths.push_back(measure(std::move(compiles), steps, settings.rounds));
+  if (measured.run) growths.push_back(measure(std::move(runs), steps, settings.rounds));
+  return growths;
 }
 
 std::filesystem::path sphere(const Settings& settings, unsigned fragments) {
@@ -56,7 +84,7 @@ std::vector<Growth> halfspaces(const Settings& settings) {
   std::vector<Step> steps;
   for (const unsigned fragments : {16U, 32U, 64U, 128U})
     steps.push_back({static_cast<double>(sphere_halfspaces(fragments)), sphere(settings, fragments), settings.size});
-  return growth_of(settings, "half-spaces", steps, true);
+  return growth_of(settings, "half-spaces", steps, {});
 }
 
 std::vector<Growth> primitives(const Settings& settings) {
@@ -65,14 +93,14 @@ std::vector<Growth> primitives(const Settings& settings) {
     steps.push_back({static_cast<double>(cubes),
                      put_model(settings, fmt::format("grid_{}", cubes), grid_of_cubes(cubes)), settings.size});
   }
-  return growth_of(settings, "primitives", steps, true);
+  return growth_of(settings, "primitives", steps, {});
 }
 
 std::vector<Growth> pixels(const Settings& settings) {
   std::vector<Step> steps;
   for (const unsigned side : {128U, 256U, 512U, 1024U})
     steps.push_back({static_cast<double>(side) * side, sphere(settings, 32), fmt::format("{0}x{0}", side)});
-  return growth_of(settings, "pixels", steps, false);
+  return growth_of(settings, "pixels", steps, {.compile = false});
 }
 
 /// As many threads as there are cores, at a size at which they have work.
@@ -80,14 +108,24 @@ std::vector<Growth> threads(const Settings& settings) {
   std::vector<Step> steps;
   for (unsigned count = 1; count <= std::max(std::thread::hardware_concurrency(), 2U); count *= 2)
     steps.push_back({static_cast<double>(count), sphere(settings, 32), "2048x2048", count});
-  return growth_of(settings, "threads", steps, false);
+  return growth_of(settings, "threads", steps, {.compile = false});
+}
+
+/// The last decade of trees as deep as they have primitives, with memory for whatever classification takes.
+std::vector<Growth> depth(const Settings& settings) {
+  std::vector<Step> steps;
+  for (const unsigned levels : {10'000U, 31'623U, 100'000U}) {
+    steps.push_back({static_cast<double>(levels),
+                     put_model(settings, fmt::format("deep_{}", levels), deep_tree(levels)), settings.size});
+  }
+  return growth_of(settings, "depth", steps, {.run = false, .options = {"--memory-bits", "4096"}});
 }
 
 }  // namespace
 
 std::vector<Growth> measure_growths(const Settings& settings) {
   std::vector<Growth> all;
-  for (const auto& family : {halfspaces, primitives, pixels, threads}) {
+  for (const auto& family : {halfspaces, primitives, depth, pixels, threads}) {
     for (Growth& growth : family(settings)) all.push_back(std::move(growth));
   }
   return all;

@@ -11,6 +11,8 @@
 #include "hw/base/messages.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "hw/isa/program_file.h"
+#include "hw/kinds/load.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/machine_list.h"
 #include "sim/shell/numbers.h"
@@ -33,7 +35,9 @@ struct Options {
   std::vector<std::string> models;
   std::string machines = all_machines();
   std::string levels = "functional,cycle";
-  std::string parts = "speed,dense,rivals,growth";
+  std::string parts = "speed,dense,rivals,growth,counts,schedule,works";
+  std::string works = fmt::format("{}", fmt::join(work_names(), ","));
+  std::string beside;
   std::string size = "512x512";
   std::uint32_t rounds = 5;
   double seconds = 3;
@@ -52,6 +56,9 @@ constexpr std::array parts{
     Part{"dense", [](const auto& settings, auto& results) { results.dense = measure_dense(settings); }},
     Part{"rivals", [](const auto& settings, auto& results) { results.rivals = measure_rivals(settings); }},
     Part{"growth", [](const auto& settings, auto& results) { results.growths = measure_growths(settings); }},
+    Part{"counts", [](const auto& settings, auto& results) { results.counts = measure_counts(settings); }},
+    Part{"schedule", [](const auto& settings, auto& results) { results.schedules = measure_schedules(settings); }},
+    Part{"works", [](const auto& settings, auto& results) { results.works = measure_works(settings); }},
 };
 
 std::vector<std::string> levels_of(const std::string& text) { return parse_names(text, "level", level_names()); }
@@ -69,16 +76,18 @@ void check_size(const std::string& text) { numbers<std::uint32_t>(text, 'x', 2, 
 
 Settings settings_of(const Options& options, const std::filesystem::path& folder) {
   return {.csgsim = std::filesystem::read_symlink("/proc/self/exe").replace_filename("csgsim"),
+          .beside = options.beside.empty() ? std::filesystem::path() : std::filesystem::absolute(options.beside),
           .folder = folder,
           .models = {options.models.begin(), options.models.end()},
           .machines = parse_words(options.machines),
           .levels = levels_of(options.levels),
           .size = options.size,
-          .rounds = {options.rounds, options.seconds}};
+          .rounds = {options.rounds, options.seconds},
+          .works = parse_names(options.works, "work", work_names())};
 }
 
 Results measure(const Settings& settings, const std::string& asked) {
-  Results results{this_build(), settings, {}, {}, {}, {}};
+  Results results{this_build(), settings, {}, {}, {}, {}, {}, {}, {}};
   for (const std::string& name : parts_of(asked))
     std::ranges::find(parts, name, &Part::name)->measure(settings, results);
   return results;
@@ -100,7 +109,7 @@ void run(const Options& options) {
 
 }  // namespace
 
-void describe(CommandLine& line) {
+void describe_measure(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command command =
       line.add("measure", "Measure csgsim's own speed, in ratios: on this computer, of this build",
@@ -115,8 +124,14 @@ void describe(CommandLine& line) {
       .option(
           "--parts", options->parts,
           "List of what is measured: speed (simulated against wall time), dense (the clocked engine against a plain "
-          "loop), rivals (OpenSCAD, POV-Ray, if installed), growth (against sizes and threads)")
+          "loop), rivals (OpenSCAD, POV-Ray, if installed), growth (against sizes and threads), counts (what does not "
+          "depend on the computer), schedule (more threads than there are cores), works (whole commands, some minutes)")
       .list_of(part_names(), "part");
+  command.option("--works", options->works, "List of the whole commands that part works measures")
+      .list_of(work_names(), "work");
+  command.option(
+      "--beside", options->beside,
+      "Another csgsim, as of an older commit, that speed, growth, counts and works measure in turn with this");
   command.option("--size", options->size, "Pixels of the pictures, WxH");
   command.option("--rounds", options->rounds, "Rounds of each comparison, of which the medians are taken")
       .between(1U, most_rounds);
@@ -130,6 +145,39 @@ void describe(CommandLine& line) {
   command.runs([options] { run(*options); });
 }
 
+struct CountOptions {
+  std::string program;
+  std::string machine;
+  bool json = false;
+};
+
+/// Of a Program's own machine, unless another is named.
+void count(const CountOptions& options) {
+  const isa::Program program = isa::load_program(options.program);
+  machines::Machine machine = options.machine.empty() ? kinds::load(program.machine) : kinds::load(options.machine);
+  machines::adopt(machine, program);
+  const nlohmann::ordered_json counts = to_json(work_of(program, replay(program, machine)));
+  if (options.json) {
+    fmt::print("{}\n", counts.dump(2));
+    return;
+  }
+  for (const auto& [name, value] : counts.items()) fmt::print("{} {}\n", name, value.get<std::uint64_t>());
+}
+
+void describe_count(CommandLine& line) {
+  const auto options = std::make_shared<CountOptions>();
+  Command command = line.add(
+      "count", "Count what a Program takes at the functional level: the same on every computer",
+      "Example:\n  csgsim_bench count traces/carburettor.csgt\n"
+      "Segments and tiles of the picture; stretches, at whose ends threads meet; instructions carried out at tiles, of "
+      "these linear ones, and open ones, which looked at words or lanes; how many of these; bit steps; longest and "
+      "longest_...: the same at the tile that has most of them, of each stretch.");
+  command.option("PROGRAM", options->program, "A Program file").required();
+  command.option("--machine", options->machine, "Machine whose figures say what a bit step is; else the Program's own");
+  command.flag("--json", options->json, "Print a JSON object");
+  command.runs([options] { count(*options); });
+}
+
 }  // namespace csgsim::bench
 
 /// Measures how fast the csgsim is that stands beside this program.
@@ -138,7 +186,8 @@ int main(int argc, char** argv) {
   constexpr int bad_usage = 2;
   try {
     csgsim::shell::CommandLine line("csgsim_bench: how fast csgsim itself is", "csgsim_bench");
-    csgsim::bench::describe(line);
+    csgsim::bench::describe_measure(line);
+    csgsim::bench::describe_count(line);
     line.run({argv, static_cast<std::size_t>(argc)});
     return 0;
   } catch (const csgsim::shell::UsageError& error) {

@@ -43,7 +43,7 @@ std::optional<Took> run(std::span<const std::string> words, const ChildLimits& l
   if (ended->exceeded == Exceeded::time)
     throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
   if (!is_done(*ended)) throw InputError(program + ": fails: " + printable(why_failed(*ended, limits)));
-  return Took{wall.count(), children_seconds() - before};
+  return Took{wall.count(), children_seconds() - before, static_cast<double>(ended->memory)};
 }
 
 }  // namespace

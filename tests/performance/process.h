@@ -10,6 +10,7 @@ namespace csgsim::bench {
 struct Took {
   double wall = 0;       ///< seconds
   double processor = 0;  ///< seconds, of user and system
+  double memory = 0;     ///< most bytes that one of its processes had in memory
 };
 
 /// Runs a program, found as a shell finds it, to its end; nothing if there is none. Throws InputError, which begins

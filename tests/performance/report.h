@@ -13,6 +13,8 @@ namespace csgsim::bench {
 /// All results, with the command of each figure.
 nlohmann::ordered_json to_json(const Results& results);
 
+nlohmann::ordered_json to_json(const ProgramWork& work);
+
 /// The same for people, as tables in Markdown.
 std::string to_tables(const Results& results);
 

@@ -9,15 +9,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Into a row that has its seconds.
+void put_other(const Compared& compared, Json& json) {
+  if (!compared.other) return;
+  json["other_wall_seconds"] = compared.other->seconds;
+  json["other_over_this"] = compared.other->ratio;
+}
+
 Json to_json(const Speed& speed) {
-  return {{"model", printable(speed.model)},
-          {"machine", printable(speed.machine)},
-          {"level", speed.level},
-          {"clocks", speed.clocks},
-          {"simulated_seconds", speed.simulated},
-          {"wall_seconds", speed.wall},
-          {"simulated_over_wall", speed.ratio()},
-          {"command", printable(speed.command)}};
+  Json json{{"model", printable(speed.model)},
+            {"machine", printable(speed.machine)},
+            {"level", speed.level},
+            {"clocks", speed.clocks},
+            {"simulated_seconds", speed.simulated},
+            {"wall_seconds", speed.wall.seconds},
+            {"simulated_over_wall", speed.ratio()},
+            {"command", printable(speed.command)}};
+  put_other(speed.wall, json);
+  return json;
 }
 
 Json to_json(const DensePair& pair) {
@@ -43,7 +52,47 @@ Json to_json(const Growth& growth) {
   Json json{{"against", growth.against}, {"part", growth.part}};
   if (const std::optional<double> power = growth.power()) json["exponent"] = *power;
   for (const Point& point : growth.points) json["points"].push_back({{"size", point.x}, {"seconds", point.y}});
+  for (const Point& point : growth.others) json["others"].push_back({{"size", point.x}, {"seconds", point.y}});
+  if (const std::optional<double> power = exponent(growth.others)) json["other_exponent"] = *power;
   json["command_of_the_largest"] = printable(growth.command);
+  return json;
+}
+
+Json to_json(const Count& count) {
+  Json json{{"model", printable(count.model)}, {"machine", printable(count.machine)}};
+  json.update(bench::to_json(count.work));
+  json["command"] = printable(count.command);
+  if (!count.reason.empty()) {
+    json["not_counted"] = printable(count.reason);
+    return json;
+  }
+  json["processor_instructions"] = count.instructions;
+  if (count.others) json["other_processor_instructions"] = *count.others;
+  return json;
+}
+
+Json seconds_by_threads(const std::vector<Point>& points) {
+  Json json = Json::array();
+  for (const Point& point : points) json.push_back({{"threads", point.x}, {"seconds", point.y}});
+  return json;
+}
+
+Json to_json(const Schedule& schedule) {
+  return {{"model", printable(schedule.model)},
+          {"machine", printable(schedule.machine)},
+          {"rest_seconds", schedule.rest},
+          {"measured_two_seconds", schedule.measured_two},
+          {"tiles", seconds_by_threads(schedule.tiles)},
+          {"segments", seconds_by_threads(schedule.segments)}};
+}
+
+Json to_json(const Whole& whole) {
+  Json json{
+      {"name", whole.name}, {"what", whole.what}, {"wall_seconds", whole.wall.seconds}, {"memory_bytes", whole.memory}};
+  put_other(whole.wall, json);
+  if (whole.wall.other) json["other_memory_bytes"] = whole.other_memory;
+  if (whole.halfspaces != 0) json["bytes_a_halfspace"] = whole.memory / whole.halfspaces;
+  for (const std::string& command : whole.commands) json["commands"].push_back(printable(command));
   return json;
 }
 
@@ -56,6 +105,21 @@ Json list(const std::vector<Row>& rows) {
 
 }  // namespace
 
+Json to_json(const ProgramWork& work) {
+  return {{"segments", work.segments},
+          {"stretches", work.stretches},
+          {"tiles", work.tiles},
+          {"instructions", work.work.instructions},
+          {"linear", work.linear},
+          {"words", work.work.words},
+          {"lanes", work.work.lanes},
+          {"steps", work.steps},
+          {"open", work.open},
+          {"longest", work.longest},
+          {"longest_steps", work.longest_steps},
+          {"longest_open", work.longest_open}};
+}
+
 Json to_json(const Results& results) {
   const Build& build = results.build;
   return {{"machine", {{"cpu", build.cpu}, {"cores", build.cores}, {"vectors", build.vectors}}},
@@ -65,7 +129,10 @@ Json to_json(const Results& results) {
           {"speed", list(results.speeds)},
           {"dense", list(results.dense)},
           {"rivals", list(results.rivals)},
-          {"growth", list(results.growths)}};
+          {"growth", list(results.growths)},
+          {"counts", list(results.counts)},
+          {"schedule", list(results.schedules)},
+          {"works", list(results.works)}};
 }
 
 }  // namespace csgsim::bench

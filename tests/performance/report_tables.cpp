@@ -12,19 +12,27 @@ namespace {
 /// Three digits that count.
 std::string short_number(double value) { return fmt::format("{:.3g}", value); }
 
+/// Of the build beside this one: its time and the ratio; nothing where there is none.
+template <class Text>
+std::string other_cells(const Compared& compared, Text text) {
+  if (!compared.other) return {};
+  return fmt::format(" {} | {} |", text(compared.other->seconds), short_number(compared.other->ratio));
+}
+
 std::string milliseconds(double seconds) { return fmt::format("{:.4g}", seconds * 1e3); }
 
 std::string speeds(const Results& results) {
   if (results.speeds.empty()) return {};
+  const bool beside = results.speeds.front().wall.other.has_value();
   std::string text = fmt::format(
-      "## Runs\n\nA run alone, without start, reading and writing, {} pixels.\n\n"
-      "| model | machine | level | clocks | simulated ms | wall ms | simulated s / wall s "
-      "|\n|---|---|---|--:|--:|--:|--:|\n",
-      results.settings.size);
+      "## Runs\n\nA run alone, the first of its process, without start, reading and writing, {} pixels.\n\n"
+      "| model | machine | level | clocks | simulated ms | wall ms | simulated s / wall s |{}\n"
+      "|---|---|---|--:|--:|--:|--:|{}\n",
+      results.settings.size, beside ? " other ms | other ÷ this |" : "", beside ? "--:|--:|" : "");
   for (const Speed& row : results.speeds) {
-    text +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", printable(row.model), printable(row.machine), row.level,
-                    row.clocks, milliseconds(row.simulated), milliseconds(row.wall), short_number(row.ratio()));
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |{}\n", printable(row.model), printable(row.machine),
+                        row.level, row.clocks, milliseconds(row.simulated), milliseconds(row.wall.seconds),
+                        short_number(row.ratio()), other_cells(row.wall, milliseconds));
   }
   return text + fmt::format("\nThe last by `{}`, the others likewise.\n\n", printable(results.speeds.back().command));
 }
@@ -60,24 +68,105 @@ std::string rivals(const Results& results) {
   return text + fmt::format("\ncsgsim by `{}`, and likewise.\n\n", printable(results.rivals.back().csgsim_command));
 }
 
+std::string points_text(const std::vector<Point>& points) {
+  std::string text;
+  for (const Point& point : points)
+    text += fmt::format("{}{:g}: {}", text.empty() ? "" : ", ", point.x, milliseconds(point.y));
+  return text;
+}
+
+std::string power_text(const std::vector<Point>& points) {
+  const std::optional<double> power = exponent(points);
+  return power ? fmt::format("{:.2f}", *power) : "–";
+}
+
 std::string growths(const Results& results) {
   if (results.growths.empty()) return {};
-  std::string text =
+  const bool beside = !results.growths.front().others.empty();
+  std::string text = fmt::format(
       "## Growth\n\nSeconds as a power of what grows, fitted to three points or more, all else being equal; "
-      "Pixel-planes, "
-      "functional "
-      "level. 1: in proportion; of threads, -1 would be perfect.\n\n"
-      "| against | part | exponent | ms at each size |\n|---|---|--:|---|\n";
+      "Pixel-planes, functional level. 1: in proportion; of threads, -1 would be perfect. Depth: levels of the "
+      "tree.\n\n"
+      "| against | part | exponent | ms at each size |{}\n|---|---|--:|---|{}\n",
+      beside ? " other's exponent | other's ms |" : "", beside ? "--:|---|" : "");
   for (const Growth& row : results.growths) {
-    std::string points;
-    for (const Point& point : row.points)
-      points += fmt::format("{}{:g}: {}", points.empty() ? "" : ", ", point.x, milliseconds(point.y));
-    const std::optional<double> power = row.power();
-    text += fmt::format("| {} | {} | {} | {} |\n", row.against, row.part, power ? fmt::format("{:.2f}", *power) : "–",
-                        points);
+    text +=
+        fmt::format("| {} | {} | {} | {} |", row.against, row.part, power_text(row.points), points_text(row.points));
+    if (beside) text += fmt::format(" {} | {} |", power_text(row.others), points_text(row.others));
+    text += "\n";
   }
   text += "\nThe largest by:\n\n";
   for (const Growth& row : results.growths) text += fmt::format("    {}\n", printable(row.command));
+  return text + "\n";
+}
+
+std::string counts(const Results& results) {
+  if (results.counts.empty()) return {};
+  const bool beside = !results.settings.beside.empty();
+  std::string text = fmt::format(
+      "## Counts\n\nWhat a run at the functional level takes on any computer. A *tile* has 64 × 64 pixels or fewer; "
+      "*instructions* are those carried out at each; *words* are 64 pixels' bits, *lanes* pixels' numbers that were "
+      "looked at. Processor: millions of its instructions, of the whole process, by callgrind.\n\n"
+      "| model | machine | tiles | stretches | instructions | linear | words | lanes | processor |{}\n"
+      "|---|---|--:|--:|--:|--:|--:|--:|--:|{}\n",
+      beside ? " other's | other ÷ this |" : "", beside ? "--:|--:|" : "");
+  for (const Count& row : results.counts) {
+    const ProgramWork& work = row.work;
+    const auto millions = [](std::uint64_t count) { return fmt::format("{:.1f}", static_cast<double>(count) * 1e-6); };
+    text += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} |", printable(row.model), printable(row.machine),
+                        work.tiles, work.stretches, work.work.instructions, work.linear, work.work.words,
+                        work.work.lanes, row.reason.empty() ? millions(row.instructions) : printable(row.reason));
+    if (row.others) {
+      text += fmt::format(" {} | {} |", millions(*row.others),
+                          short_number(static_cast<double>(*row.others) / static_cast<double>(row.instructions)));
+    }
+    text += "\n";
+  }
+  return text + fmt::format("\nThe last by `{}`, and the run under `valgrind --tool=callgrind`.\n\n",
+                            printable(results.counts.back().command));
+}
+
+std::string schedules(const Results& results) {
+  if (results.schedules.empty()) return {};
+  std::string text =
+      "## Threads that are not there\n\nMilliseconds of a run at the functional level on so many threads, worked out "
+      "from those of each tile on one: each tile, or segment, goes to the thread that is free first. *Tiles*: threads "
+      "meet at each question; *segments*: each takes whole regions of the picture. What is not work on tiles (*rest*) "
+      "is not shared out.\n\n| model | machine | rest | measured on 2 | by |";
+  for (const Point& point : results.schedules.front().tiles) text += fmt::format(" {:g} |", point.x);
+  text += "\n|---|---|--:|--:|---|";
+  for (std::size_t i = 0; i < results.schedules.front().tiles.size(); ++i) text += "--:|";
+  text += "\n";
+  for (const Schedule& row : results.schedules) {
+    for (const bool whole : {false, true}) {
+      text += fmt::format("| {} | {} | {} | {} | {} |", printable(row.model), printable(row.machine),
+                          milliseconds(row.rest), milliseconds(row.measured_two), whole ? "segments" : "tiles");
+      for (const Point& point : whole ? row.segments : row.tiles) text += fmt::format(" {} |", milliseconds(point.y));
+      text += "\n";
+    }
+  }
+  return text + "\n";
+}
+
+std::string works(const Results& results) {
+  if (results.works.empty()) return {};
+  const bool beside = results.works.front().wall.other.has_value();
+  std::string text = fmt::format(
+      "## Whole commands\n\nFrom start to end; the most memory of a process of theirs, and bytes of that a half-space."
+      "\n\n| name | what | s | MiB | bytes a half-space |{}\n|---|---|--:|--:|--:|{}\n",
+      beside ? " other s | other ÷ this | other MiB |" : "", beside ? "--:|--:|--:|" : "");
+  const auto mebibytes = [](double bytes) { return fmt::format("{:.0f}", bytes / (1024 * 1024)); };
+  for (const Whole& row : results.works) {
+    text += fmt::format("| `{}` | {} | {} | {} | {} |{}", row.name, row.what, short_number(row.wall.seconds),
+                        mebibytes(row.memory),
+                        row.halfspaces == 0 ? "–" : fmt::format("{:.0f}", row.memory / row.halfspaces),
+                        other_cells(row.wall, short_number));
+    if (beside) text += fmt::format(" {} |", mebibytes(row.other_memory));
+    text += "\n";
+  }
+  text += "\nBy:\n\n";
+  for (const Whole& row : results.works)
+    for (const std::string& command : row.commands) text += fmt::format("    {}\n", printable(command));
   return text + "\n";
 }
 
@@ -85,10 +174,15 @@ std::string growths(const Results& results) {
 
 std::string to_tables(const Results& results) {
   const Build& build = results.build;
-  return fmt::format("{}, {} cores, {}; {}, `{}`{}{}. Medians of up to {} rounds.\n\n", build.cpu, build.cores,
+  const std::string beside =
+      results.settings.beside.empty()
+          ? ""
+          : fmt::format("; the *other* is `{}`", printable(results.settings.beside.filename().native()));
+  return fmt::format("{}, {} cores, {}; {}, `{}`{}{}{}. Medians of up to {} rounds.\n\n", build.cpu, build.cores,
                      build.vectors, build.compiler, build.flags, build.commit.empty() ? "" : "; commit ", build.commit,
-                     results.settings.rounds.most) +
-         speeds(results) + dense(results) + rivals(results) + growths(results);
+                     beside, results.settings.rounds.most) +
+         speeds(results) + dense(results) + rivals(results) + growths(results) + counts(results) + schedules(results) +
+         works(results);
 }
 
 }  // namespace csgsim::bench

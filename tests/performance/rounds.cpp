@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 namespace csgsim::bench {
 
@@ -16,17 +18,47 @@ double median(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
-std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds) {
+namespace {
+
+/// Seconds of each, a row each, a column a round.
+std::vector<std::vector<double>> times_in_turn(std::span<const Timed> all, Rounds rounds) {
   std::vector<std::vector<double>> taken(all.size());
   const auto begin = std::chrono::steady_clock::now();
   const auto passed = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   for (unsigned round = 0; round == 0 || (round < rounds.most && passed() < rounds.seconds); ++round) {
     for (std::size_t i = 0; i < all.size(); ++i) taken[i].push_back(all[i]());
   }
+  return taken;
+}
+
+Other other_of(const std::vector<double>& own, const std::vector<double>& others) {
+  std::vector<double> ratios(own.size());
+  std::transform(others.begin(), others.end(), own.begin(), ratios.begin(), std::divides<>());
+  return {median(others), median(std::move(ratios))};
+}
+
+}  // namespace
+
+std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds) {
   std::vector<double> medians;
-  medians.reserve(taken.size());
-  for (std::vector<double>& one : taken) medians.push_back(median(std::move(one)));
+  for (std::vector<double>& one : times_in_turn(all, rounds)) medians.push_back(median(std::move(one)));
   return medians;
+}
+
+std::vector<Compared> compare_in_turn(std::span<const Timed> all, std::span<const Timed> others, Rounds rounds) {
+  const bool beside = !others.empty();
+  std::vector<Timed> order;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    order.push_back(all[i]);
+    if (beside) order.push_back(others[i]);
+  }
+  const std::vector<std::vector<double>> taken = times_in_turn(order, rounds);
+  std::vector<Compared> compared;
+  for (std::size_t i = 0; i < taken.size(); i += beside ? 2 : 1) {
+    Compared& one = compared.emplace_back(Compared{median(taken[i])});
+    if (beside) one.other = other_of(taken[i], taken[i + 1]);
+  }
+  return compared;
 }
 
 std::optional<double> exponent(std::span<const Point> points) {

@@ -22,6 +22,21 @@ std::vector<double> medians_in_turn(std::span<const Timed> all, Rounds rounds);
 
 double median(std::vector<double> values);
 
+/// What another build takes for the same.
+struct Other {
+  double seconds = 0;  ///< median
+  double ratio = 0;    ///< the other's seconds by these, of the same round: median of the rounds
+};
+
+struct Compared {
+  double seconds = 0;  ///< median
+  std::optional<Other> other{};
+};
+
+/// The same with another build beside it, A A' B B' A A' B B': `others` are as many as `all`, or none. A ratio of one
+/// round is steady where the computer is faster in one round than in the next.
+std::vector<Compared> compare_in_turn(std::span<const Timed> all, std::span<const Timed> others, Rounds rounds);
+
 struct Point {
   double x = 0;
   double y = 0;

@@ -7,7 +7,6 @@
 
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
-#include "tests/performance/process.h"
 #include "tests/performance/subjects.h"
 
 namespace csgsim::bench {
@@ -21,6 +20,16 @@ std::filesystem::path stats_path(const Settings& settings) { return settings.fol
 
 }  // namespace
 
+std::vector<Settings> sides_of(const Settings& settings) {
+  std::vector<Settings> sides{settings};
+  if (settings.beside.empty()) return sides;
+  Settings& other = sides.emplace_back(settings);
+  other.csgsim = settings.beside;
+  other.folder = settings.folder / "beside";
+  std::filesystem::create_directories(other.folder);
+  return sides;
+}
+
 std::filesystem::path put_model(const Settings& settings, const std::string& name, const std::string& text) {
   std::filesystem::path path = settings.folder / (name + ".csg");
   write_file(path, text);
@@ -33,6 +42,12 @@ std::vector<std::filesystem::path> all_models(const Settings& settings) {
   models.push_back(put_model(settings, fmt::format("sphere_{}", sphere_halfspaces(sphere_fragments)),
                              drilled_sphere(sphere_fragments)));
   return models;
+}
+
+std::filesystem::path program_path(const Settings& settings, const std::filesystem::path& model,
+                                   const std::string& machine, const std::string& size) {
+  return settings.folder /
+         fmt::format("{}-{}-{}.csgt", model.stem().native(), std::filesystem::path(machine).stem().native(), size);
 }
 
 Words compile_words(const Settings& settings, const std::filesystem::path& model, const Compiled& compiled,
@@ -51,9 +66,7 @@ Words compile_words(const Settings& settings, const std::filesystem::path& model
 
 Compiled compile(const Settings& settings, const std::filesystem::path& model, const std::string& machine,
                  const std::string& size) {
-  Compiled compiled{settings.folder / fmt::format("{}-{}-{}.csgt", model.stem().native(),
-                                                  std::filesystem::path(machine).stem().native(), size),
-                    machine};
+  Compiled compiled{program_path(settings, model, machine, size), machine};
   whole_process(compile_words(settings, model, compiled, size));
   return compiled;
 }
@@ -72,10 +85,12 @@ Ran run(const Settings& settings, const Words& words) {
   return {stats.at("clocks"), stats.at("simulated_seconds"), stats.at("wall_seconds")};
 }
 
-double whole_process(const Words& words) {
+double whole_process(const Words& words) { return took_by(words).wall; }
+
+Took took_by(const Words& words) {
   const std::optional<Took> took = run_process(words);
   if (!took) throw InputError(words.front() + ": cannot be run; is it there, and executable?");
-  return took->wall;
+  return *took;
 }
 
 }  // namespace csgsim::bench

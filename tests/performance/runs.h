@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tests/performance/bench.h"
+#include "tests/performance/process.h"
 
 namespace csgsim::bench {
 
@@ -31,6 +32,10 @@ std::filesystem::path put_model(const Settings& settings, const std::string& nam
 /// the picture.
 std::vector<std::filesystem::path> all_models(const Settings& settings);
 
+/// Where the model's Program for that machine goes.
+std::filesystem::path program_path(const Settings& settings, const std::filesystem::path& model,
+                                   const std::string& machine, const std::string& size);
+
 Words compile_words(const Settings& settings, const std::filesystem::path& model, const Compiled& compiled,
                     const std::string& size);
 
@@ -45,5 +50,6 @@ Ran run(const Settings& settings, const Words& words);
 
 /// Runs a process of csgsim. Throws InputError if it fails.
 double whole_process(const Words& words);
+Took took_by(const Words& words);
 
 }  // namespace csgsim::bench

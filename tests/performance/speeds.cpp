@@ -1,3 +1,5 @@
+#include <array>
+
 #include "tests/performance/process.h"
 #include "tests/performance/runs.h"
 
@@ -9,21 +11,24 @@ std::string name_of(const std::filesystem::path& model) { return model.stem().na
 
 /// The levels of one model on one machine, in turn.
 std::vector<Speed> speeds_of(const Settings& settings, const std::filesystem::path& model, const std::string& machine) {
-  const Compiled compiled = compile(settings, model, machine, settings.size);
+  const std::vector<Settings> sides = sides_of(settings);
   std::vector<Speed> speeds(settings.levels.size());
-  std::vector<Timed> timed;
-  for (std::size_t i = 0; i < speeds.size(); ++i) {
-    const Words words = run_words(settings, compiled, settings.levels[i]);
-    speeds[i] = {name_of(model), machine, settings.levels[i], 0, 0, 0, command_text(words)};
-    timed.emplace_back([&settings, &speed = speeds[i], words] {
-      const Ran ran = run(settings, words);
-      speed.clocks = ran.clocks;
-      speed.simulated = ran.simulated;
-      return ran.wall;
-    });
+  std::array<std::vector<Timed>, 2> timed;
+  for (std::size_t side = 0; side < sides.size(); ++side) {
+    const Compiled compiled = compile(sides[side], model, machine, settings.size);
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+      const Words words = run_words(sides[side], compiled, settings.levels[i]);
+      if (side == 0) speeds[i] = {name_of(model), machine, settings.levels[i], 0, 0, {}, command_text(words)};
+      timed.at(side).emplace_back([&own = sides[side], &speed = speeds[i], words] {
+        const Ran ran = run(own, words);
+        speed.clocks = ran.clocks;
+        speed.simulated = ran.simulated;
+        return ran.wall;
+      });
+    }
   }
-  const std::vector<double> medians = medians_in_turn(timed, settings.rounds);
-  for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i].wall = medians[i];
+  const std::vector<Compared> walls = compare_in_turn(timed[0], timed[1], settings.rounds);
+  for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i].wall = walls[i];
   return speeds;
 }
 

@@ -47,6 +47,31 @@ TEST_CASE("all are measured in turn, as many rounds as asked for, or until the t
   CHECK(order == "ab");
 }
 
+TEST_CASE("another build is measured beside each, and told by the ratio of each round") {
+  std::string order;
+  // Both are twice as slow in every second round.
+  const auto timed = [&](char name, double seconds) -> bench::Timed {
+    return [&order, name, seconds] {
+      order += name;
+      return order.size() % 8 <= 4 && order.size() % 8 > 0 ? seconds : 2 * seconds;
+    };
+  };
+  const std::array<bench::Timed, 2> all{timed('a', 1), timed('b', 4)};
+  const std::array<bench::Timed, 2> others{timed('A', 3), timed('B', 2)};
+  const std::vector<bench::Compared> compared = bench::compare_in_turn(all, others, {2, 1000});
+  CHECK(order == "aAbBaAbB");
+  REQUIRE(compared.size() == 2);
+  CHECK(compared[0].seconds == 1.5);
+  REQUIRE(compared[0].other);
+  CHECK(compared[0].other->seconds == 4.5);
+  CHECK(compared[0].other->ratio == 3);
+  REQUIRE(compared[1].other);
+  CHECK(compared[1].other->ratio == 0.5);
+  const std::vector<bench::Compared> alone = bench::compare_in_turn(all, {}, {1, 0});
+  REQUIRE(alone.size() == 2);
+  CHECK_FALSE(alone[0].other);
+}
+
 TEST_CASE("the exponent of a power law is found, whatever its factor") {
   for (const double power : {-1.0, 0.0, 0.5, 2.0}) {
     std::vector<bench::Point> points;
@@ -91,6 +116,10 @@ TEST_CASE("generated models have as many half-spaces as they say, and lie about 
     CHECK(grid.solids.size() == cubes);
     for (const facet::Convex& cube : grid.solids) CHECK(cube.halfspaces.size() == 6);
   }
+  const facet::Geometry plate = scene_of(bench::drilled_plate(5, 24, 0.6));
+  REQUIRE(plate.solids.size() == 6);
+  CHECK(plate.solids[5].halfspaces.size() == 24 + 2);
+  CHECK(scene_of(bench::deep_tree(50)).solids.size() == 50);
 }
 
 TEST_CASE("a process is timed; one that is not installed is none, one that fails is told") {
@@ -99,6 +128,7 @@ TEST_CASE("a process is timed; one that is not installed is none, one that fails
   REQUIRE(took);
   CHECK(took->wall >= 0.1);
   CHECK(took->processor < took->wall);
+  CHECK(took->memory > 0);
   const std::array<std::string, 1> none{"no-such-program-anywhere"};
   CHECK_FALSE(bench::run_process(none));
   CHECK(bench::run_process_within(20, sleeps));

@@ -1,0 +1,100 @@
+"""docs/performance.md: what a backend on a GPU would reach, by the simulator's counts and published figures."""
+
+import json
+
+from figures import ruled
+
+# An NVIDIA A100 by its maker: the whitepaper of the architecture (2020), the CUDA C++ Programming Guide for capability 8.0.
+PROCESSORS = 108  # streaming multiprocessors
+CLOCK = 1.41e9  # Hz
+LANES = 64  # integer operations a clock of a processor
+SHARED = 164 * 1024  # bytes of shared memory of a processor
+RESERVED = 1024  # of these for the system, a block
+SHARED_WIDTH = 128  # bytes a clock of a processor
+LINK = 31.5e9  # bytes a second over 16 lanes of PCI Express 4
+# Clocks as measured by Abdelkhalik and others, arXiv 2208.11174.
+DEPENDENT = 4  # from an operation to the next that needs its result
+SHARED_LATENCY = 23
+L2_LATENCY = 200
+
+# Our tile: a block of threads, each with a word of 32 pixels of every plane. By corners numbers lie there as such, 4 bytes each.
+THREADS = 64 * 64 // 32
+BITS = 72  # of memory a pixel, and E beside them
+NUMBERS, NUMBER_BITS = 3, 64  # two depths and a colour, and the bits that they have of these
+CHAIN = 10  # operations in a row that decide a word by the corners of its pixels, or a pixel by itself, behind two looks into shared memory
+STEP = 15  # operations of a word's bit step: the sum and its carry, masked by E, and the next bits of F, bit-sliced over 32 pixels
+STEP_BYTES = 12  # of shared memory: two bits of each pixel are read, one is written
+MEETING = 3 * L2_LATENCY  # clocks in which all blocks meet: a count, a look, what comes of it
+
+CORE_SECONDS = 40e-9  # of an instruction at a tile on one core: What bounds it
+
+SUBJECTS = (("carburettor", "512x512"), ("vehicle", "512x512"), ("house", "512x512"), ("carburettor", "2048x2048"))
+
+
+def tile_bytes(bits, numbers=0):
+    return (bits + 1) * 64 * 64 // 8 + numbers * 4 * 64 * 64
+
+
+def blocks(size):
+    """Tiles of so many bytes that fit into a processor's shared memory."""
+    return SHARED // (size + RESERVED)
+
+
+def chain():
+    """Clocks from an instruction to the next at a tile whose words the corners decide; of an open one, once more."""
+    return 2 * SHARED_LATENCY + CHAIN * DEPENDENT
+
+
+def step_clocks():
+    """Clocks of a bit step at a tile: by operations, or by shared memory."""
+    return max(STEP * THREADS / LANES, STEP_BYTES * THREADS / SHARED_WIDTH)
+
+
+def counts(figures, model, size):
+    return json.loads(figures.runs.run(
+        f"csgsim compile {figures.model(model)} --projection perspective --machine pixel-planes-4 --size {size} --progress none "
+        "-o $OUT/program.csgt && csgsim_bench count --json $OUT/program.csgt").printed)
+
+
+def seconds(work, dense):
+    """What the GPU takes: by the longest tile of each stretch, or by all tiles on all processors, whichever is longer."""
+    if dense:
+        longest, everything = work["longest_steps"] * step_clocks(), work["steps"] * step_clocks()
+    else:
+        longest = (work["longest"] + work["longest_open"]) * chain()
+        everything = (work["instructions"] + work["open"]) * CHAIN * THREADS / LANES
+    return (max(longest, everything / PROCESSORS) + work["stretches"] * MEETING) / CLOCK
+
+
+def tile(_):
+    """What a tile and an instruction take."""
+    sizes = tile_bytes(BITS), tile_bytes(BITS - NUMBER_BITS, NUMBERS)
+    rows = [("bytes of shared memory a tile", *(f"{size:,}" for size in sizes)),
+            ("tiles at a time, of a processor and of the GPU", *(f"{blocks(size)}, {blocks(size) * PROCESSORS}" for size in sizes)),
+            ("operations of an instruction at a tile", f"{STEP * THREADS:,} a clock of the machine", f"{CHAIN * THREADS:,}; as many again if open"),
+            ("bytes to and from shared memory", f"{STEP_BYTES * THREADS:,} a clock of the machine", f"{8 * THREADS:,}; as many again"),
+            (f"operations a byte, where the processor has {LANES / SHARED_WIDTH:.1f}", f"{STEP / STEP_BYTES:.2f}", f"{CHAIN / 8:.2f}"),
+            ("clocks of the GPU, if operations alone bound it", f"{step_clocks():.0f} a clock of the machine", f"{CHAIN * THREADS / LANES:.0f}"),
+            ("clocks from an instruction to the next", "the same", f"{chain()}; as many again")]
+    return ruled((f"{BITS} bits a pixel", "bit by bit", "by corners"), rows)
+
+
+def estimate(figures):
+    head = ("model", "pixels", "tiles", "instructions at tiles", "side by side", "one core, ms", "GPU bit by bit, ms",
+            "GPU by corners, ms", "cores that do the same")
+    rows = []
+    for model, size in SUBJECTS:
+        work = counts(figures, model, size)
+        core = work["instructions"] * CORE_SECONDS
+        gpu = seconds(work, dense=False)
+        rows.append((model, size.replace("x", " × "), work["tiles"], f"{work['instructions']:,}", f"{work['instructions'] / work['longest']:.1f}",
+                     f"{core * 1e3:.1f}", f"{seconds(work, dense=True) * 1e3:.1f}", f"{gpu * 1e3:.1f}", f"{core / gpu:.1f}"))
+    return ruled(head, rows, numbers_from=2)
+
+
+def published(_):
+    rows = [("processors (SM), clock", f"{PROCESSORS}, {CLOCK / 1e9:.2f} GHz"), ("integer operations a clock of one", LANES),
+            ("shared memory of one", f"{SHARED // 1024} KiB, {SHARED_WIDTH} bytes a clock"),
+            ("operation that needs the last one's result", f"{DEPENDENT} clocks"),
+            ("word from shared memory, from the second cache", f"{SHARED_LATENCY}, {L2_LATENCY} clocks")]
+    return ruled(("NVIDIA A100", ""), rows)
