@@ -52,7 +52,7 @@ def step_clocks():
 
 def counts(figures, model, size):
     return json.loads(figures.runs.run(
-        f"csgsim compile {figures.model(model)} --projection perspective --machine pixel-planes-4 --size {size} --progress none "
+        f"csgsim compile {figures.model(model)} --projection perspective --machine pixel-planes-4 --size {size} "
         "-o $OUT/program.csgt && csgsim_bench count --json $OUT/program.csgt").printed)
 
 
