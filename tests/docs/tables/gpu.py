@@ -1,7 +1,5 @@
 """docs/performance.md: what a backend on a GPU would reach, by the simulator's counts and published figures."""
 
-import json
-
 from figures import ruled
 
 # An NVIDIA A100 by its maker: the whitepaper of the architecture (2020), the CUDA C++ Programming Guide for capability 8.0.
@@ -24,6 +22,7 @@ NUMBERS, NUMBER_BITS = 3, 64  # two depths and a colour, and the bits that they 
 CHAIN = 10  # operations in a row that decide a word by the corners of its pixels, or a pixel by itself, behind two looks into shared memory
 STEP = 15  # operations of a word's bit step: the sum and its carry, masked by E, and the next bits of F, bit-sliced over 32 pixels
 STEP_BYTES = 12  # of shared memory: two bits of each pixel are read, one is written
+PICTURE = 12  # bytes a pixel that go to the host: depth, owner, colour
 MEETING = 3 * L2_LATENCY  # clocks in which all blocks meet: a count, a look, what comes of it
 
 CORE_SECONDS = 40e-9  # of an instruction at a tile on one core: What bounds it
@@ -51,9 +50,14 @@ def step_clocks():
 
 
 def counts(figures, model, size):
-    return json.loads(figures.runs.run(
-        f"csgsim compile {figures.model(model)} --projection perspective --machine pixel-planes-4 --size {size} "
-        "-o $OUT/program.csgt && csgsim_bench count --json $OUT/program.csgt").printed)
+    return figures.runs.run(
+        f"csgsim compile {figures.model(model)} --projection perspective --machine pixel-planes-4 --size {size} -o $OUT/program.csgt; "
+        "csgsim_bench count --json $OUT/program.csgt >$OUT/counts.json").json("counts.json")
+
+
+def pixels(size):
+    width, height = size.split("x")
+    return int(width) * int(height)
 
 
 def seconds(work, dense):
@@ -81,14 +85,14 @@ def tile(_):
 
 def estimate(figures):
     head = ("model", "pixels", "tiles", "instructions at tiles", "side by side", "one core, ms", "GPU bit by bit, ms",
-            "GPU by corners, ms", "cores that do the same")
+            "GPU by corners, ms", "cores that do the same", "picture to the host, ms")
     rows = []
     for model, size in SUBJECTS:
         work = counts(figures, model, size)
         core = work["instructions"] * CORE_SECONDS
         gpu = seconds(work, dense=False)
         rows.append((model, size.replace("x", " × "), work["tiles"], f"{work['instructions']:,}", f"{work['instructions'] / work['longest']:.1f}",
-                     f"{core * 1e3:.1f}", f"{seconds(work, dense=True) * 1e3:.1f}", f"{gpu * 1e3:.1f}", f"{core / gpu:.1f}"))
+                     f"{core * 1e3:.1f}", f"{seconds(work, dense=True) * 1e3:.1f}", f"{gpu * 1e3:.1f}", f"{core / gpu:.0f}", f"{pixels(size) * PICTURE / LINK * 1e3:.1f}"))
     return ruled(head, rows, numbers_from=2)
 
 
