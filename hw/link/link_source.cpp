@@ -3,10 +3,20 @@
 #include <array>
 #include <utility>
 
+#include "hw/systemc/kernel.h"
+
 namespace csgsim::link {
 
-LinkSource::LinkSource(sc_core::sc_module_name name, const machines::Link& link)
-    : systemc::ClockedModule(name), link_(link) {}
+LinkSource::LinkSource(sc_core::sc_module_name name, const sc_core::sc_time& period, const machines::Link& link)
+    : systemc::ClockedModule(name), period_(period), link_(link) {}
+
+void LinkSource::end_of_elaboration() {
+  room_or_request_ |= words.data_read_event();
+  room_or_request_ |= requests.data_written_event();
+}
+
+/// Since the machine was built.
+std::uint64_t LinkSource::edges() const { return systemc::edges(period_); }
 
 void LinkSource::load(FrameWords frame) {
   frame_ = std::move(frame);
@@ -29,20 +39,47 @@ std::optional<std::size_t> LinkSource::word() const {
   return state_ == State::sending || state_ == State::blocked ? std::optional(next_) : std::nullopt;
 }
 
-void LinkSource::on_clock() {
-  count();
-  if (std::uint64_t instruction = 0; requests.nb_read(instruction)) return go_on_from(instruction);
-  go_on();
+std::uint64_t& LinkSource::clocks_of(State state, machines::LinkAccount& account) {
+  switch (state) {
+    case State::waiting:
+    case State::latent: return account.waiting;
+    case State::sending: return account.sending;
+    case State::blocked: return account.blocked;
+    case State::done: return account.done;
+  }
+  return account.done;
 }
 
-/// The clock that ends.
-void LinkSource::count() {
+machines::LinkAccount LinkSource::account() const {
+  machines::LinkAccount account = account_;
+  clocks_of(state_, account) += edges() - counted_at_;
+  return account;
+}
+
+/// Sleeps while nothing but its clocks has to be counted.
+void LinkSource::on_clock() {
+  if (!clock.posedge()) return;
+  const std::uint64_t now = edges();
+  const std::uint64_t clocks = now - std::exchange(counted_at_, now);
+  clocks_of(state_, account_) += clocks;
+  if (std::uint64_t instruction = 0; requests.nb_read(instruction)) {
+    go_on_from(instruction);
+  } else {
+    go_on(clocks);
+  }
+  sleep();
+}
+
+/// A request that comes meanwhile is taken at the edge after that.
+void LinkSource::sleep() {
   switch (state_) {
     case State::waiting:
-    case State::latent: ++account_.waiting; break;
-    case State::sending: ++account_.sending; break;
-    case State::blocked: ++account_.blocked; break;
-    case State::done: ++account_.done; break;
+    case State::done: return next_trigger(requests.data_written_event());
+    case State::blocked: return next_trigger(room_or_request_);
+    case State::latent:
+    case State::sending:
+      if (left_ < 2) return;
+      next_trigger(sc_core::sc_time::from_value(left_ * period_.value()), requests.data_written_event());
   }
 }
 
@@ -54,15 +91,15 @@ void LinkSource::go_on_from(std::uint64_t instruction) {
   if (left_ == 0) begin_word();
 }
 
-void LinkSource::go_on() {
+void LinkSource::go_on(std::uint64_t clocks) {
   switch (state_) {
     case State::waiting:
     case State::done: break;
     case State::latent:
-      if (--left_ == 0) begin_word();
+      if ((left_ -= static_cast<std::uint32_t>(clocks)) == 0) begin_word();
       break;
     case State::sending:
-      if (--left_ == 0) store_word();
+      if ((left_ -= static_cast<std::uint32_t>(clocks)) == 0) store_word();
       break;
     case State::blocked: store_word(); break;
   }

@@ -24,7 +24,8 @@ class LinkSource final : public systemc::ClockedModule {
   sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};  ///< a place for one
   sc_core::sc_fifo_out<isa::LinkWord> words{"words"};       ///< Link::fifo_depth places
 
-  LinkSource(sc_core::sc_module_name name, const machines::Link& link);
+  /// `period`: of the clock.
+  LinkSource(sc_core::sc_module_name name, const sc_core::sc_time& period, const machines::Link& link);
 
   /// Puts a frame into the host's memory. Nothing of it is sent before a request. The account begins with the clock in
   /// which that for the frame's beginning is on its way.
@@ -38,24 +39,31 @@ class LinkSource final : public systemc::ClockedModule {
   [[nodiscard]] std::optional<std::size_t> word() const;  ///< that is on the link, counted from the frame's first
 
   /// Of the frame's clocks that are over.
-  [[nodiscard]] const machines::LinkAccount& account() const { return account_; }
+  [[nodiscard]] machines::LinkAccount account() const;
 
  private:
   enum class State : std::uint8_t { waiting, latent, sending, blocked, done };
 
+  /// The count of clocks in which it is at that.
+  static std::uint64_t& clocks_of(State state, machines::LinkAccount& account);
+  void end_of_elaboration() override;
   void on_clock() override;
-  void count();
+  [[nodiscard]] std::uint64_t edges() const;
   void go_on_from(std::uint64_t instruction);
-  void go_on();
+  void go_on(std::uint64_t clocks);
   void begin_word();
   void store_word();
+  void sleep();
 
+  const sc_core::sc_time period_;
   const machines::Link link_;
   FrameWords frame_;
   State state_ = State::waiting;
   std::size_t next_ = 0;    ///< the word on the link, or that will be
   std::uint32_t left_ = 0;  ///< clocks of the latency, or of the word on the link
   machines::LinkAccount account_;
+  std::uint64_t counted_at_ = 0;  ///< edge to which clocks are in the account
+  sc_core::sc_event_or_list room_or_request_;
 };
 
 }  // namespace csgsim::link

@@ -8,7 +8,7 @@
 #include "hw/isa/program.h"
 #include "hw/machines/timing.h"
 #include "hw/pixel_planes/control_word.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_ports.h"
 #include "hw/systemc/retirement.h"
 
 namespace csgsim::pixel_planes {

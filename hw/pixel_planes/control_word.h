@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <cstdint>
 #include <ostream>
 #include <string>
@@ -10,25 +11,8 @@
 #include "hw/isa/program.h"
 #include "hw/systemc/wire.h"
 
-/// What travels on the wires between the modules, one value a clock.
+/// What travels between the modules, one value a clock.
 namespace csgsim::pixel_planes {
-
-/// Controller to the roots of the multiplier trees.
-struct RootWord {
-  array::RootBits bits;
-
-  constexpr bool operator==(const RootWord&) const = default;
-};
-
-/// In the registers between the trees and the pixels.
-struct TreeWord {
-  array::StreamBit bit;  ///< of stepped trees the token alone
-  /// Of stepped trees: the bits of all pixels that are built, as a PixelArray has them, until the evaluator writes the
-  /// word after the next.
-  const array::Words* pixels = nullptr;
-
-  constexpr bool operator==(const TreeWord&) const = default;
-};
 
 /// Clears so many memory bits of every pixel from that address on, and all registers. Pixels right of `width` or below
 /// `height` take no part until the next word that clears.
@@ -86,11 +70,11 @@ struct Account {
 };
 
 // Which nobody calls (hw/systemc/wire.h).
-template <systemc::OneOf<RootWord, TreeWord, ControlWord, Answer, RefreshStep, FinishedPicture, Account> Value>
+template <systemc::OneOf<Answer, RefreshStep, FinishedPicture, Account> Value>
 std::ostream& operator<<(std::ostream& stream, const Value& /*value*/) {
   return stream;
 }
-template <systemc::OneOf<RootWord, TreeWord, ControlWord, Answer> Value>
+template <std::same_as<Answer> Value>
 void sc_trace(sc_core::sc_trace_file* /*file*/, const Value& /*value*/, const std::string& /*name*/) {}
 
 }  // namespace csgsim::pixel_planes

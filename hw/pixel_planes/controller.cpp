@@ -2,17 +2,36 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <variant>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/pixel_planes/clear_step.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_planes {
 
-Controller::Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer,
+Controller::Controller(sc_core::sc_module_name name, const sc_core::sc_time& period, const array::Sequencer& sequencer,
                        const ControllerFigures& figures)
-    : systemc::ClockedModule(name), figures_(figures), sequencer_(sequencer), receiver_(figures.link_width) {}
+    : systemc::ClockedModule(name),
+      period_(period),
+      figures_(figures),
+      sequencer_(sequencer),
+      receiver_(figures.link_width) {}
+
+/// Since the machine was built.
+std::uint64_t Controller::edges() const { return systemc::edges(period_); }
+
+ControllerStatus Controller::status() const {
+  ControllerStatus status = status_;
+  const std::uint64_t elapsed = edges() - acted_at_;
+  if (elapsed >= ahead_.size()) return status;
+  status.bit = ahead_[elapsed].bit;
+  status.pass = ahead_[elapsed].pass;
+  status.clocks -= ahead_.size() - 1 - elapsed;
+  return status;
+}
 
 void Controller::resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock) {
   state_ = State::ready;
@@ -29,6 +48,8 @@ std::string_view Controller::state() const {
 }
 
 void Controller::on_clock() {
+  acted_at_ = edges();
+  ahead_.clear();
   if (bool token = false; latched.nb_read(token)) unlatched_ = false;
   if (state_ == State::idle) begin_frame();
   if (state_ == State::waiting) take_answer();
@@ -37,6 +58,7 @@ void Controller::on_clock() {
   if (state_ == State::holding && !unlatched_) begin_copy();
   put_control_word();
   if (state_ != State::idle) receive();
+  issue_ahead();
 }
 
 void Controller::begin_frame() {
@@ -144,10 +166,8 @@ void Controller::begin(const isa::FrameEnd& end) {
 }
 
 void Controller::issue() {
-  status_.bit = sequencer_.bit();
-  status_.pass = sequencer_.pass();
-  const array::BitStep step = sequencer_.issue();
-  put({.step = step.pixels, .steps = true, .last = step.last, .ordinal = status_.ordinal}, step.root);
+  const array::BitStep step = next_step();
+  put_step(acted_at_, step);
   ++instruction_clocks_;
   if (step.pixels.function == array::AluFunction::answer) {
     state_ = State::waiting;
@@ -155,6 +175,42 @@ void Controller::issue() {
     accounts.nb_write({.cleared = false, .clocks = instruction_clocks_});
     state_ = State::ready;
   }
+}
+
+array::BitStep Controller::next_step() {
+  const auto [place, step] = last_step_ ? *std::exchange(last_step_, std::nullopt) : issued();
+  status_.bit = place.bit;
+  status_.pass = place.pass;
+  return step;
+}
+
+Controller::Issued Controller::issued() {
+  const Place place{sequencer_.bit(), sequencer_.pass()};
+  return {place, sequencer_.issue()};
+}
+
+void Controller::put_step(std::uint64_t edge, const array::BitStep& step) {
+  resting_ = false;
+  wires->put(edge, {.step = step.pixels, .steps = true, .last = step.last, .ordinal = status_.ordinal}, step.root);
+}
+
+/// When the command to come has been received, and no refresh word can be asked for, nothing happens to the controller
+/// until the last step of the instruction at hand: it sleeps until then, and puts what comes before on the wires.
+void Controller::issue_ahead() {
+  if (state_ != State::issuing || !receiver_.holds() || edges_to_drop_ > 0 || unlatched_) return;
+  if (refreshes.num_available() > 0) return;
+  ahead_.push_back({status_.bit, status_.pass});
+  Issued next = issued();
+  for (; !next.step.last; next = issued()) {
+    put_step(acted_at_ + ahead_.size(), next.step);
+    ahead_.push_back(next.place);
+  }
+  last_step_ = next;
+  const std::uint64_t ahead = ahead_.size() - 1;
+  account_.issuing += ahead;
+  status_.clocks += ahead;
+  instruction_clocks_ += ahead;
+  if (ahead > 0) next_trigger(sc_core::sc_time::from_value((ahead + 1) * period_.value()));
 }
 
 /// A picture that is being shown stays.
@@ -200,8 +256,9 @@ void Controller::finish() {
 }
 
 void Controller::put(const ControlWord& word, const array::RootBits& bits) {
-  root.write({bits});
-  control.write(word);
+  if (resting_ && word == ControlWord{}) return;
+  resting_ = word == ControlWord{};
+  wires->put(acted_at_, word, bits);
 }
 
 void Controller::take_answer() {

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <systemc>
+#include <vector>
 
 #include "hw/array/sequencer.h"
 #include "hw/isa/wire.h"
 #include "hw/link/receiver.h"
 #include "hw/pixel_planes/account.h"
 #include "hw/pixel_planes/control_word.h"
+#include "hw/pixel_planes/pixel_ports.h"
 #include "hw/systemc/clocked_module.h"
 
 namespace csgsim::pixel_planes {
@@ -49,12 +52,13 @@ class Controller final : public systemc::ClockedModule {
   sc_core::sc_fifo_in<bool> latched{"latched"};                ///< one when it has latched a picture's last row
   sc_core::sc_fifo_out<FinishedPicture> pictures{"pictures"};  ///< for the scan-out, one at a time
   sc_core::sc_in<Answer> answer{"answer"};
-  sc_core::sc_out<RootWord> root{"root"};
-  sc_core::sc_out<ControlWord> control{"control"};
+  sc_core::sc_port<PixelWires> wires{"wires"};
   sc_core::sc_fifo_out<Account> accounts{"accounts"};
   sc_core::sc_out<std::uint64_t> programs{"programs"};  ///< carried out to their end
 
-  Controller(sc_core::sc_module_name name, const array::Sequencer& sequencer, const ControllerFigures& figures);
+  /// `period`: of the clock.
+  Controller(sc_core::sc_module_name name, const sc_core::sc_time& period, const array::Sequencer& sequencer,
+             const ControllerFigures& figures);
 
   /// In the middle of a frame: the instruction is in the receiver and begins with that clock of the frame.
   void resume(const isa::Instruction& instruction, std::uint64_t ordinal, std::uint64_t first_clock);
@@ -64,11 +68,22 @@ class Controller final : public systemc::ClockedModule {
   [[nodiscard]] const ControllerAccount& account() const { return account_; }
   [[nodiscard]] std::uint64_t instructions() const { return instructions_; }  ///< of that frame, carried out
   [[nodiscard]] bool idle() const { return state_ == State::idle; }
-  [[nodiscard]] const ControllerStatus& status() const { return status_; }
+  [[nodiscard]] ControllerStatus status() const;
   [[nodiscard]] std::string_view state() const;
 
  private:
   enum class State : std::uint8_t { idle, asking, ready, issuing, clearing, waiting, holding, copying, draining };
+
+  /// As in ControllerStatus.
+  struct Place {
+    std::uint32_t bit = 0;
+    std::uint32_t pass = 0;
+  };
+
+  struct Issued {
+    Place place;
+    array::BitStep step;
+  };
 
   void on_clock() override;
   void begin_frame();
@@ -83,6 +98,10 @@ class Controller final : public systemc::ClockedModule {
   void put_control_word();
   void await(std::uint64_t& waiting_for);
   void issue();
+  void issue_ahead();
+  Issued issued();
+  array::BitStep next_step();
+  void put_step(std::uint64_t edge, const array::BitStep& step);
   void clear();
   void begin_copy();
   void copy();
@@ -91,12 +110,18 @@ class Controller final : public systemc::ClockedModule {
   void take_answer();
   void jump(std::uint64_t skipped);
   void receive();
+  [[nodiscard]] std::uint64_t edges() const;
 
+  const sc_core::sc_time period_;
   const ControllerFigures figures_;
   array::Sequencer sequencer_;
   link::Receiver receiver_;
   State state_ = State::idle;
   ControllerStatus status_;
+  std::uint64_t acted_at_ = 0;       ///< edge
+  std::vector<Place> ahead_;         ///< of steps that have been put on the wires for the edges from that one on
+  std::optional<Issued> last_step_;  ///< of the instruction, which is then still to be put
+  bool resting_ = false;             ///< the wires carry nothing
   ControllerAccount account_;
   std::uint64_t next_ordinal_ = 0;  ///< of the instruction that comes next
   std::uint64_t instructions_ = 0;

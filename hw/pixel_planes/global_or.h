@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hw/pixel_planes/control_word.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_ports.h"
 
 namespace csgsim::pixel_planes {
 

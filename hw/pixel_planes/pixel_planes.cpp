@@ -36,13 +36,6 @@ array::TreeForm tree_form(const machines::Machine& machine) {
   return {machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
 }
 
-std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
-                                              const systemc::Foretold* foretold) {
-  if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
-  const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
-  return array::SteppedEvaluator(plane_shape(machine), tree_form(machine), pixels);
-}
-
 /// The array holds the whole picture when the program is through.
 bool fills_array(const isa::Program& program, array::PlaneShape shape) {
   const isa::Region whole{0, 0, shape.width, shape.height};
@@ -74,11 +67,9 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
       clock_("clock", systemc::period_of(machine)),
       link_("link", static_cast<int>(machine.link.fifo_depth)),
       accounts_("accounts", static_cast<int>(latency_) + 2),
-      host_("host", machine.link),
-      controller_("controller", sequencer(machine), controller_figures(machine)),
-      control_delay_("control_delay", latency_),
-      evaluator_("evaluator", plane_shape(machine), machine.register_levels, adders(machine, form, foretold)),
-      processors_("processors", machine.array, machine.alu_bits, foretold),
+      host_("host", systemc::period_of(machine), machine.link),
+      controller_("controller", systemc::period_of(machine), sequencer(machine), controller_figures(machine)),
+      pipeline_("pipeline", machine, form, foretold),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
       scan_out_("scan_out", plane_shape(machine), machines::own<Figures>(machine).scan_out_pixels,
                 machines::own<Figures>(machine).scan_out_port) {
@@ -97,39 +88,26 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   controller_.latched(latched_);
   controller_.pictures(pictures_);
   controller_.answer(answer_);
-  controller_.root(root_);
-  controller_.control(control_);
+  controller_.wires(pipeline_);
   controller_.accounts(accounts_);
   controller_.programs(programs_);
 
-  control_delay_.clock(clock_);
-  control_delay_.in(control_);
-  control_delay_.out(control_at_pixels_);
-  control_delay_.question(question_);
-
-  evaluator_.clock(clock_);
-  evaluator_.root(root_);
-  evaluator_.leaves(tree_bits_);
-
-  processors_.clock(clock_);
-  processors_.control(control_at_pixels_);
-  processors_.tree(tree_bits_);
-  processors_.retired(retired_);
+  pipeline_.question(question_);
+  pipeline_.retired(retired_);
 
   global_or_.clock(clock_);
   global_or_.question(question_);
-  global_or_.enable(processors_.enable_lines);
+  global_or_.enable(pipeline_);
   global_or_.answer(answer_);
 
   completion_.retired(retired_);
   completion_.accounts(accounts_);
-  completion_.enable(processors_.enable_lines);
+  completion_.enable(pipeline_);
   completion_.retirement(retirement_);
 
   scan_out_.clock(clock_);
   scan_out_.pictures(pictures_);
-  scan_out_.refresh(processors_.refresh);
-  scan_out_.control(control_at_pixels_);
+  scan_out_.refresh(pipeline_);
   scan_out_.refreshes(refreshes_);
   scan_out_.video(video_);
   scan_out_.latched(latched_);
@@ -170,7 +148,7 @@ void PixelPlanes::check(std::span<const isa::Program> programs) const {
   const array::PlaneShape shape = plane_shape(machine_);
   const isa::Field first = isa::frame_header(programs.front()).colour;
   for (const isa::Program& program : programs) {
-    check_fits(program.shape, {shape.width, shape.height, processors_.pixels().memory_bits()});
+    check_fits(program.shape, {shape.width, shape.height, pipeline_.pixels().memory_bits()});
     const isa::Field colour = isa::frame_header(program).colour;
     if (machines::own<Figures>(machine_).scan_out_buffers < 2 || colour.width == first.width) continue;
     throw InputError("frames with colours of " + std::to_string(first.width) + " and " + std::to_string(colour.width) +
@@ -226,7 +204,7 @@ void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listen
 }
 
 void PixelPlanes::start(const isa::Program& program) {
-  if (foretold_) processors_.resume(processors_.pixels(), shown_field(program, machine_));
+  if (foretold_) pipeline_.show(shown_field(program, machine_));
   if (start_) return resume(program, *std::exchange(start_, std::nullopt));
   if (foretold_) global_or_.foretell(foretold_->answers);
   host_.load(link::frame_words(program, machine_.link.width));
@@ -238,8 +216,7 @@ void PixelPlanes::start(const isa::Program& program) {
 void PixelPlanes::resume(const isa::Program& program, const Start& start) {
   const array::PixelReplay fresh(foretold_->pixels, machine_.array.memory_bits, sequencer(machine_), machine_.alu_bits);
   const array::PixelReplay replay = replay_until(program, foretold_->answers, start, fresh);
-  processors_.resume(replay.pixels(), shown_field(program, machine_));
-  tree_bits_.write({replay.tree()});
+  pipeline_.resume(replay.pixels(), replay.tree());
   const auto asked = static_cast<std::ptrdiff_t>(start.questions);
   global_or_.foretell({foretold_->answers.begin() + asked, foretold_->answers.end()});
   link::FrameWords words = link::frame_words(program, machine_.link.width, start.ordinal + 1, start.end);
@@ -260,9 +237,9 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   const auto add = [&](std::vector<wave::Tap> more) { wave::add(std::move(more), taps); };
   const array::TreeForm trees = tree_form(machine_);
   add(controller_taps(program));
-  add(root_taps("root", root_, trees));
-  add(control_taps("pixels", control_at_pixels_, trees.bits, program,
-                   [this] { return wave::Number(control_at_pixels_.read().ordinal); }));
+  add(root_taps("root", pipeline_, trees));
+  add(control_taps("pixels", pipeline_, trees.bits, program,
+                   [this] { return wave::Number(pipeline_.now().at_pixels().ordinal); }));
   taps.push_back(wave::bit("answer.valid", [this] { return answer_.read().valid; }));
   taps.push_back(wave::bit("answer.any_enabled", [this] {
     return answer_.read().valid ? wave::Number(answer_.read().any_enabled) : std::nullopt;
@@ -271,8 +248,8 @@ std::vector<wave::Tap> PixelPlanes::taps(const isa::Program& program, const wave
   for (std::size_t i = 0; i < request.pixels.size(); ++i) {
     const array::Place place = place_of(request.pixels[i], program);
     const array::Place built = foretold_ ? array::Place{foretold_place(*foretold_, place), 0} : place;
-    add(pixel_taps(request.pixels[i], {processors_, evaluator_, control_at_pixels_, place, built, nullptr, trees},
-                   program, request.tree_levels, machine_.alu_bits));
+    add(pixel_taps(request.pixels[i], {pipeline_, place, built, nullptr, trees}, program, request.tree_levels,
+                   machine_.alu_bits));
   }
   return taps;
 }
@@ -286,14 +263,14 @@ std::vector<wave::Tap> PixelPlanes::host_taps() const {
 
 std::vector<wave::Tap> PixelPlanes::controller_taps(const isa::Program& program) const {
   const auto at = [this] {
-    const ControllerStatus& status = controller_.status();
+    const ControllerStatus status = controller_.status();
     return status.busy ? wave::Number(status.ordinal) : std::nullopt;
   };
   std::vector<wave::Tap> taps = wave::instruction_taps("controller", program, at);
   taps.push_back(wave::text("controller.state", [this] { return std::string(controller_.state()); }));
   const auto of_status = [&](const char* name, unsigned width, auto read) {
     taps.push_back(wave::number(name, width, [this, read] {
-      const ControllerStatus& status = controller_.status();
+      const ControllerStatus status = controller_.status();
       return status.busy ? wave::Number(read(status)) : std::nullopt;
     }));
   };

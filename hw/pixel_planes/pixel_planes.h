@@ -12,11 +12,9 @@
 #include "hw/link/link_source.h"
 #include "hw/machines/machine.h"
 #include "hw/pixel_planes/completion.h"
-#include "hw/pixel_planes/control_delay.h"
 #include "hw/pixel_planes/controller.h"
 #include "hw/pixel_planes/global_or.h"
-#include "hw/pixel_planes/linear_expression_evaluator.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_pipeline.h"
 #include "hw/pixel_planes/probed.h"
 #include "hw/pixel_planes/scan_out.h"
 #include "hw/systemc/clock.h"
@@ -51,7 +49,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   /// A machine of some pixels begins with an instruction.
   std::uint64_t skip_to(const isa::Program& program, wave::Window window) override;
 
-  [[nodiscard]] const PixelProcessors& processors() const { return processors_; }
+  [[nodiscard]] const PixelPipeline& processors() const { return pipeline_; }
   [[nodiscard]] const Controller& controller() const { return controller_; }
   [[nodiscard]] unsigned latency() const { return latency_; }
   [[nodiscard]] sc_core::sc_time period() const { return clock_.period(); }
@@ -88,12 +86,8 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   sc_core::sc_fifo<RefreshStep> refreshes_{"refreshes", 2};  ///< two, so that one goes through in each clock
   sc_core::sc_fifo<FinishedPicture> pictures_{"pictures", 1};
   sc_core::sc_fifo<bool> latched_{"latched", 1};
-  sc_core::sc_signal<RootWord> root_{"root_bits"};
-  sc_core::sc_signal<ControlWord> control_{"control"};
-  sc_core::sc_signal<ControlWord> control_at_pixels_{"control_at_pixels"};
   sc_core::sc_signal<bool> question_{"question"};
   sc_core::sc_signal<Answer> answer_{"answer"};
-  sc_core::sc_signal<TreeWord, sc_core::SC_MANY_WRITERS> tree_bits_{"tree_bits"};
   sc_core::sc_signal<std::uint64_t> retired_{"retired"};
   sc_core::sc_fifo<Account> accounts_;
   sc_core::sc_signal<std::uint64_t> programs_{"programs"};
@@ -102,9 +96,7 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
 
   link::LinkSource host_;
   Controller controller_;
-  ControlDelay control_delay_;
-  LinearExpressionEvaluator evaluator_;
-  PixelProcessors processors_;
+  PixelPipeline pipeline_;
   GlobalOr global_or_;
   Completion completion_{"completion"};
   systemc::Retirement retirement_{"retirement"};

@@ -79,7 +79,7 @@ void ScanOut::latch() {
   if (port_ == ScanOutPort::own) {
     latch_bit({static_cast<std::uint16_t>(colour_.base + latched_), static_cast<std::uint16_t>(row_)});
   } else {
-    if (control.read().refreshes) latch_bit(control.read().refresh);
+    if (const std::optional<RefreshStep> step = refresh->refreshed()) latch_bit(*step);
     ask();
   }
 }

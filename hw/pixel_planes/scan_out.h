@@ -8,7 +8,7 @@
 #include "hw/isa/instruction.h"
 #include "hw/pixel_planes/control_word.h"
 #include "hw/pixel_planes/figures.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_ports.h"
 
 namespace csgsim::pixel_planes {
 
@@ -21,7 +21,6 @@ class ScanOut final : public sc_core::sc_module {
   sc_core::sc_in<bool> clock{"clock"};
   sc_core::sc_fifo_in<FinishedPicture> pictures{"pictures"};
   sc_core::sc_port<RefreshPort> refresh{"refresh"};
-  sc_core::sc_in<ControlWord> control{"control"};            ///< at the pixels
   sc_core::sc_fifo_out<RefreshStep> refreshes{"refreshes"};  ///< to the controller
   sc_core::sc_out<std::uint32_t> video{"video"};             ///< the last of the pixels shown in a clock
   sc_core::sc_fifo_out<bool> latched{"latched"};             ///< to the controller: one when a last row is latched

@@ -36,33 +36,33 @@ class Probe {
   explicit Probe(PixelPoint point) : point_(std::move(point)) {}
 
   [[nodiscard]] bool shows() const { return !point_.shows || point_.shows(); }
-  [[nodiscard]] array::PixelProbe registers() const { return point_.processors.probe(point_.built.x, point_.built.y); }
+  [[nodiscard]] array::PixelProbe registers() const { return point_.pipeline.probe(point_.built.x, point_.built.y); }
   [[nodiscard]] array::LevelProbe level(wave::TreeLevel level) const {
-    return level.axis == wave::TreeLevel::Axis::x ? point_.evaluator.x_level(level.level, point_.place)
-                                                  : point_.evaluator.y_level(level.level, point_.place);
+    return level.axis == wave::TreeLevel::Axis::x ? point_.pipeline.now().x_level(level.level, point_.place)
+                                                  : point_.pipeline.now().y_level(level.level, point_.place);
   }
 
   /// Of bits that go on beyond the memory, as those of a wide ALU may behind a narrow operand, what there is.
   [[nodiscard]] std::uint64_t memory(isa::Field field) const {
-    const std::uint32_t left = point_.processors.pixels().memory_bits() - field.base;
+    const std::uint32_t left = point_.pipeline.pixels().memory_bits() - field.base;
     field.width = static_cast<std::uint16_t>(std::min<std::uint32_t>(field.width, left));
-    return point_.processors.pixels().value(field, point_.built.x, point_.built.y);
+    return point_.pipeline.pixels().value(field, point_.built.x, point_.built.y);
   }
 
   /// On the first read port.
   [[nodiscard]] Number read_x() const {
-    const array::ArrayStep& step = point_.control.read().step;
+    const array::ArrayStep& step = point_.pipeline.now().at_pixels().step;
     const bool is_read = array::info(step.function).reads_x && step.source == array::OperandSource::memory;
     return is_read ? Number(memory({step.x, step.bits})) : std::nullopt;
   }
   /// On the second, or on the only one if operand x is not from memory.
   [[nodiscard]] Number read_y() const {
-    const array::ArrayStep& step = point_.control.read().step;
+    const array::ArrayStep& step = point_.pipeline.now().at_pixels().step;
     return array::info(step.function).reads_y ? Number(memory({step.y, step.bits})) : std::nullopt;
   }
   /// What the step before has left where it may have written.
   [[nodiscard]] Number written() const {
-    const array::ArrayStep& step = point_.processors.carried_out().step;
+    const array::ArrayStep& step = point_.pipeline.now().carried_out().step;
     return array::info(step.function).writes ? Number(memory({step.write, step.bits})) : std::nullopt;
   }
 
@@ -72,10 +72,10 @@ class Probe {
 
 }  // namespace
 
-std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root, array::TreeForm trees) {
-  const auto reading = [&root](auto read) {
-    return [&root, read] {
-      const array::RootBits& bits = root.read().bits;
+std::vector<Tap> root_taps(const std::string& part, const PixelPipeline& pipeline, array::TreeForm trees) {
+  const auto reading = [&pipeline](auto read) {
+    return [&pipeline, read] {
+      const array::RootBits& bits = pipeline.now().roots();
       return bits.token.active() ? Number(read(bits)) : std::nullopt;
     };
   };
@@ -83,7 +83,8 @@ std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<Roo
     return wave::bits(part + name, trees.bits, reading([member](const array::RootBits& bits) { return bits.*member; }));
   };
   std::vector<Tap> taps{
-      wave::text(part + ".state", [&root] { return std::string(root.read().bits.token.active() ? "streaming" : ""); }),
+      wave::text(part + ".state",
+                 [&pipeline] { return std::string(pipeline.now().roots().token.active() ? "streaming" : ""); }),
       tap(".a", &array::RootBits::a), tap(".b", &array::RootBits::b), tap(".c", &array::RootBits::c),
       wave::number(part + ".bit", 8,
                    reading([](const array::RootBits& bits) { return static_cast<std::uint64_t>(bits.token.bit); }))};
@@ -97,14 +98,15 @@ std::vector<Tap> root_taps(const std::string& part, const sc_core::sc_signal<Roo
   return taps;
 }
 
-std::vector<Tap> control_taps(const std::string& part, const sc_core::sc_signal<ControlWord>& control,
-                              unsigned tree_bits, const isa::Program& program, std::function<Number()> at) {
-  std::vector<Tap> taps = wave::instruction_taps(
-      part, program, [&control, at = std::move(at)] { return control.read().steps ? at() : std::nullopt; });
-  taps.push_back(wave::text(part + ".function", [&control] { return function_of(control.read()); }));
+std::vector<Tap> control_taps(const std::string& part, const PixelPipeline& pipeline, unsigned tree_bits,
+                              const isa::Program& program, std::function<Number()> at) {
+  std::vector<Tap> taps = wave::instruction_taps(part, program, [&pipeline, at = std::move(at)] {
+    return pipeline.now().at_pixels().steps ? at() : std::nullopt;
+  });
+  taps.push_back(wave::text(part + ".function", [&pipeline] { return function_of(pipeline.now().at_pixels()); }));
   const auto address = [&](const char* name, auto has, auto read) {
-    taps.push_back(wave::number(part + name, address_bits, [&control, has, read] {
-      const array::ArrayStep& step = control.read().step;
+    taps.push_back(wave::number(part + name, address_bits, [&pipeline, has, read] {
+      const array::ArrayStep& step = pipeline.now().at_pixels().step;
       return has(step) ? Number(read(step)) : std::nullopt;
     }));
   };
@@ -121,19 +123,19 @@ std::vector<Tap> control_taps(const std::string& part, const sc_core::sc_signal<
   address(
       ".write", [](const Step& step) { return array::info(step.function).writes; },
       [](const Step& step) { return step.write; });
-  taps.push_back(wave::number(part + ".bits", 6, [&control] {
-    const Step& step = control.read().step;
+  taps.push_back(wave::number(part + ".bits", 6, [&pipeline] {
+    const Step& step = pipeline.now().at_pixels().step;
     return step.function == array::AluFunction::idle ? std::nullopt : Number(step.bits);
   }));
   if (tree_bits > 1) {
-    taps.push_back(wave::number(part + ".first", 6, [&control] {
-      const Step& step = control.read().step;
+    taps.push_back(wave::number(part + ".first", 6, [&pipeline] {
+      const Step& step = pipeline.now().at_pixels().step;
       const bool takes = step.source == array::OperandSource::tree && array::info(step.function).reads_x;
       return takes ? Number(step.first) : std::nullopt;
     }));
   }
-  taps.push_back(
-      wave::hexadecimal(part + ".constant", 32, [&control]() -> Number { return control.read().step.constant; }));
+  taps.push_back(wave::hexadecimal(part + ".constant", 32,
+                                   [&pipeline]() -> Number { return pipeline.now().at_pixels().step.constant; }));
   return taps;
 }
 
@@ -142,7 +144,7 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, PixelPoint point, const isa::Prog
   const std::string part = wave::part_of(pixel);
   for (const wave::TreeLevel level : levels) {
     const bool is_x = level.axis == wave::TreeLevel::Axis::x;
-    const unsigned deepest = is_x ? point.evaluator.x_levels() : point.evaluator.y_levels();
+    const unsigned deepest = is_x ? point.pipeline.now().x_levels() : point.pipeline.now().y_levels();
     if (level.level > deepest)
       throw InputError(std::string("the ") + (is_x ? "X" : "Y") + " tree has levels 0 to " + std::to_string(deepest) +
                        "; there is no tree." + (is_x ? "x:" : "y:") + std::to_string(level.level));

@@ -4,13 +4,11 @@
 #include <functional>
 #include <span>
 #include <string>
-#include <systemc>
 #include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/pixel_planes/control_word.h"
-#include "hw/pixel_planes/linear_expression_evaluator.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_pipeline.h"
 #include "hw/wave/request.h"
 #include "hw/wave/tap.h"
 
@@ -19,8 +17,7 @@ namespace csgsim::pixel_planes {
 
 /// Whether coefficients enter the trees, `PART.state`; their bits: `PART.a`, `.b`, `.c`, and the number of the first,
 /// `.bit`; of degree 2 also `.xx`, `.xy`, `.yy`; where several are side by side also how many, `.bits`.
-std::vector<wave::Tap> root_taps(const std::string& part, const sc_core::sc_signal<RootWord>& root,
-                                 array::TreeForm trees);
+std::vector<wave::Tap> root_taps(const std::string& part, const PixelPipeline& pipeline, array::TreeForm trees);
 
 /// The control word at the pixels, with the instruction that it is a step of: `PART.instruction`, `.text`, ...,
 /// `.function`, `.read_x`, `.read_y`, `.write`, `.bits`, `.constant`. Where the trees bring several bits in a clock
@@ -28,16 +25,14 @@ std::vector<wave::Tap> root_taps(const std::string& part, const sc_core::sc_sign
 /// `.first`, that of them which the step begins with, and `.function` names what is done with the bits beyond the field
 /// and with the sign too, as in `compare+compare_with_0+sign_enable`; `.bits` counts the bits of the first of these.
 /// `at` tells the instruction's number among all of the Program.
-std::vector<wave::Tap> control_taps(const std::string& part, const sc_core::sc_signal<ControlWord>& control,
-                                    unsigned tree_bits, const isa::Program& program, std::function<wave::Number()> at);
+std::vector<wave::Tap> control_taps(const std::string& part, const PixelPipeline& pipeline, unsigned tree_bits,
+                                    const isa::Program& program, std::function<wave::Number()> at);
 
 /// Where a probed pixel is looked at, while `shows` says so; always, if that is null.
 struct PixelPoint {
-  const PixelProcessors& processors;
-  const LinearExpressionEvaluator& evaluator;
-  const sc_core::sc_signal<ControlWord>& control;  ///< at the pixels
-  array::Place place;                              ///< of the array
-  array::Place built;                              ///< where the pixel processors have it
+  const PixelPipeline& pipeline;
+  array::Place place;  ///< of the array
+  array::Place built;  ///< where the pixel processors have it
   std::function<bool()> shows;
   array::TreeForm trees;
 };

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hw/isa/program.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_ports.h"
 #include "hw/pixel_square/port_word.h"
 
 namespace csgsim::pixel_square {

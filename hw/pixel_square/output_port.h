@@ -4,7 +4,7 @@
 #include <deque>
 #include <systemc>
 
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_ports.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/output_buffer.h"
 #include "hw/pixel_square/port_word.h"

@@ -5,10 +5,8 @@
 
 #include "hw/isa/link_word.h"
 #include "hw/machines/machine.h"
-#include "hw/pixel_planes/control_delay.h"
 #include "hw/pixel_planes/global_or.h"
-#include "hw/pixel_planes/linear_expression_evaluator.h"
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_pipeline.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/output_port.h"
 #include "hw/pixel_square/port_word.h"
@@ -23,22 +21,18 @@ namespace csgsim::pixel_square {
 /// What waves look at, which lives as long as the renderer.
 struct RendererParts {
   const SquareController& controller;
-  const sc_core::sc_signal<pixel_planes::RootWord>& root;
-  const sc_core::sc_signal<pixel_planes::ControlWord>& control;
-  const sc_core::sc_signal<pixel_planes::ControlWord>& control_at_pixels;
-  const pixel_planes::PixelProcessors& processors;
-  const pixel_planes::LinearExpressionEvaluator& evaluator;
+  const pixel_planes::PixelPipeline& pipeline;
   const SquareCompletion& completion;
   array::TreeForm trees;
 };
 
 /// Draws one square after another, with the modules of Pixel-planes between a controller and an output port of its own:
 ///
-///     link ─▶ controller ─┬─▶ linear expression evaluator ─▶ pixel processors ─▶ output port ─▶ colours
-///               ▲         └─▶ control delay ─────────────────▲                    ▲     │
-///               ├────────────────────── global OR ◀──────────┘                    │     │
-///               │         └─▶ a square begins to move ────────────────────────────┘     │
-///               └──────────── squares that have left ───────────────────────────────────┘
+///     link ─▶ controller ─┬─▶ pixel pipeline ─▶ output port ─▶ colours
+///               ▲         │    │                 ▲     │
+///               ├─────────┼─ global OR           │     │
+///               │         └─▶ a square begins to move  │
+///               └──────────── squares that have left ──┘
 ///
 /// What the controller puts on the wires at an edge reaches the pixels at the next, and as many edges later as the
 /// multiplier trees have levels.
@@ -61,20 +55,14 @@ class Renderer final : public sc_core::sc_module {
   [[nodiscard]] std::uint64_t squares() const { return controller_.squares(); }
   /// Instructions that were not carried out, in the frame.
   [[nodiscard]] std::uint64_t skipped() const { return completion_.skipped(); }
-  [[nodiscard]] const array::PixelArray& pixels() const { return processors_.pixels(); }
+  [[nodiscard]] const array::PixelArray& pixels() const { return pipeline_.pixels(); }
 
-  [[nodiscard]] RendererParts parts() const {
-    return {controller_, root_, control_, control_at_pixels_, processors_, evaluator_, completion_, trees_};
-  }
+  [[nodiscard]] RendererParts parts() const { return {controller_, pipeline_, completion_, trees_}; }
 
  private:
   const array::TreeForm trees_;
-  sc_core::sc_signal<pixel_planes::RootWord> root_{"root_bits"};
-  sc_core::sc_signal<pixel_planes::ControlWord> control_{"control"};
-  sc_core::sc_signal<pixel_planes::ControlWord> control_at_pixels_{"control_at_pixels"};
   sc_core::sc_signal<bool> question_{"question"};
   sc_core::sc_signal<pixel_planes::Answer> answer_{"answer"};
-  sc_core::sc_signal<pixel_planes::TreeWord> tree_bits_{"tree_bits"};
   sc_core::sc_signal<std::uint64_t> retired_{"retired"};
   sc_core::sc_fifo<CommandAccount> accounts_;
   sc_core::sc_signal<std::uint64_t> begun_{"begun"};
@@ -83,9 +71,7 @@ class Renderer final : public sc_core::sc_module {
   sc_core::sc_signal<std::uint64_t> left_{"left"};
 
   SquareController controller_;
-  pixel_planes::ControlDelay control_delay_;
-  pixel_planes::LinearExpressionEvaluator evaluator_;
-  pixel_planes::PixelProcessors processors_;
+  pixel_planes::PixelPipeline pipeline_;
   pixel_planes::GlobalOr global_or_;
   OutputPort output_;
   SquareCompletion completion_{"completion"};

@@ -21,7 +21,7 @@ std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program
                                   std::optional<std::uint32_t> segment) {
   return [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
     const std::optional<std::uint32_t> drawn = parts.completion.segment();
-    const pixel_planes::ControlWord& word = parts.control_at_pixels.read();
+    const pixel_planes::ControlWord& word = parts.pipeline.now().at_pixels();
     if (!drawn || !word.steps || (segment && *segment != *drawn)) return std::nullopt;
     return firsts[*drawn] + word.ordinal;
   };
@@ -31,7 +31,7 @@ std::function<Number()> at_pixels(const RendererParts& parts, const isa::Program
 
 /// While memory is being cleared, some of it is still the square's before.
 bool has(const RendererParts& parts, std::uint32_t segment) {
-  const pixel_planes::ControlWord& before = parts.processors.carried_out();
+  const pixel_planes::ControlWord& before = parts.pipeline.now().carried_out();
   return parts.completion.segment() == segment && !(before.clears && !before.last);
 }
 
@@ -48,13 +48,13 @@ std::vector<Tap> renderer_taps(const std::string& part, const RendererParts& par
                         })};
   wave::add(wave::instruction_taps(part + ".controller", program,
                                    [parts, segment, firsts = isa::first_numbers(program)]() -> Number {
-                                     const pixel_planes::ControlWord& word = parts.control.read();
+                                     const pixel_planes::ControlWord& word = parts.pipeline.now().control();
                                      const std::optional<std::uint32_t> number = word.steps ? segment() : std::nullopt;
                                      return number ? Number(firsts[*number] + word.ordinal) : std::nullopt;
                                    }),
             taps);
-  wave::add(pixel_planes::root_taps(part + ".root", parts.root, parts.trees), taps);
-  wave::add(pixel_planes::control_taps(part + ".pixels", parts.control_at_pixels, parts.trees.bits, program,
+  wave::add(pixel_planes::root_taps(part + ".root", parts.pipeline, parts.trees), taps);
+  wave::add(pixel_planes::control_taps(part + ".pixels", parts.pipeline, parts.trees.bits, program,
                                        at_pixels(parts, program, std::nullopt)),
             taps);
   return taps;
@@ -66,10 +66,9 @@ std::vector<Tap> pixel_taps(wave::Pixel pixel, std::uint32_t segment, const Rend
   const array::Place place{pixel.x - region.x, pixel.y - region.y};
   const auto shows = [parts, segment] { return has(parts, segment); };
   std::vector<Tap> taps = wave::instruction_taps(wave::part_of(pixel), program, at_pixels(parts, program, segment));
-  wave::add(pixel_planes::pixel_taps(
-                pixel, {parts.processors, parts.evaluator, parts.control_at_pixels, place, place, shows, parts.trees},
-                program, levels, alu_bits),
-            taps);
+  wave::add(
+      pixel_planes::pixel_taps(pixel, {parts.pipeline, place, place, shows, parts.trees}, program, levels, alu_bits),
+      taps);
   return taps;
 }
 

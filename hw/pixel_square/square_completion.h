@@ -4,7 +4,7 @@
 #include <optional>
 #include <systemc>
 
-#include "hw/pixel_planes/pixel_processors.h"
+#include "hw/pixel_planes/pixel_ports.h"
 #include "hw/pixel_square/command_account.h"
 #include "hw/systemc/retirement.h"
 #include "hw/systemc/segment_names.h"

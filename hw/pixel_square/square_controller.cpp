@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <variant>
 
 #include "hw/base/quotient.h"
@@ -32,6 +33,11 @@ SquareController::SquareController(sc_core::sc_module_name name, const machines:
   sensitive << clock.pos() << left;
 }
 
+void SquareController::end_of_elaboration() {
+  left_or_word_ |= left.value_changed_event();
+  left_or_word_ |= link.data_written_event();
+}
+
 void SquareController::begin(std::uint32_t colour_bits) {
   waiting_ = squares_waiting(figures_, colour_bits);
   if (figures_.backing_bits == no_backing) {
@@ -59,25 +65,33 @@ std::uint64_t SquareController::edges() const { return systemc::edges(period_); 
 void SquareController::act() {
   const bool was_idle = state_ == State::idle;
   if (clock.posedge()) {
-    if (!was_idle) clocks_.add(activity_);
-    receiver_.clock(link);
-    advance();
+    advance(count());
   } else if (state_ == State::leaving) {
+    count();
     finish();
   } else {
     return;
   }
   put_control_word();
   if (was_idle && state_ != State::idle) clocks_.add(SquareActivity::waiting_for_divider, edges() - idle_from_);
-  if (state_ != State::idle) return;
-  if (!was_idle) idle_from_ = edges();
-  if (link.num_available() == 0) next_trigger(link.data_written_event());
+  if (state_ == State::idle && !was_idle) idle_from_ = edges();
+  sleep();
 }
 
-void SquareController::advance() {
+/// The clocks that have gone by, which it returns.
+std::uint64_t SquareController::count() {
+  const std::uint64_t now = edges();
+  const std::uint64_t clocks = now - std::exchange(acted_at_, now);
+  put_at_ = now;
+  if (state_ != State::idle) clocks_.add(activity_, clocks);
+  return clocks;
+}
+
+void SquareController::advance(std::uint64_t clocks) {
+  receiver_.clock(link);
   if (state_ == State::asking) take_answer();
-  if (state_ == State::draining && --clocks_left_ == 0) state_ = State::drawn;
-  if (state_ == State::moving && --clocks_left_ == 0) finish();
+  if (state_ == State::draining && (clocks_left_ -= clocks) == 0) state_ = State::drawn;
+  if (state_ == State::moving && (clocks_left_ -= clocks) == 0) finish();
   if (state_ == State::drawn && begun_count_ - left.read() < std::max<std::uint64_t>(waiting_, 1)) begin_output();
 }
 
@@ -110,13 +124,13 @@ void SquareController::finish() {
 
 /// For the clock that begins now.
 void SquareController::put_control_word() {
-  if ((state_ == State::idle || state_ == State::drawing) && !sequencer_.busy()) take_command();
+  if ((state_ == State::idle || state_ == State::drawing) && !is_issuing()) take_command();
   switch (state_) {
     case State::idle: activity_ = SquareActivity::waiting_for_divider; return rest();
     case State::clearing: activity_ = SquareActivity::working; return clear();
     case State::drawing:
-      activity_ = sequencer_.busy() ? SquareActivity::working : SquareActivity::waiting_for_divider;
-      return sequencer_.busy() ? issue() : rest();
+      activity_ = is_issuing() ? SquareActivity::working : SquareActivity::waiting_for_divider;
+      return is_issuing() ? issue() : rest();
     case State::asking:
       activity_ = SquareActivity::working;
       ++instruction_clocks_;
@@ -165,9 +179,8 @@ void SquareController::clear() {
 }
 
 void SquareController::issue() {
-  const array::BitStep step = sequencer_.issue();
-  put({.step = step.pixels, .steps = true, .last = step.last, .ordinal = ordinal_}, step.root);
-  ++instruction_clocks_;
+  const array::BitStep step = last_step_ ? *std::exchange(last_step_, std::nullopt) : sequencer_.issue();
+  put_step(step);
   if (!step.last) return;
   ++ordinal_;
   if (step.pixels.function == array::AluFunction::answer) {
@@ -190,10 +203,65 @@ void SquareController::rest() {
   resting_ = true;
 }
 
+/// Until something is to be done, if nothing is before the next edge. A word that comes when there is room for it is
+/// taken at the next edge.
+void SquareController::sleep() {
+  const bool holds = receiver_.holds();
+  if (!holds && link.num_available() > 0) return;
+  switch (state_) {
+    case State::asking: return;
+    case State::idle: return next_trigger(link.data_written_event());
+    case State::clearing:
+      if (holds) sleep(clear_ahead());
+      return;
+    case State::drawing:
+      if (holds && sequencer_.busy()) return sleep(issue_ahead());
+      if (!holds && !is_issuing()) next_trigger(link.data_written_event());
+      return;
+    case State::draining:
+      if (resting_) sleep(clocks_left_);
+      return;
+    case State::moving: return sleep(clocks_left_);
+    case State::drawn:
+    case State::leaving: return holds ? next_trigger(left.value_changed_event()) : next_trigger(left_or_word_);
+  }
+}
+
+void SquareController::sleep(std::uint64_t clocks) {
+  if (clocks < 2) return;
+  const sc_core::sc_time time = sc_core::sc_time::from_value(clocks * period_.value());
+  if (receiver_.holds()) return next_trigger(time);
+  next_trigger(time, link.data_written_event());
+}
+
+/// What follows, but for the last word of it. Returns in how many clocks that is to be put.
+std::uint64_t SquareController::clear_ahead() {
+  while (clocks_left_ > 1) {
+    ++put_at_;
+    clear();
+  }
+  return put_at_ + 1 - acted_at_;
+}
+
+/// The same.
+std::uint64_t SquareController::issue_ahead() {
+  array::BitStep step = sequencer_.issue();
+  for (; !step.last; step = sequencer_.issue()) {
+    ++put_at_;
+    put_step(step);
+  }
+  last_step_ = step;
+  return put_at_ + 1 - acted_at_;
+}
+
 void SquareController::put(const ControlWord& word, const array::RootBits& bits) {
-  root.write({bits});
-  control.write(word);
+  wires->put(put_at_, word, bits);
   resting_ = false;
+}
+
+void SquareController::put_step(const array::BitStep& step) {
+  put({.step = step.pixels, .steps = true, .last = step.last, .ordinal = ordinal_}, step.root);
+  ++instruction_clocks_;
 }
 
 }  // namespace csgsim::pixel_square

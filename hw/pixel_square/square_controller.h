@@ -10,6 +10,7 @@
 #include "hw/link/receiver.h"
 #include "hw/machines/machine.h"
 #include "hw/pixel_planes/control_word.h"
+#include "hw/pixel_planes/pixel_ports.h"
 #include "hw/pixel_square/account.h"
 #include "hw/pixel_square/command_account.h"
 #include "hw/pixel_square/figures.h"
@@ -31,8 +32,7 @@ class SquareController final : public sc_core::sc_module {
   sc_core::sc_fifo_in<isa::LinkWord> link{"link"};
   sc_core::sc_in<pixel_planes::Answer> answer{"answer"};
   sc_core::sc_in<std::uint64_t> left{"left"};  ///< squares whose last word has left for the frame buffer
-  sc_core::sc_out<pixel_planes::RootWord> root{"root"};
-  sc_core::sc_out<pixel_planes::ControlWord> control{"control"};
+  sc_core::sc_port<pixel_planes::PixelWires> wires{"wires"};
   sc_core::sc_out<std::uint64_t> begun{"begun"};        ///< squares that have begun to move or to leave
   sc_core::sc_out<std::uint64_t> header{"header"};      ///< of the last of these
   sc_core::sc_out<bool> moving{"moving"};               ///< it is not whole in the output buffer
@@ -69,9 +69,11 @@ class SquareController final : public sc_core::sc_module {
     leaving,   ///< the square leaves from the pixels' memory
   };
 
+  void end_of_elaboration() override;
   void act();
+  std::uint64_t count();
   [[nodiscard]] std::uint64_t edges() const;
-  void advance();
+  void advance(std::uint64_t clocks);
   void take_answer();
   void begin_output();
   void finish();
@@ -82,7 +84,14 @@ class SquareController final : public sc_core::sc_module {
   void issue();
   void drain();
   void rest();
+  void sleep();
+  void sleep(std::uint64_t clocks);
+  std::uint64_t clear_ahead();
+  std::uint64_t issue_ahead();
+  /// Steps of an instruction are still to be put.
+  [[nodiscard]] bool is_issuing() const { return last_step_ || sequencer_.busy(); }
   void put(const pixel_planes::ControlWord& word, const array::RootBits& bits = {});
+  void put_step(const array::BitStep& step);
 
   const sc_core::sc_time period_;
   const Figures figures_;
@@ -101,8 +110,12 @@ class SquareController final : public sc_core::sc_module {
   std::uint64_t clocks_left_ = 0;                                  ///< of clearing, of draining or of moving
   std::uint64_t instruction_clocks_ = 0;                           ///< of the instruction at hand
   std::uint64_t skips_left_ = 0;                                   ///< instructions that are to be dropped
-  std::uint64_t ordinal_ = 0;  ///< of the instruction that comes next, within the square
-  bool resting_ = true;        ///< the wires carry no step
+  std::uint64_t ordinal_ = 0;                ///< of the instruction that comes next, within the square
+  bool resting_ = true;                      ///< the wires carry no step
+  std::uint64_t acted_at_ = 0;               ///< edge
+  std::uint64_t put_at_ = 0;                 ///< edge from which the wires carry what is put next
+  std::optional<array::BitStep> last_step_;  ///< of the instruction at hand, when those before it have been put
+  sc_core::sc_event_or_list left_or_word_;   ///< a square has left, or a word has come
   std::uint64_t begun_count_ = 0;
   std::uint64_t finished_count_ = 0;
   std::uint64_t squares_ = 0;

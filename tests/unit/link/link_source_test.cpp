@@ -18,7 +18,7 @@ constexpr machines::Link slow{.width = 32, .word_clocks = 3, .fifo_depth = 8, .l
 link::FrameWords two_words() { return {.words = std::vector<isa::LinkWord>(2), .begins = {0, 1, 2}}; }
 
 struct Board {
-  Board() : source("source", slow) {
+  Board() : source("source", clock.period(), slow) {
     source.clock(clock);
     source.requests(requests);
     source.words(words);

@@ -1,0 +1,117 @@
+#include "hw/pixel_planes/pixel_pipeline.h"
+
+#include <algorithm>
+
+#include "hw/machines/clocks.h"
+#include "hw/systemc/kernel.h"
+
+namespace csgsim::pixel_planes {
+
+namespace {
+
+array::PlaneShape whole_array(const machines::Machine& machine) { return {machine.array.width, machine.array.height}; }
+
+std::optional<array::SteppedEvaluator> adders(const machines::Machine& machine, systemc::EvaluatorForm form,
+                                              const systemc::Foretold* foretold) {
+  if (form == systemc::EvaluatorForm::worked_out) return std::nullopt;
+  const std::span<const array::Place> pixels = foretold == nullptr ? std::span<const array::Place>() : foretold->pixels;
+  const array::TreeForm trees{machine.evaluator_degree, machine.evaluator_bits, machine.register_levels};
+  return array::SteppedEvaluator(whole_array(machine), trees, pixels);
+}
+
+array::PixelArray pixels_of(const machines::Machine& machine, const systemc::Foretold* foretold) {
+  if (foretold == nullptr) return {machine.array, machine.alu_bits};
+  return {foretold->pixels, machine.array.memory_bits, machine.alu_bits};
+}
+
+}  // namespace
+
+PixelPipeline::PixelPipeline(sc_core::sc_module_name name, const machines::Machine& machine,
+                             systemc::EvaluatorForm form, const systemc::Foretold* foretold)
+    : sc_core::sc_module(name),
+      period_(systemc::period_of(machine)),
+      latency_(machines::evaluator_latency(machine)),
+      datapath_(whole_array(machine), machine.register_levels, adders(machine, form, foretold),
+                pixels_of(machine, foretold)),
+      row_(pixels().shape().row_words()) {
+  if (foretold != nullptr) foretold_.emplace(whole_array(machine), foretold->picture);
+  SC_HAS_PROCESS(PixelPipeline);
+  SC_METHOD(wake);
+  dont_initialize();
+  sensitive << woken_;
+}
+
+/// Without a level of the trees the word is at the pixels at once.
+void PixelPipeline::put(std::uint64_t edge, const ControlWord& word, const array::RootBits& bits) {
+  puts_.push_back({edge, word, bits});
+  const bool asked = asks_;
+  asks_ = word.step.function == array::AluFunction::answer;
+  if (asks_ || asked) wake_at(edge + latency_);
+  if (word.last) wake_at(edge + latency_ + 1);
+}
+
+void PixelPipeline::wake_at(std::uint64_t edge) {
+  if (!due_.empty() && due_.front() >= edge) return;
+  due_.insert(due_.begin(), edge);
+  if (due_.size() == 1) schedule();
+}
+
+void PixelPipeline::schedule() {
+  if (due_.empty()) return;
+  const std::uint64_t at = systemc::edges(period_);
+  woken_.notify(sc_core::sc_time::from_value((due_.back() - at) * period_.value()));
+}
+
+void PixelPipeline::wake() {
+  due_.pop_back();
+  const Datapath& datapath = now();
+  question.write(datapath.at_pixels().step.function == array::AluFunction::answer);
+  retired.write(datapath.retired());
+  schedule();
+}
+
+const Datapath& PixelPipeline::now() const {
+  const std::uint64_t edge = systemc::edges(period_);
+  take_puts();
+  while (edge_ < edge) {
+    if (datapath_.is_active()) {
+      datapath_.clock();
+      ++edge_;
+    } else {
+      datapath_.rest();
+      edge_ = next_put_ < puts_.size() ? std::min(edge, puts_[next_put_].edge) : edge;
+    }
+    take_puts();
+  }
+  return datapath_;
+}
+
+/// What the wires carry from this edge on.
+void PixelPipeline::take_puts() const {
+  for (; next_put_ < puts_.size() && puts_[next_put_].edge <= edge_; ++next_put_)
+    datapath_.put(puts_[next_put_].word, puts_[next_put_].bits);
+  if (next_put_ < puts_.size()) return;
+  puts_.clear();
+  next_put_ = 0;
+}
+
+std::span<const std::uint64_t> PixelPipeline::memory_row(std::uint32_t address, std::uint32_t row) const {
+  if (foretold_) return foretold_->row(address, row);
+  pixels().read_row(address, row, row_);
+  return row_;
+}
+
+std::optional<RefreshStep> PixelPipeline::refreshed() const {
+  const ControlWord& word = now().carried_out();
+  return word.refreshes ? std::optional(word.refresh) : std::nullopt;
+}
+
+void PixelPipeline::resume(const array::PixelArray& pixels, const array::StreamBit& tree) {
+  datapath_.resume(pixels, tree);
+}
+
+void PixelPipeline::show(isa::Field field) {
+  if (foretold_) foretold_->show(field);
+}
+
+}  // namespace csgsim::pixel_planes
