@@ -32,7 +32,7 @@ void Datapath::carry_out(const ControlWord& word) {
   if (word.clears) {
     pixels_.select(word.clear.width, word.clear.height);
     pixels_.clear_memory(word.clear.address, word.clear.bits);
-  } else if (adders_) {
+  } else if (has_leaf_bits_) {
     pixels_.step_with(leaf_bits_, word.step);
   } else {
     pixels_.step(word.step, leaves_);
@@ -45,6 +45,7 @@ void Datapath::clock_trees() {
     trees_.clock(roots_, leaves_);
   } else if (const array::Token token = adders_->clock(roots_, leaf_bits_); token.active()) {
     leaves_ = {.token = token};
+    has_leaf_bits_ = true;
   }
 }
 
@@ -57,7 +58,7 @@ void Datapath::shift() {
 
 array::PixelProbe Datapath::probe(std::uint32_t x, std::uint32_t y) const {
   array::PixelProbe probe = pixels_.probe(x, y, leaves_);
-  if (!adders_) return probe;
+  if (!has_leaf_bits_) return probe;
   const std::size_t plane = pixels_.shape().padded_words();
   probe.tree = 0;
   for (std::size_t bit = 0; bit < leaves_.token.bits; ++bit) {
@@ -70,6 +71,7 @@ array::PixelProbe Datapath::probe(std::uint32_t x, std::uint32_t y) const {
 void Datapath::resume(const array::PixelArray& pixels, const array::StreamBit& tree) {
   pixels_ = pixels;
   leaves_ = tree;
+  has_leaf_bits_ = false;
 }
 
 }  // namespace csgsim::pixel_planes

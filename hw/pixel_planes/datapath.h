@@ -69,8 +69,9 @@ class Datapath {
 
   array::LinearEvaluator trees_;
   std::optional<array::SteppedEvaluator> adders_;  ///< in place of them
-  array::StreamBit leaves_;                        ///< the registers at the pixels; of adders the token alone
-  array::Words leaf_bits_;                         ///< of adders: the bits of all pixels
+  array::StreamBit leaves_;                        ///< the registers at the pixels
+  array::Words leaf_bits_;                         ///< when adders have brought some: the bits of all pixels, and of
+  bool has_leaf_bits_ = false;                     ///< `leaves_` the token alone
   const unsigned length_;                          ///< of the delay
   std::vector<ControlWord> delay_;                 ///< a ring
   std::size_t oldest_ = 0;

@@ -216,7 +216,7 @@ void SquareController::sleep() {
       return;
     case State::drawing:
       if (holds && sequencer_.busy()) return sleep(issue_ahead());
-      if (!holds && !is_issuing()) next_trigger(link.data_written_event());
+      if (!holds && resting_) next_trigger(link.data_written_event());
       return;
     case State::draining:
       if (resting_) sleep(clocks_left_);
