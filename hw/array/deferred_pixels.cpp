@@ -16,6 +16,7 @@ DeferredPixels::DeferredPixels(PlaneShape shape, std::span<const Place> places, 
       columns_(shape, places),
       kept_(kept_batches),
       owed_(shape.padded_words() / kernels::block_words),
+      since_(owed_.size()),
       on_(owed_.size()) {}
 
 void DeferredPixels::push(const ArrayStep& step, const StreamBit& tree) { push(step, &tree); }
@@ -57,16 +58,18 @@ void DeferredPixels::add_tree(unsigned bits) {
 void DeferredPixels::settle() {
   const Batch& batch = log_.batch();
   if (batch.empty()) return;
-  choose(batch, last_kept_ + 1);
+  choose(batch);
   pay(to_pay_);
   run(batch, to_run_, {});
+  const bool sets_any = batch.carry != Touch::none || batch.latch != Touch::none || batch.flag != Touch::none;
+  const bool keeps = to_run_.size() < owed_.size() && sets_any;
   for (const std::uint32_t number : to_run_) {
+    since_[number] = last_kept_ + (keeps ? 1 : 0);
     if (batch.carry == Touch::sets) owed_[number].carry = 0;
     if (batch.latch == Touch::sets) owed_[number].latch = 0;
     if (batch.flag == Touch::sets) owed_[number].flag = 0;
   }
-  const bool sets_any = batch.carry != Touch::none || batch.latch != Touch::none || batch.flag != Touch::none;
-  if (to_run_.size() < owed_.size() && sets_any) keep(batch);
+  if (keeps) keep();
   log_.clear();
 }
 
@@ -76,24 +79,31 @@ bool DeferredPixels::may_be_left_out(const Batch& batch) {
          batch.flag != Touch::uses;
 }
 
-/// Sorts the blocks into those that carry the batch out, some of them after what they owe, and the others.
-void DeferredPixels::choose(const Batch& batch, std::uint64_t number) {
+/// The blocks that carry the batch out, and those of them that have to do before what they owe.
+void DeferredPixels::choose(const Batch& batch) {
   kernels::find_ones(enable_.data(), on_);
   const bool leaves_out = may_be_left_out(batch);
   to_run_.clear();
   to_pay_.clear();
   asked_about_ = 0;
-  for (std::uint32_t block = 0; block < owed_.size(); ++block) {
-    Owed& owed = owed_[block];
-    if (leaves_out && on_[block] == 0) {
-      if (batch.carry == Touch::sets) owed.carry = number;
-      if (batch.latch == Touch::sets) owed.latch = number;
-      if (batch.flag == Touch::sets) owed.flag = number;
-    } else {
-      to_run_.push_back(block);
-      if (owed.any() && needs(batch, owed)) to_pay_.push_back(block);
-    }
-  }
+  for (std::uint32_t block = 0; block < owed_.size(); ++block)
+    if (!leaves_out || on_[block] != 0) add_to_run(block, batch);
+}
+
+void DeferredPixels::add_to_run(std::uint32_t block, const Batch& batch) {
+  to_run_.push_back(block);
+  note_owed(block);
+  if (owed_[block].any() && needs(batch, owed_[block])) to_pay_.push_back(block);
+}
+
+/// What it has left out since it was looked at last: of each register, the last batch that set it.
+void DeferredPixels::note_owed(std::uint32_t block) {
+  Owed& owed = owed_[block];
+  const std::uint64_t since = since_[block];
+  if (last_.carry > since) owed.carry = last_.carry;
+  if (last_.latch > since) owed.latch = last_.latch;
+  if (last_.flag > since) owed.flag = last_.flag;
+  since_[block] = last_kept_;
 }
 
 bool DeferredPixels::needs(const Batch& batch, const Owed& owed) {
@@ -107,21 +117,29 @@ bool DeferredPixels::needs(const Batch& batch, const Owed& owed) {
 bool DeferredPixels::spoils(const Batch& batch, std::uint64_t owed) {
   if (asked_about_ == owed) return spoiled_;
   asked_about_ = owed;
-  const std::vector<BitRange>& reads = kept(owed).reads;
-  spoiled_ = std::any_of(reads.begin(), reads.end(), [&](BitRange range) { return batch.writes_any(range); });
+  spoiled_ = batch.writes.meets(kept(owed).reads);
   return spoiled_;
 }
 
+/// The batch at hand, which the log forgets.
+void DeferredPixels::keep() {
+  Batch& kept = kept_[++last_kept_ % kept_batches];
+  log_.take(kept);
+  if (kept.carry == Touch::sets) last_.carry = last_kept_;
+  if (kept.latch == Touch::sets) last_.latch = last_kept_;
+  if (kept.flag == Touch::sets) last_.flag = last_kept_;
+  if (last_kept_ % (kept_batches / 2) == 0) pay_old();
+}
+
 /// Blocks that still owe what is about to be forgotten make up for it.
-void DeferredPixels::keep(const Batch& batch) {
-  kept_[++last_kept_ % kept_batches] = batch;
-  constexpr std::uint64_t check_every = kept_batches / 2;
-  if (last_kept_ % check_every != 0) return;
-  const std::uint64_t oldest = last_kept_ - std::min(last_kept_, check_every);
+void DeferredPixels::pay_old() {
+  const std::uint64_t oldest = last_kept_ - std::min(last_kept_, kept_batches / 2);
   const auto is_old = [&](std::uint64_t number) { return number != 0 && number <= oldest; };
   to_pay_.clear();
-  for (std::uint32_t block = 0; block < owed_.size(); ++block)
+  for (std::uint32_t block = 0; block < owed_.size(); ++block) {
+    note_owed(block);
     if (is_old(owed_[block].carry) || is_old(owed_[block].latch) || is_old(owed_[block].flag)) to_pay_.push_back(block);
+  }
   pay(to_pay_);
 }
 
@@ -162,20 +180,25 @@ void DeferredPixels::run(const Batch& batch, std::span<const std::uint32_t> bloc
 
 void DeferredPixels::settle_registers() {
   settle();
+  for (std::uint32_t block = 0; block < owed_.size(); ++block) note_owed(block);
   to_pay_.resize(owed_.size());
   std::iota(to_pay_.begin(), to_pay_.end(), 0U);
   pay(to_pay_);
 }
 
 void DeferredPixels::settle_memory(unsigned address) {
-  const unsigned bit = bits_.memory(address);
-  if (log_.batch().writes_any({bit, bit + 1})) settle();
+  if (log_.batch().writes.has(bits_.memory(address))) settle();
 }
 
 void DeferredPixels::reset() {
   log_.clear();
-  std::fill(owed_.begin(), owed_.end(), Owed{});
+  forget_owed();
   std::fill(words_.begin(), words_.end(), 0);
+}
+
+void DeferredPixels::forget_owed() {
+  std::fill(owed_.begin(), owed_.end(), Owed{});
+  std::fill(since_.begin(), since_.end(), last_kept_);
 }
 
 void DeferredPixels::clear_memory(unsigned address, unsigned count) {
@@ -186,7 +209,7 @@ void DeferredPixels::clear_memory(unsigned address, unsigned count) {
 
 void DeferredPixels::select(const Words& present) {
   settle();
-  std::fill(owed_.begin(), owed_.end(), Owed{});
+  forget_owed();
   for (std::size_t number = 0; number < owed_.size(); ++number)
     std::fill_n(block(number), bits_.memory(0) * kernels::block_words, 0);
   std::fill(enable_.begin(), enable_.end(), 0);

@@ -67,8 +67,12 @@ class DeferredPixels {
   [[nodiscard]] static bool may_be_left_out(const Batch& batch);
   [[nodiscard]] bool needs(const Batch& batch, const Owed& owed);
   [[nodiscard]] bool spoils(const Batch& batch, std::uint64_t owed);
-  void choose(const Batch& batch, std::uint64_t number);
-  void keep(const Batch& batch);
+  void choose(const Batch& batch);
+  void add_to_run(std::uint32_t block, const Batch& batch);
+  void note_owed(std::uint32_t block);
+  void keep();
+  void pay_old();
+  void forget_owed();
   void pay(std::span<const std::uint32_t> blocks);
   void pay_one(std::span<const std::uint32_t> blocks, std::uint64_t Owed::*what, kernels::Effects effects);
   void put_tree(std::span<const std::uint64_t> tree);
@@ -83,9 +87,11 @@ class DeferredPixels {
   Words present_;
   StepLog log_;
   ColumnBits columns_;
-  std::vector<Batch> kept_;       ///< a ring: what blocks may owe
-  std::uint64_t last_kept_ = 0;   ///< its number
-  std::vector<Owed> owed_;        ///< by block
+  std::vector<Batch> kept_;      ///< a ring: what blocks may owe
+  std::uint64_t last_kept_ = 0;  ///< its number
+  Owed last_;                    ///< the last kept batches that set the registers
+  std::vector<Owed> owed_;       ///< by block, of the batches up to that in since_: those after it it has left out
+  std::vector<std::uint64_t> since_;
   std::vector<std::uint8_t> on_;  ///< by block: some pixel is enabled
   std::vector<std::uint32_t> to_run_;
   std::vector<std::uint32_t> to_pay_;

@@ -434,9 +434,13 @@ void FindOnes(const std::uint64_t* plane, std::span<std::uint8_t> flags) {
 }
 
 std::uint64_t CountOnes(const std::uint64_t* plane, std::size_t words) {
-  Vector count = hn::Zero(BlockTag());
-  each(words, [&](std::size_t i) HWY_ATTR { count = hn::Add(count, hn::PopulationCount(load(plane + i))); });
-  return hn::GetLane(hn::SumOfLanes(BlockTag(), count));
+  const BlockTag d;
+  Vector count = hn::Zero(d);
+  each(words, [&](std::size_t i) HWY_ATTR {
+    const Vector bits = load(plane + i);
+    if (!hn::AllTrue(d, hn::Eq(bits, hn::Zero(d)))) count = hn::Add(count, hn::PopulationCount(bits));
+  });
+  return hn::GetLane(hn::SumOfLanes(d, count));
 }
 
 bool AnyOnes(const std::uint64_t* plane, std::size_t words) {

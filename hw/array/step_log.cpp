@@ -1,8 +1,7 @@
 #include "hw/array/step_log.h"
 
 #include <algorithm>
-
-#include "hw/array/plane.h"
+#include <array>
 
 namespace csgsim::array {
 
@@ -10,27 +9,27 @@ namespace {
 
 constexpr unsigned longest_run = 64;
 
-/// The function without the carry that it begins with.
-void part_carry(AluFunction function, Run& run) {
-  struct Part {
-    AluFunction function;
-    AluFunction rest;
-    CarryIn carry;
+/// A function without the carry that it begins with.
+struct Parted {
+  AluFunction rest = AluFunction::idle;
+  CarryIn carry = CarryIn::keep;
+};
+
+constexpr auto parted = [] {
+  std::array<Parted, std::size(alu_table)> table;
+  for (std::size_t i = 0; i < table.size(); ++i) table[i].rest = static_cast<AluFunction>(i);
+  const auto part = [&](AluFunction function, AluFunction rest, CarryIn carry) {
+    table[static_cast<std::size_t>(function)] = {rest, carry};
   };
-  static constexpr Part parts[] = {{AluFunction::compare_from_0, AluFunction::compare, CarryIn::zero},
-                                   {AluFunction::compare_from_1, AluFunction::compare, CarryIn::one},
-                                   {AluFunction::less_from_0, AluFunction::less, CarryIn::zero},
-                                   {AluFunction::less_from_1, AluFunction::less, CarryIn::one},
-                                   {AluFunction::sum_from_0, AluFunction::sum, CarryIn::zero},
-                                   {AluFunction::sum_with_1_from_0, AluFunction::sum_with_1, CarryIn::zero},
-                                   {AluFunction::difference_from_1, AluFunction::difference, CarryIn::one}};
-  run.function = function;
-  for (const Part& part : parts) {
-    if (part.function != function) continue;
-    run.function = part.rest;
-    run.carry_in = part.carry;
-  }
-}
+  part(AluFunction::compare_from_0, AluFunction::compare, CarryIn::zero);
+  part(AluFunction::compare_from_1, AluFunction::compare, CarryIn::one);
+  part(AluFunction::less_from_0, AluFunction::less, CarryIn::zero);
+  part(AluFunction::less_from_1, AluFunction::less, CarryIn::one);
+  part(AluFunction::sum_from_0, AluFunction::sum, CarryIn::zero);
+  part(AluFunction::sum_with_1_from_0, AluFunction::sum_with_1, CarryIn::zero);
+  part(AluFunction::difference_from_1, AluFunction::difference, CarryIn::one);
+  return table;
+}();
 
 /// Whether `next` is the step after those of `run`.
 bool continues(const Run& run, const Run& next) {
@@ -48,24 +47,7 @@ bool continues(const Run& run, const Run& next) {
          (row.reads_x || row.reads_y || writes);
 }
 
-bool overlap(BitRange one, BitRange other) { return one.first < other.end && other.first < one.end; }
-
-BitRange range_of(unsigned first, unsigned count) { return {first, first + count}; }
-
-/// Joined to the last, where it goes on with that.
-void add(BitRange range, std::vector<BitRange>& ranges) {
-  if (!ranges.empty() && ranges.back().end == range.first) {
-    ranges.back().end = range.end;
-  } else {
-    ranges.push_back(range);
-  }
-}
-
 }  // namespace
-
-bool Batch::writes_any(BitRange bits) const {
-  return std::any_of(writes.begin(), writes.end(), [&](BitRange written) { return overlap(written, bits); });
-}
 
 void Batch::clear() {
   runs.clear();
@@ -100,7 +82,9 @@ bool StepLog::takes_latch(const ArrayStep& step) const {
 
 void StepLog::push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tree, bool latches) {
   Run run{.count = 1};
-  part_carry(function_of_bit(step, bit), run);
+  const auto [rest, carry] = parted[static_cast<std::size_t>(function_of_bit(step, bit))];
+  run.function = rest;
+  run.carry_in = carry;
   const AluInfo& row = info(run.function);
   run.constant = step.constant >> bit & 1U;
   if (row.reads_x) {
@@ -144,9 +128,9 @@ void StepLog::note(const Run& run) {
   if (run.function == AluFunction::latch_x || run.latches) first_touch(batch_.latch, bits_.alu_bits == 1);
   if (row.reads_x && !run.from_tree && run.x < bits_.memory(0)) batch_.latch = Touch::uses;
   batch_.acts_where_disabled = batch_.acts_where_disabled || row.acts_where_disabled;
-  if (row.reads_x && !run.from_tree) add(range_of(run.x, 1), batch_.reads);
-  if (row.reads_y) add(range_of(run.y, 1), batch_.reads);
-  if (row.writes) add(range_of(run.write, 1), batch_.writes);
+  if (row.reads_x && !run.from_tree) batch_.reads.add(run.x);
+  if (row.reads_y) batch_.reads.add(run.y);
+  if (row.writes) batch_.writes.add(run.write);
 }
 
 /// Coefficients that agree in the bits that both have are taken for those of one stream: its bits are the same.

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "hw/array/array_step.h"
+#include "hw/array/plane.h"
 #include "hw/array/stream_bit.h"
 
 /// Steps that the pixels have still to carry out. As no pixel reads another's bits, they may be carried out block of
@@ -65,10 +68,26 @@ enum class Touch : std::uint8_t {
   sets,  ///< they write it before they read it
 };
 
-/// The pixel's bits from `first` to before `end`.
-struct BitRange {
-  unsigned first = 0;
-  unsigned end = 0;
+/// Some of a pixel's bits.
+class BitSet {
+ public:
+  void add(unsigned bit) {
+    if (bit / word_bits >= words_.size()) words_.resize(bit / word_bits + 1);
+    words_[bit / word_bits] |= std::uint64_t{1} << bit % word_bits;
+  }
+  void clear() { words_.clear(); }
+  [[nodiscard]] bool has(unsigned bit) const {
+    return bit / word_bits < words_.size() && (words_[bit / word_bits] >> bit % word_bits & 1U) != 0;
+  }
+  [[nodiscard]] bool meets(const BitSet& other) const {
+    const std::size_t words = std::min(words_.size(), other.words_.size());
+    for (std::size_t i = 0; i < words; ++i)
+      if ((words_[i] & other.words_[i]) != 0) return true;
+    return false;
+  }
+
+ private:
+  std::vector<std::uint64_t> words_;
 };
 
 /// Steps that are carried out together.
@@ -79,11 +98,10 @@ struct Batch {
   Touch latch = Touch::none;
   Touch flag = Touch::none;
   bool acts_where_disabled = false;  ///< on enable or memory of pixels that are not enabled
-  std::vector<BitRange> reads;       ///< memory
-  std::vector<BitRange> writes;      ///< memory
+  BitSet reads;                      ///< memory
+  BitSet writes;                     ///< memory
 
   [[nodiscard]] bool empty() const { return runs.empty(); }
-  [[nodiscard]] bool writes_any(BitRange bits) const;
   void clear();
 };
 
@@ -97,6 +115,11 @@ class StepLog {
 
   [[nodiscard]] const Batch& batch() const { return batch_; }
   void clear() { batch_.clear(); }
+  /// Hands the batch over, in place of another, which is cleared.
+  void take(Batch& batch) {
+    std::swap(batch, batch_);
+    batch_.clear();
+  }
 
  private:
   void push_bit(const ArrayStep& step, unsigned bit, const StreamBit* tree, bool latches);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 #include <initializer_list>
+#include <numeric>
 
 #include "hw/isa/operands.h"
 
@@ -81,7 +83,7 @@ bool fits(const Expression& expression, const Box& box) {
 }
 
 bool any(std::span<const std::uint64_t> words) {
-  return std::any_of(words.begin(), words.end(), [](std::uint64_t word) { return word != 0; });
+  return std::accumulate(words.begin(), words.end(), std::uint64_t{0}, std::bit_or<>()) != 0;
 }
 
 /// The smallest box around the bits that are set in rows of words.
