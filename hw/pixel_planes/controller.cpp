@@ -47,7 +47,21 @@ std::string_view Controller::state() const {
   return names.at(static_cast<std::size_t>(state_));
 }
 
+void Controller::end_of_elaboration() {
+  begins_or_refreshes_ |= frames.data_written_event();
+  begins_or_refreshes_ |= latched.data_written_event();
+  begins_or_refreshes_ |= refreshes.data_written_event();
+}
+
+/// Sleeps while it is idle and nobody asks for anything, and while steps that have been put go by.
 void Controller::on_clock() {
+  if (!clock.posedge()) return;
+  act();
+  if (state_ == State::issuing) issue_ahead();
+  if (state_ == State::idle && resting_ && refreshes.num_available() == 0) next_trigger(begins_or_refreshes_);
+}
+
+void Controller::act() {
   acted_at_ = edges();
   ahead_.clear();
   if (bool token = false; latched.nb_read(token)) unlatched_ = false;
@@ -58,7 +72,6 @@ void Controller::on_clock() {
   if (state_ == State::holding && !unlatched_) begin_copy();
   put_control_word();
   if (state_ != State::idle) receive();
-  issue_ahead();
 }
 
 void Controller::begin_frame() {
@@ -197,7 +210,7 @@ void Controller::put_step(std::uint64_t edge, const array::BitStep& step) {
 /// When the command to come has been received, and no refresh word can be asked for, nothing happens to the controller
 /// until the last step of the instruction at hand: it sleeps until then, and puts what comes before on the wires.
 void Controller::issue_ahead() {
-  if (state_ != State::issuing || !receiver_.holds() || edges_to_drop_ > 0 || unlatched_) return;
+  if (!receiver_.holds() || edges_to_drop_ > 0 || unlatched_) return;
   if (refreshes.num_available() > 0) return;
   ahead_.push_back({status_.bit, status_.pass});
   Issued next = issued();

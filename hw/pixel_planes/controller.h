@@ -85,7 +85,9 @@ class Controller final : public systemc::ClockedModule {
     array::BitStep step;
   };
 
+  void end_of_elaboration() override;
   void on_clock() override;
+  void act();
   void begin_frame();
   void ask();
   void begin_command();
@@ -122,6 +124,7 @@ class Controller final : public systemc::ClockedModule {
   std::vector<Place> ahead_;         ///< of steps that have been put on the wires for the edges from that one on
   std::optional<Issued> last_step_;  ///< of the instruction, which is then still to be put
   bool resting_ = false;             ///< the wires carry nothing
+  sc_core::sc_event_or_list begins_or_refreshes_;  ///< what an idle controller wakes for
   ControllerAccount account_;
   std::uint64_t next_ordinal_ = 0;  ///< of the instruction that comes next
   std::uint64_t instructions_ = 0;

@@ -71,8 +71,8 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
       controller_("controller", systemc::period_of(machine), sequencer(machine), controller_figures(machine)),
       pipeline_("pipeline", machine, form, foretold),
       global_or_("global_or", plane_shape(machine), machines::own<Figures>(machine).or_fan_in),
-      scan_out_("scan_out", plane_shape(machine), machines::own<Figures>(machine).scan_out_pixels,
-                machines::own<Figures>(machine).scan_out_port) {
+      scan_out_("scan_out", systemc::period_of(machine), plane_shape(machine),
+                machines::own<Figures>(machine).scan_out_pixels, machines::own<Figures>(machine).scan_out_port) {
   SC_HAS_PROCESS(PixelPlanes);
   sc_core::sc_report_handler::set_actions(sc_core::SC_WARNING, sc_core::SC_THROW);
 
@@ -109,7 +109,6 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
   scan_out_.pictures(pictures_);
   scan_out_.refresh(pipeline_);
   scan_out_.refreshes(refreshes_);
-  scan_out_.video(video_);
   scan_out_.latched(latched_);
   scan_out_.frames(frames_);
 
@@ -290,7 +289,7 @@ std::vector<wave::Tap> PixelPlanes::scan_out_taps() const {
       wave::bit("scan_out.picture_finished", [this] { return wave::Number(pictures_.num_available() > 0 ? 1 : 0); }),
       wave::bit("scan_out.picture_latched", [this] { return wave::Number(latched_.num_available() > 0 ? 1 : 0); }),
       wave::number("scan_out.row", 16, [this, shown] { return shown(scan_out_.row_latched()); }),
-      wave::hexadecimal("scan_out.video", 24, [this, shown] { return shown(video_.read()); })};
+      wave::hexadecimal("scan_out.video", 24, [this, shown] { return shown(scan_out_.video()); })};
 }
 
 std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {

@@ -91,7 +91,6 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
   sc_core::sc_signal<std::uint64_t> retired_{"retired"};
   sc_core::sc_fifo<Account> accounts_;
   sc_core::sc_signal<std::uint64_t> programs_{"programs"};
-  sc_core::sc_signal<std::uint32_t> video_{"video"};
   sc_core::sc_signal<std::uint64_t> frames_{"frames"};
 
   link::LinkSource host_;

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "hw/base/quotient.h"
+#include "hw/systemc/kernel.h"
+
 namespace csgsim::pixel_planes {
 
-ScanOut::ScanOut(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t pixels, ScanOutPort port)
+ScanOut::ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape,
+                 std::uint32_t pixels, ScanOutPort port)
     : sc_core::sc_module(name),
+      period_(period),
       shape_(shape),
       pixels_(pixels),
       port_(port),
@@ -25,13 +30,34 @@ void ScanOut::on_clock() {
     state_ = State::asleep;
     return;
   }
-  transfer();
-  shift();
-  latch();
+  act();
   const bool finished = row_ == shape_.height && latched_ == 0 && shifted_ == shape_.width;
   if (finished) frames.write(++frames_done_);
   state_ = finished ? State::awake : State::showing;
-  next_trigger(clock.posedge_event());
+  sleep();
+}
+
+/// In all clocks that have gone by but the last it slept.
+void ScanOut::act() {
+  const std::uint64_t now = systemc::edges(period_);
+  shift(now - std::exchange(acted_at_, now) - 1);
+  transfer();
+  shift(1);
+  latch();
+}
+
+/// While a latched row waits for the one before, which is shifted out: until the last clock of that.
+void ScanOut::sleep() {
+  const std::uint32_t clocks = quotient_up(shape_.width - shifted_, pixels_);
+  if (latches() || clocks < 2) return next_trigger(clock.posedge_event());
+  next_trigger(sc_core::sc_time::from_value(clocks * period_.value()));
+}
+
+std::uint32_t ScanOut::video() const {
+  const std::uint64_t shifted = shifted_ + (systemc::edges(period_) - acted_at_) * pixels_;
+  return shifted == shifted_ || shifted_ == shape_.width
+             ? video_
+             : shift_row_[static_cast<std::size_t>(std::min<std::uint64_t>(shifted, shape_.width)) - 1];
 }
 
 /// A picture has come between two edges.
@@ -49,6 +75,7 @@ bool ScanOut::begin() {
   asked_ = 0;
   latched_ = 0;
   shifted_ = shape_.width;
+  acted_at_ = systemc::edges(period_) - 1;
   picture_.clear();
   picture_.reserve(std::size_t{shape_.width} * shape_.height);
   std::fill(latch_row_.begin(), latch_row_.end(), 0U);
@@ -66,16 +93,14 @@ void ScanOut::transfer() {
   ++row_;
 }
 
-void ScanOut::shift() {
-  for (std::uint32_t i = 0; i < pixels_ && shifted_ < shape_.width; ++i) {
-    const std::uint32_t colour = shift_row_[shifted_++];
-    video.write(colour);
-    picture_.push_back(colour);
-  }
+void ScanOut::shift(std::uint64_t clocks) {
+  const std::uint64_t end = std::min<std::uint64_t>(shifted_ + clocks * pixels_, shape_.width);
+  for (; shifted_ < end; ++shifted_) picture_.push_back(shift_row_[shifted_]);
+  if (!picture_.empty()) video_ = picture_.back();
 }
 
 void ScanOut::latch() {
-  if (row_ == shape_.height || latched_ == colour_.width) return;
+  if (!latches()) return;
   if (port_ == ScanOutPort::own) {
     latch_bit({static_cast<std::uint16_t>(colour_.base + latched_), static_cast<std::uint16_t>(row_)});
   } else {

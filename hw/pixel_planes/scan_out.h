@@ -22,15 +22,17 @@ class ScanOut final : public sc_core::sc_module {
   sc_core::sc_fifo_in<FinishedPicture> pictures{"pictures"};
   sc_core::sc_port<RefreshPort> refresh{"refresh"};
   sc_core::sc_fifo_out<RefreshStep> refreshes{"refreshes"};  ///< to the controller
-  sc_core::sc_out<std::uint32_t> video{"video"};             ///< the last of the pixels shown in a clock
   sc_core::sc_fifo_out<bool> latched{"latched"};             ///< to the controller: one when a last row is latched
   sc_core::sc_out<std::uint64_t> frames{"frames"};           ///< scanned out
 
-  ScanOut(sc_core::sc_module_name name, array::PlaneShape shape, std::uint32_t pixels, ScanOutPort port);
+  /// `period`: of the clock.
+  ScanOut(sc_core::sc_module_name name, const sc_core::sc_time& period, array::PlaneShape shape, std::uint32_t pixels,
+          ScanOutPort port);
 
   // For waves.
   [[nodiscard]] bool is_showing() const { return state_ == State::showing; }
   [[nodiscard]] std::uint32_t row_latched() const { return row_; }  ///< that is being latched
+  [[nodiscard]] std::uint32_t video() const;                        ///< the last of the pixels that have been shown
 
   /// Of the picture that is being shown, or was last: the colours shifted out, in row order.
   [[nodiscard]] const std::vector<std::uint32_t>& picture() const { return picture_; }
@@ -41,12 +43,16 @@ class ScanOut final : public sc_core::sc_module {
   void on_clock();
   void wake();
   bool begin();
+  void act();
   void transfer();
-  void shift();
+  void shift(std::uint64_t clocks);
+  void sleep();
+  [[nodiscard]] bool latches() const { return row_ != shape_.height && latched_ != colour_.width; }
   void latch();
   void ask();
   void latch_bit(RefreshStep step);
 
+  const sc_core::sc_time period_;
   array::PlaneShape shape_;
   const std::uint32_t pixels_;
   const ScanOutPort port_;
@@ -60,6 +66,8 @@ class ScanOut final : public sc_core::sc_module {
   std::uint64_t frames_done_ = 0;
   State state_ = State::asleep;  ///< asleep until a picture comes; awake, it looks for one at the next edge
   std::vector<std::uint32_t> picture_;
+  std::uint32_t video_ = 0;     ///< as it was at the last edge at which it acted
+  std::uint64_t acted_at_ = 0;  ///< that edge
 };
 
 }  // namespace csgsim::pixel_planes

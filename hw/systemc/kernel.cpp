@@ -26,7 +26,18 @@ sc_core::sc_time period_of(const machines::Machine& machine) {
   return {1.0 / static_cast<double>(machine.clock_hz), sc_core::SC_SEC};
 }
 
-std::uint64_t edges(const sc_core::sc_time& period) { return sc_core::sc_time_stamp().value() / period.value(); }
+/// Many ask at one time, and there is one machine: a division is slow beside what they do.
+std::uint64_t edges(const sc_core::sc_time& period) {
+  static std::uint64_t asked_at = 0;
+  static std::uint64_t of_period = 1;
+  static std::uint64_t answer = 0;
+  const std::uint64_t now = sc_core::sc_time_stamp().value();
+  if (now == asked_at && period.value() == of_period) return answer;
+  asked_at = now;
+  of_period = period.value();
+  answer = now / of_period;
+  return answer;
+}
 
 void stop() {
   for (sc_core::sc_object* const object : sc_core::sc_get_top_level_objects()) kill_threads(*object);
