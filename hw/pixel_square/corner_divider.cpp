@@ -66,6 +66,7 @@ void CornerDivider::work() {
     take_model();
     SteppedDatapath path(header_, memory_, machine_, far_planes_, ends());
     for (const std::size_t square : own_) divide(square, path);
+    let_pass();
     square_.reset();
   }
 }
@@ -83,6 +84,7 @@ void CornerDivider::take_model() {
 }
 
 void CornerDivider::divide(std::size_t square, SteppedDatapath& path) {
+  let_pass();
   square_ = square;
   begun_square_ = false;
   state_ = "testing";
@@ -125,24 +127,42 @@ SteppedDatapath::Ends CornerDivider::ends() {
               }};
 }
 
+/// They go by when something is next seen of the divider.
 void CornerDivider::spend(std::uint64_t clocks) {
-  if (clocks == 0) return;
   clocks_.add(SquareActivity::working, clocks);
-  wait(sc_core::sc_time::from_value(clocks * period_.value()));
+  spent_ += clocks;
+}
+
+void CornerDivider::let_pass() {
+  if (spent_ > 0) wait(sc_core::sc_time::from_value(std::exchange(spent_, 0) * period_.value()));
 }
 
 void CornerDivider::store(const isa::Command& command, bool is_last) {
   std::vector<StoredWord> words;
   isa::encode(command, machine_.link.width, [&](const isa::LinkWord& word) { words.push_back({.word = word}); });
   words.back().is_last = is_last;
+  let_pass();
   state_ = "writing";
-  for (const StoredWord& word : words) store(word);
+  if (store_.has_room_for(words.size())) {
+    store_at_once(words);
+  } else {
+    for (const StoredWord& word : words) store(word);
+  }
   state_ = "testing";
+}
+
+/// A clock each.
+void CornerDivider::store_at_once(std::span<const StoredWord> words) {
+  std::uint64_t edge = systemc::edges(period_);
+  for (const StoredWord& word : words) store_.write(word, ++edge);
+  spend(words.size());
+  let_pass();
 }
 
 /// In the clock that it takes to write, or in the first after it in which there is room.
 void CornerDivider::store(const StoredWord& word) {
   spend(1);
+  let_pass();
   while (!store_.has_room()) {
     const std::string_view before = std::exchange(state_, name_of(SquareActivity::waiting_for_renderer));
     const std::uint64_t begun = systemc::edges(period_);

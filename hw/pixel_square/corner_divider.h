@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <systemc>
 #include <vector>
@@ -51,6 +52,8 @@ class CornerDivider final : public sc_core::sc_module {
   [[nodiscard]] isa::Region group_of(const isa::Region& square) const;
   [[nodiscard]] SteppedDatapath::Ends ends();
   void spend(std::uint64_t clocks);
+  void let_pass();
+  void store_at_once(std::span<const StoredWord> words);
   void store(const isa::Command& command, bool is_last);
   void store(const StoredWord& word);
 
@@ -72,6 +75,7 @@ class CornerDivider final : public sc_core::sc_module {
   std::optional<std::size_t> square_;         ///< at hand
   bool begun_square_ = false;                 ///< some of it is in the store
   SquareClocks clocks_;                       ///< once the model is in
+  std::uint64_t spent_ = 0;                   ///< of these, clocks that have still to go by
   std::string_view state_;
   bool is_begun_ = false;  ///< a frame, which the thread has not seen
   sc_core::sc_event begun_{"begun"};

@@ -1,8 +1,10 @@
 #include "hw/pixel_square/frame_buffer.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hw/pixel_square/figures.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
 
@@ -13,7 +15,7 @@ std::uint64_t low_bits(std::uint64_t value, unsigned count) {
   return count < 64 ? value & ((std::uint64_t{1} << count) - 1) : value;
 }
 
-std::uint64_t bits_of(const std::vector<std::uint64_t>& bits, std::uint64_t from, unsigned count) {
+std::uint64_t bits_of(std::span<const std::uint64_t> bits, std::uint64_t from, unsigned count) {
   const auto place = static_cast<unsigned>(from % 64);
   std::uint64_t value = bits[from / 64] >> place;
   if (place + count > 64) value |= bits[from / 64 + 1] << (64 - place);
@@ -26,6 +28,7 @@ FrameBuffer::FrameBuffer(sc_core::sc_module_name name, const machines::Machine& 
     : systemc::ClockedModule(name),
       colours("colours", machines::own<Figures>(machine).renderers),
       clears("clears", has_ring(machines::own<Figures>(machine)) ? machines::own<Figures>(machine).processors : 1),
+      period_(systemc::period_of(machine)),
       port_bits_(colour_word_bits(machines::own<Figures>(machine))),
       incoming_(colours.size() + clears.size()),
       screen_(machines::own<Figures>(machine), machine.clock_hz),
@@ -42,6 +45,7 @@ void FrameBuffer::begin(const FrameContents& contents) {
   served_.reset();
   clocks_ = {};
   screen_.begin(contents.picture, contents.colour_bits);
+  acted_at_ = systemc::edges(period_);
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
@@ -53,14 +57,27 @@ void FrameBuffer::end_of_elaboration() {
   words_written_ |= begun_;
 }
 
-/// Sleeps while no port has a word, unless there is a screen to count for.
+/// Sleeps while no port has a word and the screen changes nothing.
 void FrameBuffer::on_clock() {
   if (!clock.posedge()) return;
-  screen_.on_clock();
+  const std::uint64_t now = systemc::edges(period_);
+  count(now - std::exchange(acted_at_, now));
   serve_ports();
   if (served_) return clocks_.add(SquareActivity::working);
-  if (screen_.row()) return clocks_.add(SquareActivity::refreshing);
-  if (!screen_.takes()) next_trigger(words_written_);
+  if (screen_.row()) clocks_.add(SquareActivity::refreshing);
+  if (!any_has_turn()) sleep();
+}
+
+/// Clocks that have gone by, in all of which but the last it slept.
+void FrameBuffer::count(std::uint64_t clocks) {
+  if (screen_.row()) clocks_.add(SquareActivity::refreshing, clocks - 1);
+  screen_.on_clocks(clocks);
+}
+
+void FrameBuffer::sleep() {
+  if (!screen_.takes()) return next_trigger(words_written_);
+  const std::uint64_t clocks = screen_.clocks_to_change();
+  if (clocks > 1) next_trigger(sc_core::sc_time::from_value(clocks * period_.value()), words_written_);
 }
 
 void FrameBuffer::serve_ports() {
@@ -102,6 +119,12 @@ bool FrameBuffer::has_turn(std::size_t port) {
   return (clears_through(port) && incoming_[port].gathered == header_bits) || words(port).num_available() > 0;
 }
 
+bool FrameBuffer::any_has_turn() {
+  for (std::size_t port = 0; port < incoming_.size(); ++port)
+    if (has_turn(port)) return true;
+  return false;
+}
+
 /// Takes the bank in which the port's next word begins; a word of a header needs none.
 bool FrameBuffer::has_bank(std::size_t port) {
   const Incoming& square = incoming_[port];
@@ -112,15 +135,9 @@ bool FrameBuffer::has_bank(std::size_t port) {
   return true;
 }
 
-/// Of the picture: that of the next bit.
-std::uint32_t FrameBuffer::row_of(const Incoming& square) const {
-  const std::uint64_t row = square.next_bit / contents_.colour_bits / square.region.width;
-  return square.region.y + static_cast<std::uint32_t>(row);
-}
-
 void FrameBuffer::take(std::size_t port, const PortWord& word) {
   Incoming& square = incoming_[port];
-  if (square.gathered == header_bits) return store(square, word.bits);
+  if (square.gathered == header_bits) return store(square, span_of(word.bits));
   take_header(square, word);
   if (square.gathered == header_bits) finish_if_whole(square);
 }
@@ -133,22 +150,23 @@ void FrameBuffer::take_header(Incoming& square, const PortWord& word) const {
 }
 
 /// The bits follow those before; those beyond the square's are padding.
-void FrameBuffer::store(Incoming& square, const std::vector<std::uint64_t>& bits) {
-  each_colour(square, [&](std::uint64_t place, std::uint64_t from, unsigned count) {
-    std::uint32_t& colour = pixel(square, (square.next_bit + from) / contents_.colour_bits);
-    if (place == 0) colour = 0;
-    colour |= static_cast<std::uint32_t>(bits_of(bits, from, count)) << place;
+void FrameBuffer::store(Incoming& square, std::span<const std::uint64_t> bits) {
+  const Cursor next = each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
+    std::uint32_t& colour = pixel(square, at);
+    if (at.place == 0) colour = 0;
+    colour |= static_cast<std::uint32_t>(bits_of(bits, from, count)) << at.place;
   });
   square.next_bit += bits_to_come(square);
+  square.next = next;
   finish_if_whole(square);
 }
 
 void FrameBuffer::clear(Incoming& square) {
-  std::vector<std::uint64_t> bits((port_bits_ + 63U) / 64U);
-  each_colour(square, [&](std::uint64_t place, std::uint64_t from, unsigned count) {
-    put_bits(bits, from, count, low_bits(contents_.background >> place, count));
+  PortBits bits((port_bits_ + 63U) / 64U);
+  each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
+    put_bits(span_of(bits), from, count, low_bits(contents_.background >> at.place, count));
   });
-  store(square, bits);
+  store(square, span_of(bits));
 }
 
 /// Bits of the next word that are of the square.
@@ -156,17 +174,24 @@ std::uint64_t FrameBuffer::bits_to_come(const Incoming& square) const {
   return std::min<std::uint64_t>(port_bits_, colour_bits(square) - square.next_bit);
 }
 
-/// Calls act(place, from, count) for each pixel whose colour is, in part or whole, in the next word: so many bits of it
-/// from its bit `place` on, the first of which is bit `from` of the word.
+/// Calls act(at, from, count) for each pixel whose colour is, in part or whole, in the next word: so many bits of it
+/// from there on, the first of which is bit `from` of the word. Returns where the word after that begins.
 template <class Act>
-void FrameBuffer::each_colour(const Incoming& square, const Act& act) const {
+FrameBuffer::Cursor FrameBuffer::each_colour(const Incoming& square, const Act& act) const {
+  Cursor at = square.next;
   const std::uint64_t end = bits_to_come(square);
   for (std::uint64_t from = 0; from < end;) {
-    const std::uint64_t place = (square.next_bit + from) % contents_.colour_bits;
-    const std::uint64_t count = std::min(contents_.colour_bits - place, end - from);
-    act(place, from, static_cast<unsigned>(count));
+    const auto count = static_cast<unsigned>(std::min<std::uint64_t>(contents_.colour_bits - at.place, end - from));
+    act(at, from, count);
     from += count;
+    at.place += count;
+    if (at.place < contents_.colour_bits) continue;
+    at.place = 0;
+    if (++at.x < square.region.width) continue;
+    at.x = 0;
+    ++at.y;
   }
+  return at;
 }
 
 void FrameBuffer::finish_if_whole(Incoming& square) {
@@ -180,10 +205,9 @@ std::uint64_t FrameBuffer::colour_bits(const Incoming& square) const {
   return std::uint64_t{square.region.width} * square.region.height * contents_.colour_bits;
 }
 
-std::uint32_t& FrameBuffer::pixel(const Incoming& square, std::uint64_t index) {
-  const std::uint64_t x = square.region.x + index % square.region.width;
-  const std::uint64_t y = square.region.y + index / square.region.width;
-  return picture_[static_cast<std::size_t>(y * contents_.picture.width + x)];
+std::uint32_t& FrameBuffer::pixel(const Incoming& square, const Cursor& at) {
+  const std::size_t row = std::size_t{square.region.y} + at.y;
+  return picture_[row * contents_.picture.width + square.region.x + at.x];
 }
 
 }  // namespace csgsim::pixel_square

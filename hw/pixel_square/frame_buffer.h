@@ -55,38 +55,51 @@ class FrameBuffer final : public systemc::ClockedModule {
   }
 
  private:
+  /// A bit of the colours of a square.
+  struct Cursor {
+    std::uint32_t x = 0;  ///< of the pixel in the square
+    std::uint32_t y = 0;
+    unsigned place = 0;  ///< of its colour's bits
+  };
+
   /// The square that comes through a port.
   struct Incoming {
     std::uint64_t header = 0;
     unsigned gathered = 0;       ///< bits of the header that are in
     isa::Region region;          ///< once the header is whole
     std::uint64_t next_bit = 0;  ///< of its colours
+    Cursor next;                 ///< where that is
   };
 
   void end_of_elaboration() override;
   void on_clock() override;
+  void count(std::uint64_t clocks);
+  void sleep();
   void serve_ports();
   bool serve(std::size_t port);
   [[nodiscard]] bool clears_through(std::size_t port) const { return port >= colours.size(); }
   [[nodiscard]] sc_core::sc_fifo_in<PortWord>& words(std::size_t port);
   [[nodiscard]] bool has_turn(std::size_t port);
+  [[nodiscard]] bool any_has_turn();
   [[nodiscard]] bool has_bank(std::size_t port);
   [[nodiscard]] std::uint32_t bank_of(std::uint32_t row) const {
     return row % static_cast<std::uint32_t>(free_.size());
   }
-  [[nodiscard]] std::uint32_t row_of(const Incoming& square) const;
+  [[nodiscard]] static std::uint32_t row_of(const Incoming& square) { return square.region.y + square.next.y; }
   void take(std::size_t port, const PortWord& word);
   void take_header(Incoming& square, const PortWord& word) const;
-  void store(Incoming& square, const std::vector<std::uint64_t>& bits);
+  void store(Incoming& square, std::span<const std::uint64_t> bits);
   void clear(Incoming& square);
   [[nodiscard]] std::uint64_t bits_to_come(const Incoming& square) const;
   template <class Act>
-  void each_colour(const Incoming& square, const Act& act) const;
+  Cursor each_colour(const Incoming& square, const Act& act) const;
   void finish_if_whole(Incoming& square);
   [[nodiscard]] std::uint64_t colour_bits(const Incoming& square) const;
-  [[nodiscard]] std::uint32_t& pixel(const Incoming& square, std::uint64_t index);
+  [[nodiscard]] std::uint32_t& pixel(const Incoming& square, const Cursor& at);
 
+  const sc_core::sc_time period_;
   const std::uint32_t port_bits_;
+  std::uint64_t acted_at_ = 0;  ///< edge
   std::vector<std::uint32_t> picture_;
   FrameContents contents_;
   std::vector<Incoming> incoming_;  ///< one a port

@@ -1,11 +1,13 @@
 #include "hw/pixel_square/graphics_processors.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "hw/base/quotient.h"
 #include "hw/pixel_square/commands.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/clear_view.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
 
@@ -14,6 +16,7 @@ GraphicsProcessors::GraphicsProcessors(sc_core::sc_module_name name, const machi
       words("words", machines::own<Figures>(machine).processors),
       targets("targets", words.size()),
       finished("finished", machines::own<Figures>(machine).renderers),
+      period_(systemc::period_of(machine)),
       word_bits_(machines::own<Figures>(machine).ring_bits),
       latency_(machine.link.latency),
       fifo_depth_(machines::own<Figures>(machine).port_fifo_depth),
@@ -28,6 +31,7 @@ void GraphicsProcessors::begin(std::span<const isa::Segment> segments) {
   std::ranges::fill(processors_, Processor{});
   kept_.assign(kept_.size(), false);
   skipped_ = 0;
+  acted_at_ = systemc::edges(period_);
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
@@ -36,13 +40,31 @@ bool GraphicsProcessors::are_done() const {
          std::ranges::none_of(processors_, [](const Processor& processor) { return processor.square.has_value(); });
 }
 
-/// Sleeps when all are done.
+void GraphicsProcessors::end_of_elaboration() {
+  // No range-based loop: to clang the iterators compare ambiguously in C++20.
+  std::for_each(words.begin(), words.end(), [&](const auto& port) { words_taken_ |= port.data_read_event(); });
+  words_taken_ |= begun_;
+}
+
+/// What they wait for comes of words that the ring takes.
+bool GraphicsProcessors::all_wait() const {
+  using enum SquareActivity;
+  return std::ranges::all_of(processors_, [](const Processor& one) {
+    return one.activity == waiting_for_ring || one.activity == waiting_for_renderer || one.activity == done;
+  });
+}
+
+/// Sleeps while all wait, and when all are done.
 void GraphicsProcessors::on_clock() {
   if (are_done()) return next_trigger(begun_);
   if (!clock.posedge()) return;
+  const std::uint64_t now = systemc::edges(period_);
+  const std::uint64_t slept = now - std::exchange(acted_at_, now) - 1;
+  for (Processor& processor : processors_) processor.clocks.add(processor.activity, slept);
   for (std::size_t i = 0; i < processors_.size(); ++i) let_go(i);
   for (std::size_t i = 0; i < processors_.size(); ++i) note(i, act(i));
   if (latency_left_ > 0) --latency_left_;
+  if (all_wait()) next_trigger(words_taken_);
 }
 
 /// Of a processor whose words have all gone: its square and its renderer.
@@ -92,7 +114,7 @@ bool GraphicsProcessors::ask_for_renderer(Processor& processor) {
 RingWord GraphicsProcessors::next_word(const Processor& processor) const {
   if (!processor.is_clear) return {processor.commands[processor.sent], {}};
   const std::uint64_t header = header_of(segments_[*processor.square].region);
-  return {{}, {slice_of({header}, processor.sent * word_bits_, word_bits_)}};
+  return {{}, {slice_of({&header, 1}, processor.sent * word_bits_, word_bits_)}};
 }
 
 void GraphicsProcessors::send(std::size_t number) {
@@ -108,6 +130,7 @@ void GraphicsProcessors::send(std::size_t number) {
 
 void GraphicsProcessors::note(std::size_t number, SquareActivity activity) {
   Processor& processor = processors_[number];
+  processor.activity = activity;
   processor.clocks.add(activity);
   processor.status = {.state = activity == SquareActivity::working ? "sending" : name_of(activity),
                       .square = processor.square.value_or(segments_.size()),

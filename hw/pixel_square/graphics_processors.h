@@ -57,11 +57,14 @@ class GraphicsProcessors final : public systemc::ClockedModule {
     std::size_t sent = 0;                 ///< words of these, or of its header
     bool all_sent = false;                ///< but some wait for the ring
     std::optional<std::size_t> renderer;  ///< that it keeps
+    SquareActivity activity{};            ///< in the clock that ended last, and in those slept since
     SquareClocks clocks;
     SenderStatus status;
   };
 
+  void end_of_elaboration() override;
   void on_clock() override;
+  [[nodiscard]] bool all_wait() const;
   [[nodiscard]] bool are_done() const;
   void let_go(std::size_t number);
   SquareActivity act(std::size_t number);
@@ -71,6 +74,7 @@ class GraphicsProcessors final : public systemc::ClockedModule {
   [[nodiscard]] RingWord next_word(const Processor& processor) const;
   void note(std::size_t number, SquareActivity activity);
 
+  const sc_core::sc_time period_;
   const std::uint32_t word_bits_;
   const std::uint32_t latency_;
   const std::size_t fifo_depth_;  ///< of a place of the ring
@@ -81,6 +85,8 @@ class GraphicsProcessors final : public systemc::ClockedModule {
   std::vector<bool> kept_;             ///< renderers
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;
+  std::uint64_t acted_at_ = 0;             ///< edge
+  sc_core::sc_event_or_list words_taken_;  ///< by the ring, of any of them; or a frame has begun
   sc_core::sc_event begun_{"begun"};
 };
 

@@ -21,15 +21,15 @@ isa::Region region_of(std::uint64_t header) {
   return {number(0), number(1), number(2), number(3)};
 }
 
-void put_bits(std::vector<std::uint64_t>& into, std::uint64_t first, unsigned count, std::uint64_t value) {
+void put_bits(std::span<std::uint64_t> into, std::uint64_t first, unsigned count, std::uint64_t value) {
   if (count == 0) return;
   const auto place = static_cast<unsigned>(first % 64);
   into[first / 64] |= value << place;
   if (place + count > 64) into[first / 64 + 1] |= value >> (64 - place);
 }
 
-std::vector<std::uint64_t> slice_of(const std::vector<std::uint64_t>& bits, std::uint64_t first, std::uint32_t count) {
-  std::vector<std::uint64_t> slice((count + 63U) / 64U);
+PortBits slice_of(std::span<const std::uint64_t> bits, std::uint64_t first, std::uint32_t count) {
+  PortBits slice((count + 63U) / 64U);
   const auto shift = static_cast<unsigned>(first % 64);
   const auto at = [&](std::uint64_t index) { return index < bits.size() ? bits[index] : 0; };
   for (std::size_t i = 0; i < slice.size(); ++i) {

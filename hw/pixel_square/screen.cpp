@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
 
@@ -22,15 +24,20 @@ void Screen::begin(const machines::Size& picture, std::uint32_t colour_bits) {
   left_ = 0;
 }
 
-void Screen::on_clock() {
-  if (left_ > 0) --left_;
-  phase_ += step_;
+void Screen::on_clocks(std::uint64_t clocks) {
+  left_ -= static_cast<std::uint32_t>(std::min<std::uint64_t>(left_, clocks));
+  phase_ += clocks * step_;
   if (phase_ < clock_hz_) return;
   phase_ -= clock_hz_;
   left_ = clocks_;
   at_ = next_;
   next_ += bits_;
   if (next_ >= picture_bits_) next_ = 0;
+}
+
+std::uint64_t Screen::clocks_to_change() const {
+  const std::uint64_t to_turn = quotient_up(clock_hz_ - phase_, step_);
+  return left_ == 0 ? to_turn : std::min<std::uint64_t>(left_, to_turn);
 }
 
 std::optional<std::uint32_t> Screen::row() const {

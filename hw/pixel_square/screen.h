@@ -19,7 +19,12 @@ class Screen {
   void begin(const machines::Size& picture, std::uint32_t colour_bits);
 
   /// An edge of the clock.
-  void on_clock();
+  void on_clock() { on_clocks(1); }
+  /// So many, at most as many as there are until the next change.
+  void on_clocks(std::uint64_t clocks);
+
+  /// Edges until a turn begins or ends; of a screen that takes turns.
+  [[nodiscard]] std::uint64_t clocks_to_change() const;
 
   /// Of a turn in the clock that begins with the edge: the row in which it reads first.
   [[nodiscard]] std::optional<std::uint32_t> row() const;

@@ -1,8 +1,11 @@
 #include "hw/pixel_square/sender.h"
 
+#include <utility>
+
 #include "hw/base/quotient.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/clear_view.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::pixel_square {
 
@@ -10,6 +13,7 @@ Sender::Sender(sc_core::sc_module_name name, const machines::Machine& machine, s
     : systemc::ClockedModule(name),
       links("links", machines::own<Figures>(machine).renderers),
       finished("finished", machines::own<Figures>(machine).renderers),
+      period_(systemc::period_of(machine)),
       word_clocks_(word_clocks),
       port_bits_(machines::own<Figures>(machine).port_bits),
       handed_(machines::own<Figures>(machine).renderers) {}
@@ -21,16 +25,31 @@ void Sender::begin_frame(std::size_t squares) {
   skipped_ = 0;
   clocks_ = {};
   status_ = {};
+  activity_ = {};
+  acted_at_ = systemc::edges(period_);
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-/// Sleeps when it is done.
+/// Sleeps when it is done, and while it waits.
 void Sender::on_clock() {
   if (index_ == squares_) {
     status_ = {.state = name_of(SquareActivity::done), .square = squares_, .renderer = std::nullopt};
     return next_trigger(begun_);
   }
-  if (clock.posedge()) clocks_.add(act());
+  if (!clock.posedge()) return;
+  const std::uint64_t now = systemc::edges(period_);
+  clocks_.add(activity_, now - std::exchange(acted_at_, now) - 1);
+  activity_ = act();
+  clocks_.add(activity_);
+  sleep();
+}
+
+/// Until what it waits for may be there at the next edge.
+void Sender::sleep() {
+  if (activity_ == SquareActivity::waiting_for_renderer) return next_trigger(links[*target_].data_read_event());
+  if (activity_ == SquareActivity::waiting_for_frame_buffer) return next_trigger(clears.data_read_event());
+  if (square_ || activity_ != SquareActivity::waiting_for_divider) return;
+  if (const sc_core::sc_event* const event = prepared(index_)) next_trigger(*event);
 }
 
 SquareActivity Sender::act() {
@@ -74,7 +93,8 @@ SquareActivity Sender::send() {
 
 SquareActivity Sender::send_header() {
   if (clears.num_free() == 0) return SquareActivity::waiting_for_frame_buffer;
-  clears.nb_write({slice_of({header_of(square_->region)}, sent_ * port_bits_, port_bits_)});
+  const std::uint64_t header = header_of(square_->region);
+  clears.nb_write({slice_of({&header, 1}, sent_ * port_bits_, port_bits_)});
   if (++sent_ < quotient_up(header_bits, port_bits_)) return SquareActivity::working;
   retirement->after_segment(static_cast<std::uint32_t>(index_), systemc::ClearView());
   ++skipped_;

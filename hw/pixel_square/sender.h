@@ -56,6 +56,9 @@ class Sender : public systemc::ClockedModule {
   /// What is to be done in a clock before the square at hand can be sent; none, if it can.
   virtual std::optional<SquareActivity> prepare(std::size_t square) = 0;
 
+  /// While that is waiting_for_divider: after what event it can be otherwise; null if it has to be asked at each edge.
+  [[nodiscard]] virtual const sc_core::sc_event* prepared(std::size_t /*square*/) const { return nullptr; }
+
   /// What `working` means while a square is prepared, by name.
   [[nodiscard]] virtual std::string_view preparing() const = 0;
 
@@ -70,6 +73,7 @@ class Sender : public systemc::ClockedModule {
 
  private:
   void on_clock() override;
+  void sleep();
   SquareActivity act();
   SquareActivity as_told(SquareActivity activity);
   SquareActivity send();
@@ -79,6 +83,7 @@ class Sender : public systemc::ClockedModule {
   void end_square();
   [[nodiscard]] std::size_t least_busy() const;
 
+  const sc_core::sc_time period_;
   const std::uint32_t word_clocks_;
   const std::uint32_t port_bits_;
   std::size_t squares_ = 0;
@@ -89,6 +94,8 @@ class Sender : public systemc::ClockedModule {
   std::uint32_t elapsed_ = 0;          ///< clocks spent on the word at hand
   std::vector<std::uint64_t> handed_;  ///< squares that each renderer has got
   std::uint64_t skipped_ = 0;
+  std::uint64_t acted_at_ = 0;  ///< edge
+  SquareActivity activity_{};   ///< in the clock that ended there, and in those that it has slept since
   SquareClocks clocks_;
   SenderStatus status_;
   sc_core::sc_event begun_{"begun"};

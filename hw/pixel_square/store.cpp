@@ -1,5 +1,7 @@
 #include "hw/pixel_square/store.h"
 
+#include <algorithm>
+
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/kernel.h"
 
@@ -14,9 +16,29 @@ void Store::begin() {
   taken_at_ = 0;
 }
 
-void Store::write(const StoredWord& word) {
-  words_.push_back({word, edge()});
-  if (word.is_last) ends_.push_back(edge());
+void Store::write(const StoredWord& word, std::uint64_t edge) {
+  words_.push_back({word, edge});
+  if (word.is_last) ends_.push_back(edge);
+  if (word.is_last || words_.size() == depth_) tell_after(edge);
+}
+
+/// An earlier notification that is pending stays: who wakes with it asks again.
+void Store::tell_after(std::uint64_t edge) {
+  ready_.notify(sc_core::sc_time::from_value((edge + 1 - this->edge()) * period_.value()));
+}
+
+const sc_core::sc_event& Store::ready() {
+  if (!ends_.empty()) {
+    tell_after(ends_.front());
+  } else if (words_.size() == depth_) {
+    tell_after(words_.back().edge);
+  }
+  return ready_;
+}
+
+std::uint64_t Store::fill() const {
+  const auto is_there = [now = edge()](const Written& word) { return word.edge <= now; };
+  return static_cast<std::uint64_t>(std::ranges::count_if(words_, is_there));
 }
 
 bool Store::may_begin() const {

@@ -30,7 +30,12 @@ class Store {
   [[nodiscard]] bool has_room() const { return words_.size() + (taken_at_ == edge() ? 1U : 0U) < depth_; }
   /// Without room at this edge, whether there is some at the next whatever happens.
   [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
-  void write(const StoredWord& word);
+  /// From this edge on.
+  void write(const StoredWord& word) { write(word, edge()); }
+  /// From a later edge on; there has to be room for it whatever happens.
+  void write(const StoredWord& word, std::uint64_t edge);
+  /// Whether there is room for so many at any edge from the next on, whatever happens.
+  [[nodiscard]] bool has_room_for(std::uint64_t words) const { return words_.size() + words <= depth_; }
   /// Happens when there will be room at the next edge.
   [[nodiscard]] const sc_core::sc_event& freed() const { return freed_; }
 
@@ -40,8 +45,10 @@ class Store {
   /// Null if none has been written at an earlier edge.
   [[nodiscard]] const StoredWord* front() const;
   void take();
+  /// While no square can be begun: happens at an edge at which one may be.
+  [[nodiscard]] const sc_core::sc_event& ready();
 
-  [[nodiscard]] std::uint64_t fill() const { return words_.size(); }
+  [[nodiscard]] std::uint64_t fill() const;
 
  private:
   struct Written {
@@ -50,6 +57,7 @@ class Store {
   };
 
   [[nodiscard]] std::uint64_t edge() const { return systemc::edges(period_); }
+  void tell_after(std::uint64_t edge);
 
   const sc_core::sc_time period_;
   const std::uint64_t depth_;
@@ -57,6 +65,7 @@ class Store {
   std::deque<std::uint64_t> ends_;  ///< edges at which the last words of squares were written that are there
   std::uint64_t taken_at_ = 0;      ///< edge
   sc_core::sc_event freed_;
+  sc_core::sc_event ready_;
 };
 
 }  // namespace csgsim::pixel_square

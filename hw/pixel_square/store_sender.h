@@ -20,6 +20,9 @@ class StoreSender final : public Sender {
 
  private:
   std::optional<SquareActivity> prepare(std::size_t square) override;
+  [[nodiscard]] const sc_core::sc_event* prepared(std::size_t square) const override {
+    return &stores_[square]->ready();
+  }
   [[nodiscard]] std::string_view preparing() const override { return name_of(SquareActivity::waiting_for_divider); }
   SquareStart start(std::size_t square) override;
   [[nodiscard]] const isa::LinkWord* next_word() const override;

@@ -92,7 +92,7 @@ inline std::vector<pixel_square::PortWord> in_words(const std::vector<bool>& bit
   std::vector<pixel_square::PortWord> words;
   for (std::size_t i = 0; i < bits.size(); ++i) {
     const std::size_t place = i % port_bits;
-    if (place == 0) words.push_back({std::vector<std::uint64_t>((port_bits + 63) / 64)});
+    if (place == 0) words.push_back({pixel_square::PortBits((port_bits + 63) / 64)});
     if (bits[i]) words.back().bits[place / 64] |= std::uint64_t{1} << place % 64;
   }
   return words;
