@@ -23,8 +23,9 @@ class RefreshPort : virtual public sc_core::sc_interface {
  public:
   [[nodiscard]] virtual std::span<const std::uint64_t> memory_row(std::uint32_t address, std::uint32_t row) const = 0;
 
-  /// What a refresh word names that was at the pixels in the clock before this edge.
-  [[nodiscard]] virtual std::optional<RefreshStep> refreshed() const = 0;
+  /// What a refresh word names that was at the pixels in the clock before this edge; where there are no such words,
+  /// none.
+  [[nodiscard]] virtual std::optional<RefreshStep> refreshed() const { return std::nullopt; }
 };
 
 /// The enable bits, and the pixels for who watches the run.
