@@ -4,11 +4,13 @@ namespace csgsim::array {
 
 namespace {
 
-/// Of 64 rows of words, in each column of them: bit i of row j becomes bit j of row i.
-void transpose(Words& rows, std::size_t stride, std::size_t columns) {
+/// Of 64 rows of words, in each column of them: bit i of row j becomes bit j of row i. Only the first `bits` rows are
+/// then of use.
+void transpose(Words& rows, std::size_t stride, std::size_t columns, std::size_t bits) {
   std::uint64_t mask = low_bits(word_bits / 2);
+  std::size_t height = word_bits;  // rows that those still come of
   for (std::size_t distance = word_bits / 2; distance > 0; distance /= 2) {
-    for (std::size_t row = 0; row < word_bits; row = (row + distance + 1) & ~distance) {
+    for (std::size_t row = 0; row < height; row = (row + distance + 1) & ~distance) {
       std::uint64_t* const upper = &rows[row * stride];
       std::uint64_t* const lower = &rows[(row + distance) * stride];
       for (std::size_t i = 0; i < columns; ++i) {
@@ -18,6 +20,7 @@ void transpose(Words& rows, std::size_t stride, std::size_t columns) {
       }
     }
     mask ^= mask << distance / 2;
+    if (bits <= distance) height = distance;
   }
 }
 
@@ -39,17 +42,20 @@ std::span<const kernels::StreamTable> ColumnBits::of(std::span<const Stream> str
 /// Beyond the row's width the columns go on.
 kernels::StreamTable ColumnBits::table_of(const Stream& stream, Words& words) const {
   if (stream.xy != 0 && places_.empty()) return {.bits = stream.bits, .crossed = &stream};
+  const std::uint64_t second = 2 * word_bits * word_bits * stream.xx;  // by which the steps from word to word grow
   for (std::size_t bit = 0; bit < word_bits; ++bit) {
     std::uint64_t* const row = &words[bit * stride_];
-    for (std::size_t word = 0; word < row_words_; ++word) {
-      const std::size_t column = word * word_bits + bit;
-      row[word] = value_at(stream, column, 0);
+    std::uint64_t value = value_at(stream, bit, 0);
+    std::uint64_t step = value_at(stream, bit + word_bits, 0) - value;
+    for (std::size_t word = 0; word < row_words_; ++word, step += second) {
+      row[word] = value;
+      value += step;
     }
   }
   for (std::size_t i = 0; i < places_.size(); ++i) {
     words[i % word_bits * stride_ + i / word_bits] = value_at(stream, places_[i].x, places_[i].y);
   }
-  transpose(words, stride_, row_words_);
+  transpose(words, stride_, row_words_, stream.bits);
   for (std::size_t bit = 0; bit < stream.bits; ++bit) {
     std::uint64_t* const row = &words[bit * stride_];
     for (std::size_t word = row_words_; word < stride_; ++word) row[word] = row[word - row_words_];
