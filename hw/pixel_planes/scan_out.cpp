@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hw/array/add_plane.h"
 #include "hw/base/quotient.h"
 #include "hw/systemc/kernel.h"
 
@@ -116,12 +117,7 @@ void ScanOut::ask() {
 }
 
 void ScanOut::latch_bit(RefreshStep step) {
-  const std::span<const std::uint64_t> bits = refresh->memory_row(step.address, step.row);
-  const std::uint32_t place = step.address - colour_.base;
-  for (std::uint32_t x = 0; x < shape_.width; ++x) {
-    const auto bit = static_cast<std::uint32_t>(bits[x / array::word_bits] >> (x % array::word_bits)) & 1U;
-    latch_row_[x] |= bit << place;
-  }
+  array::add_plane(refresh->memory_row(step.address, step.row), step.address - colour_.base, latch_row_);
   ++latched_;
   if (latched_ == colour_.width && row_ + 1 == shape_.height) latched.nb_write(true);
 }

@@ -1,9 +1,8 @@
 #include "hw/pixel_square/output_buffer.h"
 
 #include <algorithm>
-#include <span>
 
-#include "hw/array/plane.h"
+#include "hw/array/add_plane.h"
 #include "hw/base/quotient.h"
 
 namespace csgsim::pixel_square {
@@ -13,11 +12,8 @@ namespace {
 /// The colours of a row's pixels.
 void read(const pixel_planes::RefreshPort& memory, isa::Field colour, std::uint32_t row,
           std::vector<std::uint32_t>& colours) {
-  for (std::uint32_t bit = 0; bit < colour.width; ++bit) {
-    const std::span<const std::uint64_t> plane = memory.memory_row(colour.base + bit, row);
-    for (std::uint32_t x = 0; x < colours.size(); ++x)
-      colours[x] |= static_cast<std::uint32_t>(plane[x / array::word_bits] >> (x % array::word_bits) & 1U) << bit;
-  }
+  for (std::uint32_t bit = 0; bit < colour.width; ++bit)
+    array::add_plane(memory.memory_row(colour.base + bit, row), bit, colours);
 }
 
 }  // namespace

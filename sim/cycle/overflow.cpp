@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <functional>
 #include <initializer_list>
-#include <numeric>
+#include <vector>
 
 #include "hw/isa/operands.h"
 
@@ -82,51 +81,30 @@ bool fits(const Expression& expression, const Box& box) {
   return -half <= range.least && range.greatest < half;
 }
 
-bool any(std::span<const std::uint64_t> words) {
-  return std::accumulate(words.begin(), words.end(), std::uint64_t{0}, std::bit_or<>()) != 0;
+/// The smallest box around the bits that are set in rows of words; none if none is.
+std::optional<Box> box_around(std::span<const std::uint64_t> enable, std::size_t row_words, std::uint32_t height) {
+  std::vector<std::uint64_t> columns(row_words);
+  std::optional<Box> box;
+  for (std::uint32_t y = 0; y < height; ++y) {
+    std::uint64_t any = 0;
+    for (std::size_t word = 0; word < row_words; ++word) {
+      const std::uint64_t bits = enable[y * row_words + word];
+      any |= bits;
+      columns[word] |= bits;
+    }
+    if (any == 0) continue;
+    if (!box) box = Box{.top = y};
+    box->bottom = y;
+  }
+  if (!box) return std::nullopt;
+  std::uint32_t first = 0;
+  while (columns[first] == 0) ++first;
+  auto last = static_cast<std::uint32_t>(row_words) - 1;
+  while (columns[last] == 0) --last;
+  box->left = first * word_bits + static_cast<std::uint32_t>(std::countr_zero(columns[first]));
+  box->right = last * word_bits + word_bits - 1 - static_cast<std::uint32_t>(std::countl_zero(columns[last]));
+  return box;
 }
-
-/// The smallest box around the bits that are set in rows of words.
-class Bounds {
- public:
-  Bounds(std::span<const std::uint64_t> enable, std::size_t row_words, std::uint32_t height)
-      : enable_(enable), row_words_(row_words), height_(height) {}
-
-  [[nodiscard]] std::optional<Box> box() const {
-    Box box;
-    while (box.top < height_ && !any(row(box.top))) ++box.top;
-    if (box.top == height_) return std::nullopt;
-    box.bottom = height_ - 1;
-    while (!any(row(box.bottom))) --box.bottom;
-    box.left = static_cast<std::uint32_t>(row_words_) * word_bits;
-    for (std::uint32_t y = box.top; y <= box.bottom; ++y) widen(box, row(y));
-    return box;
-  }
-
- private:
-  [[nodiscard]] std::span<const std::uint64_t> row(std::uint32_t y) const {
-    return enable_.subspan(y * row_words_, row_words_);
-  }
-
-  static void widen(Box& box, std::span<const std::uint64_t> row) {
-    const auto words = static_cast<std::uint32_t>(row.size());
-    for (std::uint32_t word = 0; word * word_bits < box.left && word < words; ++word) {
-      if (row[word] == 0) continue;
-      box.left = std::min(box.left, word * word_bits + static_cast<std::uint32_t>(std::countr_zero(row[word])));
-      break;
-    }
-    for (std::uint32_t word = words; word * word_bits > box.right && word > 0; --word) {
-      if (row[word - 1] == 0) continue;
-      const auto bit = word_bits - 1 - static_cast<std::uint32_t>(std::countl_zero(row[word - 1]));
-      box.right = std::max(box.right, (word - 1) * word_bits + bit);
-      break;
-    }
-  }
-
-  std::span<const std::uint64_t> enable_;
-  std::size_t row_words_;
-  std::uint32_t height_;
-};
 
 std::uint64_t count_in_row(const Expression& expression, std::uint32_t y, std::span<const std::uint64_t> row) {
   std::uint64_t count = 0;
@@ -158,7 +136,7 @@ bool can_overflow(const Expression& expression, const isa::Region& region) {
 std::uint64_t count_overflows(const Expression& expression, const isa::Region& region,
                               std::span<const std::uint64_t> enable, std::size_t row_words) {
   if (!can_overflow(expression, region)) return 0;
-  const std::optional<Box> box = Bounds(enable, row_words, region.height).box();
+  const std::optional<Box> box = box_around(enable, row_words, region.height);
   if (!box || fits(expression, *box)) return 0;
   std::uint64_t count = 0;
   for (std::uint32_t y = box->top; y <= box->bottom; ++y) {
