@@ -144,67 +144,152 @@ std::uint64_t gather_bit(const std::uint32_t* values, unsigned bit) {
   return test_block([&](std::size_t from) { return hn::TestBit(hn::LoadU(NumberTag(), values + from), one); });
 }
 
+// Numbers and planes by bytes: a vector has a byte of each of several values, and a mask of it a bit of each.
+
+using ByteTag = hn::CappedTag<std::uint8_t, block_pixels>;
+using ByteVector = hn::Vec<ByteTag>;
+constexpr unsigned bits_a_byte = 8;
+constexpr std::size_t most_bytes = isa::max_field_width / bits_a_byte;
+
+/// A byte of each value of a block.
+struct Bytes {
+  HWY_ALIGN std::uint8_t bytes[block_pixels];
+
+  /// That byte of the values, the lowest being 0.
+  HWY_INLINE void take(const std::uint32_t* values, unsigned number) {
+    constexpr NumberTag tag;
+    constexpr hn::Rebind<std::uint8_t, NumberTag> byte_tag;
+    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+      const Numbers shifted = hn::ShiftRightSame(hn::LoadU(tag, values + from), static_cast<int>(number * bits_a_byte));
+      hn::StoreU(hn::TruncateTo(byte_tag, shifted), byte_tag, bytes + from);
+    }
+  }
+  [[nodiscard]] HWY_INLINE std::uint64_t bit(unsigned number) const {
+    constexpr ByteTag tag;
+    const ByteVector one = hn::Set(tag, static_cast<std::uint8_t>(1U << number));
+    std::uint64_t word = 0;
+    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag))
+      word |= bits_of_mask(tag, hn::TestBit(hn::Load(tag, bytes + from), one)) << from;
+    return word;
+  }
+  /// One word a bit, the lowest first; at most 8.
+  HWY_INLINE void put(std::span<const std::uint64_t> words) {
+    constexpr ByteTag tag;
+    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+      ByteVector all = hn::Zero(tag);
+      for (std::size_t i = 0; i < words.size(); ++i)
+        all = hn::Or(all, hn::IfThenElseZero(mask_of_bits(tag, words[i] >> from),
+                                             hn::Set(tag, static_cast<std::uint8_t>(1U << i))));
+      hn::Store(all, tag, bytes + from);
+    }
+  }
+  [[nodiscard]] HWY_INLINE Numbers at(std::size_t from) const {
+    return hn::PromoteTo(NumberTag(), hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), bytes + from));
+  }
+};
+
+using PlaneWords = std::array<std::uint64_t, isa::max_field_width>;
+
+/// Bits of a block's values from bit `first` on, `count` of them, 1 at least.
+void gather_block(const std::uint32_t* values, unsigned first, unsigned count, PlaneWords& words) {
+  const unsigned first_byte = first / bits_a_byte;
+  const unsigned last_byte = (first + count - 1) / bits_a_byte;
+  Bytes bytes[most_bytes];
+  for (unsigned byte = first_byte; byte <= last_byte; ++byte) bytes[byte].take(values, byte);
+  for (unsigned i = 0; i < count; ++i) {
+    const unsigned bit = first + i;
+    words[i] = bytes[bit / bits_a_byte].bit(bit % bits_a_byte);
+  }
+}
+
 void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
                 std::span<TileBits* const> planes) {
   const std::uint64_t there = blocks & shape.blocks();
   const std::uint64_t constant = there & same(lanes.least, lanes.greatest);
-  for (unsigned i = 0; i < planes.size(); ++i)
-    planes[i]->fill_blocks(constant & gather_bit(lanes.least.data(), first + i));
+  const auto count = static_cast<unsigned>(planes.size());
+  PlaneWords words;
+  PlaneWords any{};
+  PlaneWords full{};
+  for (unsigned i = 0; i < count; ++i) any[i] = full[i] = constant & gather_bit(lanes.least.data(), first + i);
   each_bit(there & ~constant, [&](unsigned block) {
     const std::uint64_t pixels = shape.pixels(block);
-    for (unsigned i = 0; i < planes.size(); ++i)
-      planes[i]->set_word(block, gather_bit(lanes.block(block), first + i) & pixels, shape);
+    gather_block(lanes.block(block), first, count, words);
+    for (unsigned i = 0; i < count; ++i) {
+      const std::uint64_t word = words[i] & pixels;
+      planes[i]->write_word(block, word);
+      any[i] |= std::uint64_t{word != 0} << block;
+      full[i] |= std::uint64_t{word == pixels} << block;
+    }
+  });
+  for (unsigned i = 0; i < count; ++i) planes[i]->set_blocks(there, any[i], full[i]);
+}
+
+/// Planes of which some may not be there.
+using SomePlanes = std::span<const TileBits* const>;
+
+/// Numbers of 64 blocks or pixels, of which bit i is bit(i).
+template <class Bit>
+HWY_INLINE void put_numbers(unsigned width, std::uint32_t* numbers, const Bit& bit) {
+  constexpr NumberTag tag;
+  Bytes bytes[most_bytes];
+  std::size_t count = 0;
+  for (unsigned low = 0; low < width; low += bits_a_byte) {
+    std::array<std::uint64_t, bits_a_byte> words{};
+    const unsigned bits = std::min(width - low, bits_a_byte);
+    for (unsigned i = 0; i < bits; ++i) words[i] = bit(low + i);
+    bytes[count++].put(std::span(words).first(bits));
+  }
+  for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+    Numbers all = bytes[0].at(from);
+    for (std::size_t i = 1; i < count; ++i)
+      all = hn::Or(all, hn::ShiftLeftSame(bytes[i].at(from), static_cast<int>(i * bits_a_byte)));
+    hn::StoreU(all, tag, numbers + from);
+  }
+}
+
+/// Of blocks without a mixed bit.
+void set_even_blocks(SomePlanes planes, std::uint64_t blocks, Lanes& lanes) {
+  constexpr NumberTag tag;
+  HWY_ALIGN std::uint32_t numbers[blocks_a_tile];
+  put_numbers(static_cast<unsigned>(planes.size()), numbers,
+              [&](unsigned bit) { return planes[bit] == nullptr ? 0 : planes[bit]->full(); });
+  for (std::size_t from = 0; from < blocks_a_tile; from += hn::Lanes(tag)) {
+    const auto there = mask_of_bits(tag, blocks >> from);
+    const Numbers number = hn::Load(tag, numbers + from);
+    for (Bounds* const bounds : {&lanes.least, &lanes.greatest})
+      hn::StoreU(hn::IfThenElse(there, number, hn::LoadU(tag, bounds->data() + from)), tag, bounds->data() + from);
+  }
+}
+
+void scatter_all(SomePlanes planes, const TileShape& shape, std::uint64_t blocks, Lanes& lanes) {
+  std::uint64_t mixed = 0;
+  for (const TileBits* const plane : planes) mixed |= plane == nullptr ? 0 : plane->mixed();
+  mixed &= blocks;
+  if (const std::uint64_t even = blocks & ~mixed; even != 0) set_even_blocks(planes, even, lanes);
+  each_bit(mixed, [&](unsigned block) {
+    put_numbers(static_cast<unsigned>(planes.size()), lanes.block(block),
+                [&](unsigned bit) { return planes[bit] == nullptr ? 0 : planes[bit]->word(block, shape); });
+    bound(lanes, block);
   });
 }
 
-/// One word a bit of a number, each with a bit of 64 numbers.
-struct Words {
-  std::array<std::uint64_t, isa::max_field_width> words;
-  std::array<std::uint32_t, isa::max_field_width> ones;  ///< the number with that bit alone
-  std::size_t count = 0;
-
-  void add(std::uint64_t word, unsigned bit) {
-    if (word == 0) return;
-    words[count] = word;
-    ones[count++] = std::uint32_t{1} << bit;
-  }
-  /// Of a vector of numbers the first of which is number `from`.
-  [[nodiscard]] HWY_INLINE Numbers at(std::size_t from) const {
-    constexpr NumberTag tag;
-    Numbers numbers = hn::Zero(tag);
-    for (std::size_t i = 0; i < count; ++i)
-      numbers = hn::Or(numbers, hn::IfThenElseZero(mask_of_bits(tag, words[i] >> from), hn::Set(tag, ones[i])));
-    return numbers;
-  }
-};
-
-void scatter_block(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes, unsigned block) {
+void merge_all(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target) {
   constexpr NumberTag tag;
-  Words words;
-  for (unsigned bit = 0; bit < planes.size(); ++bit)
-    if (planes[bit] != nullptr && (planes[bit]->mixed() >> block & 1U) != 0)
-      words.add(planes[bit]->word(block, shape), bit);
-  const Numbers everywhere = hn::Set(tag, lanes.least[block]);
-  for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag))
-    hn::StoreU(hn::Or(everywhere, words.at(from)), tag, lanes.block(block) + from);
-  bound(lanes, block);
-}
-
-void scatter_all(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes) {
-  constexpr NumberTag tag;
-  Words full;
-  std::uint64_t mixed = 0;
-  for (unsigned bit = 0; bit < planes.size(); ++bit) {
-    if (planes[bit] == nullptr) continue;
-    full.add(planes[bit]->full(), bit);
-    mixed |= planes[bit]->mixed();
-  }
-  for (std::size_t from = 0; from < blocks_a_tile; from += hn::Lanes(tag)) {
-    const Numbers numbers = full.at(from);
-    hn::StoreU(numbers, tag, lanes.least.data() + from);
-    hn::StoreU(numbers, tag, lanes.greatest.data() + from);
-  }
-  each_bit(mixed, [&](unsigned block) { scatter_block(planes, shape, lanes, block); });
+  const int right = part.base - source.field.base;
+  const int left = part.base - target.field.base;
+  const std::uint32_t ones = ~std::uint32_t{0} >> (isa::max_field_width - part.width);
+  const auto number = [&](std::uint32_t value) { return (value >> right & ones) << left; };
+  each_bit(blocks, [&](unsigned block) {
+    if (source.is_constant(block) && target.is_constant(block))
+      return target.set_constant(block, target.least[block] | number(source.least[block]));
+    const BlockNumbers from_source(source, block);
+    const BlockNumbers before(target, block);
+    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+      const Numbers moved = hn::And(hn::ShiftRightSame(from_source.at(from), right), hn::Set(tag, ones));
+      hn::StoreU(hn::Or(before.at(from), hn::ShiftLeftSame(moved, left)), tag, target.block(block) + from);
+    }
+    bound(target, block);
+  });
 }
 
 }  // namespace
@@ -224,6 +309,7 @@ HWY_EXPORT(fill_one);
 HWY_EXPORT(bound_one);
 HWY_EXPORT(gather_all);
 HWY_EXPORT(scatter_all);
+HWY_EXPORT(merge_all);
 
 std::uint32_t count_ones(const TileBits& bits, const TileShape& shape) {
   return HWY_DYNAMIC_DISPATCH(count_all)(bits, shape);
@@ -253,8 +339,13 @@ void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blo
   HWY_DYNAMIC_DISPATCH(gather_all)(lanes, shape, blocks, first, planes);
 }
 
-void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes) {
-  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, lanes);
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t blocks,
+                    Lanes& lanes) {
+  HWY_DYNAMIC_DISPATCH(scatter_all)(planes, shape, blocks, lanes);
+}
+
+void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target) {
+  HWY_DYNAMIC_DISPATCH(merge_all)(source, part, blocks, target);
 }
 
 }  // namespace csgsim::functional

@@ -46,11 +46,16 @@ void fill_block(Lanes& lanes, unsigned block);
 /// Makes the block's bounds those of its values.
 void find_bounds(Lanes& lanes, unsigned block);
 
-/// In those blocks: planes := bits of the values, from bit `first` on. The planes are 0 before.
+/// In those blocks: planes := bits of the values, from bit `first` on.
 void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
                    std::span<TileBits* const> planes);
 
-/// Values := the planes' bits, the lowest first; one that there is none of is 0.
-void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, Lanes& lanes);
+/// In those blocks: values := the planes' bits, the lowest first; one that there is none of is 0.
+void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t blocks,
+                    Lanes& lanes);
+
+/// In those blocks: the bits of the target's field that are the source's too, `part`, become what they are there. They
+/// are 0 before.
+void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target);
 
 }  // namespace csgsim::functional

@@ -2,12 +2,40 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "sim/functional/lane_kernels.h"
 
 namespace csgsim::functional {
 
+using isa::Field;
+
 namespace {
+
+constexpr Field one_bit(unsigned bit) { return {static_cast<std::uint16_t>(bit), 1}; }
+
+constexpr bool is_within(Field inner, Field outer) { return inner.base >= outer.base && inner.end() <= outer.end(); }
+
+/// Bits from one to before the other, of width 0 if there is none.
+constexpr Field bits_between(unsigned first, unsigned end) {
+  return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(end > first ? end - first : 0)};
+}
+
+constexpr Field common(Field left, Field right) {
+  return bits_between(std::max(left.base, right.base), std::min(left.end(), right.end()));
+}
+
+/// A plane that is not there is 0.
+void copy_plane(const TileBits* plane, TileBits& copy) {
+  if (plane == nullptr) {
+    copy.clear();
+  } else {
+    copy.assign(*plane);
+  }
+}
+
+/// Fields whose lanes a tile keeps: a Program that draws curved surfaces asks for some 20.
+constexpr std::size_t most_holders = 24;
 
 void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out, std::size_t stride) {
   for (std::uint32_t y = 0; y < shape.height(); ++y) {
@@ -26,14 +54,14 @@ void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out
 
 }  // namespace
 
-Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits), holder_(bits) {}
+Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits) {}
 
 void Memory::clear() {
   for (const auto& plane : planes_)
     if (plane) plane->clear();
-  for (const auto& lanes : lanes_) {
-    lanes->least.fill(0);
-    lanes->greatest.fill(0);
+  for (const Holder& holder : holders_) {
+    holder.lanes->least.fill(0);
+    holder.lanes->greatest.fill(0);
   }
 }
 
@@ -42,91 +70,169 @@ TileBits& Memory::stored_plane(unsigned bit) {
   return *planes_[bit];
 }
 
-TileBits& Memory::plane(unsigned bit) {
-  if (Lanes* const holder = holder_[bit]) spill(*holder);
+TileBits& Memory::plane(unsigned bit, std::uint64_t blocks) {
+  for (Holder& holder : holders_)
+    if (holder.field.overlaps(one_bit(bit))) spill(holder, blocks);
   return stored_plane(bit);
 }
 
 const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy) const {
-  const Lanes* const holder = holder_[bit];
-  if (holder == nullptr && planes_[bit]) return *planes_[bit];
+  const TileBits* const plane = planes_[bit].get();
+  bool is_copied = false;
+  for (const Holder& holder : holders_) {
+    const std::uint64_t held = holder.blocks & blocks;
+    if (held == 0 || !holder.field.overlaps(one_bit(bit))) continue;
+    if (!std::exchange(is_copied, true)) copy_plane(plane, copy);
+    TileBits* const planes = &copy;
+    gather_planes(*holder.lanes, shape_, held, bit - holder.field.base, {&planes, 1});
+  }
+  if (is_copied) return copy;
+  if (plane != nullptr) return *plane;
   copy.clear();
-  TileBits* const planes = &copy;
-  if (holder != nullptr) gather_planes(*holder, shape_, blocks, bit - holder->field.base, {&planes, 1});
   return copy;
 }
 
-void Memory::spill(Lanes& lanes) {
-  std::array<TileBits*, isa::max_field_width> planes{};
-  for (unsigned bit = 0; bit < lanes.field.width; ++bit) {
-    holder_[lanes.field.base + bit] = nullptr;
-    planes[bit] = &stored_plane(lanes.field.base + bit);
+bool Memory::is_zero(unsigned bit) const {
+  return in_planes(one_bit(bit)) && (!planes_[bit] || planes_[bit]->any() == 0);
+}
+
+void Memory::planes(Field field, const Worked& worked, std::span<TileBits*> planes) {
+  for (Holder& holder : holders_) {
+    if (!holder.field.overlaps(field)) continue;
+    if (is_within(holder.field, field)) holder.blocks &= ~worked.overwritten;
+    spill(holder, worked.blocks);
   }
-  gather_planes(lanes, shape_, shape_.blocks(), 0, std::span(planes).first(lanes.field.width));
-  lanes.field = {};
+  for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = &stored_plane(field.base + bit);
 }
 
-Lanes& Memory::unused_lanes() {
-  const auto found =
-      std::find_if(lanes_.begin(), lanes_.end(), [](const auto& lanes) { return lanes->field.width == 0; });
-  return found != lanes_.end() ? **found : *lanes_.emplace_back(std::make_unique_for_overwrite<Lanes>());
+void Memory::write_planes(const Holder& holder, Field field, std::uint64_t blocks) {
+  std::array<TileBits*, isa::max_field_width> planes{};
+  for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = &stored_plane(field.base + bit);
+  gather_planes(*holder.lanes, shape_, blocks, field.base - holder.field.base, std::span(planes).first(field.width));
 }
 
-Lanes& Memory::lanes(isa::Field field) {
-  if (in_lanes(field)) return *holder_[field.base];
+void Memory::spill(Holder& holder, std::uint64_t blocks) {
+  const std::uint64_t spilt = holder.blocks & blocks;
+  if (spilt == 0) return;
+  write_planes(holder, holder.field, spilt);
+  holder.blocks &= ~spilt;
+}
+
+Memory::Holder& Memory::holder_for(Field field) {
+  const auto known = std::ranges::find(holders_, field, &Holder::field);
+  if (known != holders_.end()) return *known;
+  const auto unused = std::ranges::find(holders_, std::uint64_t{0}, &Holder::blocks);
+  Holder& holder = unused != holders_.end() ? *unused : holders_.size() < most_holders ? add_holder() : reused_holder();
+  holder.field = holder.lanes->field = field;
+  return holder;
+}
+
+Memory::Holder& Memory::add_holder() {
+  holders_.push_back({{}, 0, std::make_unique_for_overwrite<Lanes>()});
+  holders_.back().lanes->least.fill(0);
+  holders_.back().lanes->greatest.fill(0);
+  return holders_.back();
+}
+
+Memory::Holder& Memory::reused_holder() {
+  if (++next_reused_ == most_holders) next_reused_ = 0;
+  if (holders_[next_reused_].lanes.get() == last_) return reused_holder();
+  spill(holders_[next_reused_], all_blocks);
+  return holders_[next_reused_];
+}
+
+std::uint64_t Memory::even_blocks(Field field) const {
+  std::uint64_t blocks = all_blocks;
+  for (const Holder& holder : holders_)
+    if (holder.field.overlaps(field)) blocks &= ~holder.blocks;
   for (unsigned bit = field.base; bit < field.end(); ++bit)
-    if (Lanes* const holder = holder_[bit]) spill(*holder);
-  Lanes& lanes = unused_lanes();
-  lanes.field = field;
+    if (planes_[bit]) blocks &= ~planes_[bit]->mixed();
+  return blocks;
+}
+
+void Memory::move(Holder& from, Holder& to, std::uint64_t blocks, std::uint64_t kept) {
+  const Field part = common(from.field, to.field);
+  if (const Field below = bits_between(from.field.base, part.base); below.width > 0) write_planes(from, below, blocks);
+  if (const Field above = bits_between(part.end(), from.field.end()); above.width > 0)
+    write_planes(from, above, blocks);
+  merge_lanes(*from.lanes, part, kept, *to.lanes);
+  from.blocks &= ~blocks;
+}
+
+void Memory::take(Holder& holder, const Worked& worked) {
+  const Field field = holder.field;
+  const std::uint64_t taken = (worked.blocks & ~holder.blocks) | even_blocks(field);
+  const std::uint64_t kept = taken & ~worked.overwritten;
   std::array<const TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = planes_[field.base + bit].get();
-  scatter_planes(std::span(planes).first(field.width), shape_, lanes);
-  for (unsigned bit = field.base; bit < field.end(); ++bit) {
-    holder_[bit] = &lanes;
-    if (planes_[bit]) planes_[bit]->clear();
+  scatter_planes(std::span(planes).first(field.width), shape_, kept, *holder.lanes);
+  each_bit(taken & ~kept, [&](unsigned block) { holder.lanes->set_constant(block, 0); });
+  for (Holder& other : holders_) {
+    if (&other == &holder || !other.field.overlaps(field)) continue;
+    if (const std::uint64_t moved = other.blocks & taken; moved != 0) move(other, holder, moved, moved & kept);
   }
-  return lanes;
+  holder.blocks |= taken;
+  for (unsigned bit = field.base; bit < field.end(); ++bit)
+    if (planes_[bit]) planes_[bit]->clear_blocks(taken);
 }
 
-std::vector<isa::Field> Memory::parts(isa::Field field) const {
-  std::vector<isa::Field> parts;
+Lanes& Memory::lanes(Field field, const Worked& worked) {
+  Holder& holder = holder_for(field);
+  if ((worked.blocks & ~holder.blocks) != 0) take(holder, worked);
+  last_ = holder.lanes.get();
+  return *last_;
+}
+
+std::vector<Field> Memory::parts(Field field, std::uint64_t blocks) const {
+  std::vector<Field> parts;
   for (unsigned bit = field.base; bit < field.end(); bit = parts.back().end()) {
-    const Lanes* const holder = holder_[bit];
-    if (holder == nullptr || holder->field.base != bit || holder->field.end() > field.end()) return {};
-    parts.push_back(holder->field);
+    const auto part = std::ranges::find_if(holders_, [&](const Holder& holder) {
+      return holder.field.base == bit && holder.field.end() <= field.end() && (blocks & ~holder.blocks) == 0;
+    });
+    if (part == holders_.end()) return {};
+    parts.push_back(part->field);
   }
   if (parts.size() < 2) parts.clear();
   return parts;
 }
 
-bool Memory::in_planes(isa::Field field) const {
-  const auto first = holder_.begin() + field.base;
-  return std::all_of(first, first + field.width, [](const Lanes* holder) { return holder == nullptr; });
+bool Memory::in_lanes(Field field, std::uint64_t blocks) const {
+  return std::ranges::any_of(
+      holders_, [&](const Holder& holder) { return holder.field == field && (blocks & ~holder.blocks) == 0; });
 }
 
-void Memory::values(isa::Field field, std::uint32_t* out, std::size_t stride) const {
-  if (in_lanes(field)) return write_values(*holder_[field.base], shape_, out, stride);
+bool Memory::in_planes(Field field, std::uint64_t blocks) const {
+  return std::ranges::none_of(
+      holders_, [&](const Holder& holder) { return (holder.blocks & blocks) != 0 && holder.field.overlaps(field); });
+}
+
+void Memory::values(Field field, std::uint32_t* out, std::size_t stride) const {
+  for (const Holder& holder : holders_)
+    if (holder.field == field && (shape_.blocks() & ~holder.blocks) == 0)
+      return write_values(*holder.lanes, shape_, out, stride);
   std::array<TileBits, isa::max_field_width> copies;
   std::array<const TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = &read(field.base + bit, shape_.blocks(), copies[bit]);
   Lanes lanes;
-  scatter_planes(std::span(planes).first(field.width), shape_, lanes);
+  scatter_planes(std::span(planes).first(field.width), shape_, all_blocks, lanes);
   write_values(lanes, shape_, out, stride);
 }
 
-std::uint32_t Memory::value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
+std::uint32_t Memory::value(Field field, std::uint32_t x, std::uint32_t y) const {
   const unsigned block = block_of(x, y);
   const unsigned pixel = bit_of(x, y);
   std::uint32_t value = 0;
   for (unsigned bit = 0; bit < field.width; ++bit) {
     const unsigned at = field.base + bit;
-    std::uint64_t one = 0;
-    if (const Lanes* const holder = holder_[at]; holder != nullptr) {
-      one = holder->value(block, pixel) >> (at - holder->field.base);
-    } else if (planes_[at]) {
-      one = planes_[at]->word(block, shape_) >> pixel;
+    if (planes_[at]) value |= static_cast<std::uint32_t>(planes_[at]->word(block, shape_) >> pixel & 1U) << bit;
+  }
+  for (const Holder& holder : holders_) {
+    if ((holder.blocks >> block & 1U) == 0) continue;
+    for (unsigned bit = 0; bit < field.width; ++bit) {
+      const unsigned at = field.base + bit;
+      if (holder.field.overlaps(one_bit(at)))
+        value |= (holder.lanes->value(block, pixel) >> (at - holder.field.base) & 1U) << bit;
     }
-    value |= static_cast<std::uint32_t>(one & 1U) << bit;
   }
   return value;
 }

@@ -26,11 +26,6 @@ constexpr unsigned max_width_as_bits = 8;
 
 using WidePlanes = std::array<TileBits*, isa::max_wide_field_width>;
 
-std::span<TileBits* const> planes_of(Field field, Memory& memory, WidePlanes& planes) {
-  for (unsigned bit = 0; bit < field.width; ++bit) planes.at(bit) = &memory.plane(field.base + bit);
-  return std::span(planes).first(field.width);
-}
-
 }  // namespace
 
 Tile::Tile(std::uint32_t x, std::uint32_t y, TileShape shape, std::uint32_t memory_bits, Decide decide)
@@ -153,7 +148,7 @@ std::uint64_t Tile::execute_linear(const Instruction& instruction, LinearKind ki
   if (is_linear) {
     const auto& [a, b, c, width, shift] = instruction.linear;
     task.linear = {a, b, c + a * x_ + b * y_, width, shift};
-    if (field.width > 0) task.lanes = &memory_.lanes(field);
+    if (field.width > 0) task.lanes = &memory_.lanes(field, kind == LinearKind::load ? written() : read());
     result = run_linear(pixels(), task, enabled_);
   } else {
     result = execute_quadratic(instruction, squares, kind);
@@ -166,11 +161,13 @@ LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::
   const isa::Linear& linear = instruction.linear;
   QuadraticTask task{kind, QuadraticSum(squares, linear).from(x_, y_), linear.width, linear.shift, nullptr, {}};
   const Field field = instruction.fields[0];
+  const Worked worked = kind == LinearKind::load ? written() : read();
   WidePlanes planes{};
   if (field.width > isa::max_field_width) {
-    task.planes = planes_of(field, memory_, planes);
+    memory_.planes(field, worked, planes);
+    task.planes = std::span(planes).first(field.width);
   } else if (field.width > 0) {
-    task.lanes = &memory_.lanes(field);
+    task.lanes = &memory_.lanes(field, worked);
   }
   return run_quadratic(pixels(), task);
 }
@@ -178,20 +175,21 @@ LinearResult Tile::execute_quadratic(const Instruction& instruction, const isa::
 void Tile::root(Field target) {
   if (enabled_ == 0) return;
   WidePlanes planes{};
-  take_root(pixels(), planes_of(target, memory_, planes));
+  memory_.planes(target, read(), planes);
+  take_root(pixels(), std::span(planes).first(target.width));
 }
 
 bool Tile::as_bits(Field first, Field second) const {
   if (first.width == 1) return true;
-  return first.width <= max_width_as_bits && memory_.in_planes(first) &&
-         (second.width == 0 || memory_.in_planes(second));
+  return first.width <= max_width_as_bits && memory_.in_planes(first, enable_.any()) &&
+         (second.width == 0 || memory_.in_planes(second, enable_.any()));
 }
 
 void Tile::set_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
   if (as_bits(target, {})) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
-      TileBits& plane = memory_.plane(target.base + bit);
+      TileBits& plane = memory_.plane(target.base + bit, enable_.any());
       const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
       work_.words += static_cast<std::uint64_t>(std::popcount(enable_.mixed()));
       if (value == 0) {
@@ -206,8 +204,8 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
     }
     return;
   }
-  if (!memory_.in_lanes(target)) {
-    if (const std::vector<Field> parts = memory_.parts(target); !parts.empty()) {
+  if (!memory_.in_lanes(target, enable_.any())) {
+    if (const std::vector<Field> parts = memory_.parts(target, enable_.any()); !parts.empty()) {
       for (const Field& part : parts) {
         const std::uint64_t ones = (std::uint64_t{1} << part.width) - 1;
         set_constant(part, constant >> static_cast<unsigned>(part.base - target.base) & ones);
@@ -215,12 +213,12 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
       return;
     }
   }
-  set_lanes(pixels(), memory_.lanes(target), static_cast<std::uint32_t>(constant));
+  set_lanes(pixels(), memory_.lanes(target, written()), static_cast<std::uint32_t>(constant));
 }
 
 /// Whether the source is held in parts as those of the target.
 bool Tile::has_parts_of(Field source, Field target, const std::vector<Field>& parts) const {
-  const std::vector<Field> others = memory_.parts(source);
+  const std::vector<Field> others = memory_.parts(source, enable_.any());
   return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
                     [&](const Field& one, const Field& other) {
                       return one.width == other.width && one.base - target.base == other.base - source.base;
@@ -231,29 +229,30 @@ void Tile::copy(Field target, Field source) {
   if (enabled_ == 0) return;
   if (as_bits(target, source)) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
-      TileBits& to = memory_.plane(target.base + bit);
+      TileBits& to = memory_.plane(target.base + bit, enable_.any());
       const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
       work_.words += static_cast<std::uint64_t>(std::popcount(enable_.any()));
       write_where(enable_, to, shape_, [&](unsigned block) { return from.word(block, shape_); });
     }
     return;
   }
-  if (!memory_.in_lanes(target)) {
-    if (const std::vector<Field> parts = memory_.parts(target); !parts.empty() && has_parts_of(source, target, parts)) {
+  if (!memory_.in_lanes(target, enable_.any())) {
+    if (const std::vector<Field> parts = memory_.parts(target, enable_.any());
+        !parts.empty() && has_parts_of(source, target, parts)) {
       for (const Field& part : parts)
         copy(part, {static_cast<std::uint16_t>(source.base + part.base - target.base), part.width});
       return;
     }
   }
-  Lanes& to = memory_.lanes(target);
-  copy_lanes(pixels(), to, memory_.lanes(source));
+  Lanes& to = memory_.lanes(target, written());
+  copy_lanes(pixels(), to, memory_.lanes(source, read()));
 }
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
   if (as_bits(left, right)) return compare_bits(comparison, left, right);
-  Lanes& s = memory_.lanes(left);
-  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right));
+  Lanes& s = memory_.lanes(left, read());
+  enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, read()));
 }
 
 void Tile::compare_bits(Comparison comparison, Field left, Field right) {
@@ -286,7 +285,7 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
   const std::uint64_t blocks = enable_.any();
   work_.words += static_cast<std::uint64_t>(std::popcount(blocks)) * target.width;
   for (unsigned bit = 0; bit < target.width; ++bit) {
-    TileBits& t = memory_.plane(target.base + bit);
+    TileBits& t = memory_.plane(target.base + bit, enable_.any());
     const TileBits& s = memory_.read(left.base + bit, blocks, first_copy_);
     if constexpr (std::is_invocable_v<Combine, std::uint64_t>) {
       write_where(enable_, t, shape_, [&](unsigned block) { return combine(s.word(block, shape_)); });
@@ -301,9 +300,9 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
   if (as_bits(target, source)) return add_bits(target, source);
-  Lanes& to = memory_.lanes(target);
+  Lanes& to = memory_.lanes(target, read());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
-  add_lanes(pixels(), to, memory_.lanes(source), low_bits);
+  add_lanes(pixels(), to, memory_.lanes(source, read()), low_bits);
 }
 
 /// A full adder a word of pixels at a time, its carry rippling from bit to bit.
@@ -311,7 +310,7 @@ void Tile::add_bits(Field target, Field source) {
   std::array<std::uint64_t, blocks_a_tile> carries{};
   work_.words += static_cast<std::uint64_t>(std::popcount(enable_.any())) * target.width;
   for (unsigned bit = 0; bit < target.width; ++bit) {
-    TileBits& t = memory_.plane(target.base + bit);
+    TileBits& t = memory_.plane(target.base + bit, enable_.any());
     const bool in_source = bit < source.width;
     const TileBits* const s = in_source ? &memory_.read(source.base + bit, enable_.any(), first_copy_) : nullptr;
     write_where(enable_, t, shape_, [&](unsigned block) {

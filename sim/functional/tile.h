@@ -54,6 +54,9 @@ class alignas(64) Tile {
   }
 
  private:
+  /// Of an instruction that looks at what is there where a pixel is enabled, and of one that does not.
+  [[nodiscard]] Worked read() const { return {enable_.any(), 0}; }
+  [[nodiscard]] Worked written() const { return {enable_.any(), enable_.full()}; }
   [[nodiscard]] Enabled pixels() { return {enable_, shape_, decide_, work_}; }
 
   void invert_enable();

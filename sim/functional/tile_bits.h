@@ -77,6 +77,14 @@ class TileBits {
     full_ = word == shape.pixels(block) ? full_ | one : full_ & ~one;
   }
 
+  /// Of a block that set_blocks is told of afterwards.
+  void write_word(unsigned block, std::uint64_t word) { words_[block] = word; }
+  /// What those blocks are from now on: with a one if in `any`, full of ones if in `full`.
+  void set_blocks(std::uint64_t blocks, std::uint64_t any, std::uint64_t full) {
+    any_ = (any_ & ~blocks) | any;
+    full_ = (full_ & ~blocks) | full;
+  }
+
   void clear() { any_ = full_ = 0; }
   void fill(const TileShape& shape) { any_ = full_ = shape.blocks(); }
   void assign(const TileBits& other);

@@ -136,7 +136,7 @@ TEST_CASE("bits of a field are gathered into planes of some blocks") {
   }));
 }
 
-TEST_CASE("planes make the numbers of a field, some of which may not be there") {
+TEST_CASE("planes make the numbers of a field in some blocks; planes may not be there, and other blocks stay") {
   CHECK(rc::check([] {
     Tile tile;
     std::vector<functional::TileBits> planes(tile.bits);
@@ -145,13 +145,16 @@ TEST_CASE("planes make the numbers of a field, some of which may not be there") 
     std::vector<const functional::TileBits*> there = pointers_to<const functional::TileBits>(planes);
     const unsigned missing = between(0U, 2 * tile.bits);
     if (missing < tile.bits) there[missing] = nullptr;
-    functional::scatter_planes(there, tile.shape, *tile.left);
+    const Numbers before = set_any(*tile.left, tile.bits, tile.shape);
+    const std::uint64_t blocks = any_word();
+    functional::scatter_planes(there, tile.shape, blocks, *tile.left);
     const Numbers numbers = numbers_of(*tile.left, tile.shape);
     numbers.each([&](std::uint32_t x, std::uint32_t y) {
       std::uint32_t expected = 0;
       for (unsigned bit = 0; bit < tile.bits; ++bit)
         if (bit != missing && bits[bit].at(x, y) != 0) expected |= std::uint32_t{1} << bit;
-      RC_ASSERT(numbers.at(x, y) == expected);
+      const bool is_made = (blocks >> functional::block_of(x, y) & 1U) != 0;
+      RC_ASSERT(numbers.at(x, y) == (is_made ? expected : before.at(x, y)));
     });
   }));
 }

@@ -46,13 +46,41 @@ Field any_field() {
 
 unsigned any_bit() { return *rc::gen::element(0U, 7U, 8U, 19U, 39U, between(0U, memory_bits)); }
 
+bool is_in(std::uint64_t blocks, std::uint32_t x, std::uint32_t y) {
+  return (blocks >> functional::block_of(x, y) & 1U) != 0;
+}
+
+/// All but those blocks as they were.
+void keep_others(functional::Lanes& lanes, const functional::Lanes& before, std::uint64_t blocks) {
+  functional::each_bit(~blocks, [&](unsigned block) {
+    lanes.least[block] = before.least[block];
+    lanes.greatest[block] = before.greatest[block];
+    std::copy_n(before.block(block), functional::block_pixels, lanes.block(block));
+  });
+}
+
 void write_lanes(Memory& memory, SlowMemory& slow, Field field, const TileShape& shape) {
-  functional::Lanes& lanes = memory.lanes(field);
+  const std::uint64_t blocks = any_word();
+  functional::Lanes& lanes = memory.lanes(field, {blocks, blocks & any_word()});
   RC_ASSERT(lanes.field == field);
-  const Field named = lanes.field;
+  const functional::Lanes before = lanes;
   const Numbers numbers = set_any(lanes, field.width, shape);
-  lanes.field = named;
-  numbers.each([&](std::uint32_t x, std::uint32_t y) { slow.write(field, x, y, numbers.at(x, y)); });
+  lanes.field = field;
+  keep_others(lanes, before, blocks);
+  numbers.each([&](std::uint32_t x, std::uint32_t y) {
+    if (is_in(blocks, x, y)) slow.write(field, x, y, numbers.at(x, y));
+  });
+}
+
+void write_plane(Memory& memory, SlowMemory& slow, unsigned bit, const TileShape& shape) {
+  const std::uint64_t blocks = any_word() & shape.blocks();
+  TileBits& plane = memory.plane(bit, blocks);
+  TileBits made;
+  const Bits bits = set_any(made, shape);
+  functional::each_bit(blocks, [&](unsigned block) { plane.set_word(block, made.word(block, shape), shape); });
+  bits.each([&](std::uint32_t x, std::uint32_t y) {
+    if (is_in(blocks, x, y)) slow.bit(bit).set(x, y, bits.at(x, y));
+  });
 }
 
 void check_read(const Memory& memory, SlowMemory& slow, unsigned bit, const TileShape& shape) {
@@ -61,13 +89,13 @@ void check_read(const Memory& memory, SlowMemory& slow, unsigned bit, const Tile
   set_any(copy, shape);
   const Bits read = bits_of(memory.read(bit, blocks, copy), shape);
   read.each([&](std::uint32_t x, std::uint32_t y) {
-    if ((blocks >> functional::block_of(x, y) & 1U) != 0) RC_ASSERT(read.at(x, y) == slow.bit(bit).at(x, y));
+    if (is_in(blocks, x, y)) RC_ASSERT(read.at(x, y) == slow.bit(bit).at(x, y));
   });
 }
 
 void do_any(Memory& memory, SlowMemory& slow, const TileShape& shape) {
   const unsigned bit = any_bit();
-  switch (between(0, 8)) {
+  switch (between(0, 10)) {
     case 0:
       memory.clear();
       slow = SlowMemory(shape);
@@ -77,6 +105,7 @@ void do_any(Memory& memory, SlowMemory& slow, const TileShape& shape) {
     case 3: RC_ASSERT(bits_of(memory.plane(bit), shape) == slow.bit(bit)); break;
     case 4: check_read(memory, slow, bit, shape); break;
     case 5: static_cast<void>(memory.plane(bit)); break;
+    case 6: write_plane(memory, slow, bit, shape); break;
     default: write_lanes(memory, slow, any_field(), shape);
   }
 }
@@ -115,4 +144,15 @@ TEST_CASE("a field is in planes until it is used as a number, and again when a b
   CHECK_FALSE(memory.in_planes({4, 8}));
   memory.plane(5);
   CHECK(memory.in_planes({0, 20}));
+}
+
+TEST_CASE("lanes of more fields than are kept give way, but not those that were asked for last") {
+  Memory memory({64, 64}, memory_bits);
+  for (std::uint16_t base = 0; base < 33; ++base) {
+    functional::Lanes& one = memory.lanes({base, 2});
+    functional::each_bit(~std::uint64_t{0}, [&](unsigned block) { one.set_constant(block, base % 4U); });
+    memory.lanes({static_cast<std::uint16_t>(base + 2), 5}, {1});
+    CHECK(one.field == Field{base, 2});
+    CHECK(memory.value({base, 2}, 63, 63) == base % 4U);
+  }
 }
