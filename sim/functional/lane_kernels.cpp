@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "sim/functional/block_lanes-inl.h"
+#include "sim/functional/bytes-inl.h"
 #include "sim/functional/mask_bits-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -144,63 +145,7 @@ std::uint64_t gather_bit(const std::uint32_t* values, unsigned bit) {
   return test_block([&](std::size_t from) { return hn::TestBit(hn::LoadU(NumberTag(), values + from), one); });
 }
 
-// Numbers and planes by bytes: a vector has a byte of each of several values, and a mask of it a bit of each.
-
-using ByteTag = hn::CappedTag<std::uint8_t, block_pixels>;
-using ByteVector = hn::Vec<ByteTag>;
-constexpr unsigned bits_a_byte = 8;
-constexpr std::size_t most_bytes = isa::max_field_width / bits_a_byte;
-
-/// A byte of each value of a block.
-struct Bytes {
-  HWY_ALIGN std::uint8_t bytes[block_pixels];
-
-  /// That byte of the values, the lowest being 0.
-  HWY_INLINE void take(const std::uint32_t* values, unsigned number) {
-    constexpr NumberTag tag;
-    constexpr hn::Rebind<std::uint8_t, NumberTag> byte_tag;
-    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
-      const Numbers shifted = hn::ShiftRightSame(hn::LoadU(tag, values + from), static_cast<int>(number * bits_a_byte));
-      hn::StoreU(hn::TruncateTo(byte_tag, shifted), byte_tag, bytes + from);
-    }
-  }
-  [[nodiscard]] HWY_INLINE std::uint64_t bit(unsigned number) const {
-    constexpr ByteTag tag;
-    const ByteVector one = hn::Set(tag, static_cast<std::uint8_t>(1U << number));
-    std::uint64_t word = 0;
-    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag))
-      word |= bits_of_mask(tag, hn::TestBit(hn::Load(tag, bytes + from), one)) << from;
-    return word;
-  }
-  /// One word a bit, the lowest first; at most 8.
-  HWY_INLINE void put(std::span<const std::uint64_t> words) {
-    constexpr ByteTag tag;
-    for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
-      ByteVector all = hn::Zero(tag);
-      for (std::size_t i = 0; i < words.size(); ++i)
-        all = hn::Or(all, hn::IfThenElseZero(mask_of_bits(tag, words[i] >> from),
-                                             hn::Set(tag, static_cast<std::uint8_t>(1U << i))));
-      hn::Store(all, tag, bytes + from);
-    }
-  }
-  [[nodiscard]] HWY_INLINE Numbers at(std::size_t from) const {
-    return hn::PromoteTo(NumberTag(), hn::LoadU(hn::Rebind<std::uint8_t, NumberTag>(), bytes + from));
-  }
-};
-
 using PlaneWords = std::array<std::uint64_t, isa::max_field_width>;
-
-/// Bits of a block's values from bit `first` on, `count` of them, 1 at least.
-void gather_block(const std::uint32_t* values, unsigned first, unsigned count, PlaneWords& words) {
-  const unsigned first_byte = first / bits_a_byte;
-  const unsigned last_byte = (first + count - 1) / bits_a_byte;
-  Bytes bytes[most_bytes];
-  for (unsigned byte = first_byte; byte <= last_byte; ++byte) bytes[byte].take(values, byte);
-  for (unsigned i = 0; i < count; ++i) {
-    const unsigned bit = first + i;
-    words[i] = bytes[bit / bits_a_byte].bit(bit % bits_a_byte);
-  }
-}
 
 void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
                 std::span<TileBits* const> planes) {
@@ -213,7 +158,7 @@ void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks
   for (unsigned i = 0; i < count; ++i) any[i] = full[i] = constant & gather_bit(lanes.least.data(), first + i);
   each_bit(there & ~constant, [&](unsigned block) {
     const std::uint64_t pixels = shape.pixels(block);
-    gather_block(lanes.block(block), first, count, words);
+    words_of(NumberTag(), lanes.block(block), first, std::span(words).first(count));
     for (unsigned i = 0; i < count; ++i) {
       const std::uint64_t word = words[i] & pixels;
       planes[i]->write_word(block, word);
@@ -231,7 +176,7 @@ using SomePlanes = std::span<const TileBits* const>;
 template <class Bit>
 HWY_INLINE void put_numbers(unsigned width, std::uint32_t* numbers, const Bit& bit) {
   constexpr NumberTag tag;
-  Bytes bytes[most_bytes];
+  Bytes bytes[isa::max_field_width / bits_a_byte];
   std::size_t count = 0;
   for (unsigned low = 0; low < width; low += bits_a_byte) {
     std::array<std::uint64_t, bits_a_byte> words{};
@@ -240,9 +185,9 @@ HWY_INLINE void put_numbers(unsigned width, std::uint32_t* numbers, const Bit& b
     bytes[count++].put(std::span(words).first(bits));
   }
   for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
-    Numbers all = bytes[0].at(from);
+    Numbers all = bytes[0].at(tag, from);
     for (std::size_t i = 1; i < count; ++i)
-      all = hn::Or(all, hn::ShiftLeftSame(bytes[i].at(from), static_cast<int>(i * bits_a_byte)));
+      all = hn::Or(all, hn::ShiftLeftSame(bytes[i].at(tag, from), static_cast<int>(i * bits_a_byte)));
     hn::StoreU(all, tag, numbers + from);
   }
 }

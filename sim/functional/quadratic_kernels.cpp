@@ -7,14 +7,16 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <span>
 #include <utility>
 
 #include "sim/functional/block_lanes-inl.h"
+#include "sim/functional/bytes-inl.h"
 #include "sim/functional/linear_test-inl.h"
 #include "sim/functional/mask_bits-inl.h"
 #include "sim/functional/quadratic_sum.h"
-#include "sim/functional/transpose-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace csgsim::functional {
@@ -96,7 +98,8 @@ class BlockF {
     }
   }
 
-  [[nodiscard]] const std::int64_t* values() const { return values_; }
+  /// Of F, in two's complement.
+  [[nodiscard]] const std::uint64_t* bits() const { return reinterpret_cast<const std::uint64_t*>(values_); }
   [[nodiscard]] HWY_INLINE Sums at(std::size_t from) const { return hn::Load(SumTag(), values_ + from); }
   /// Pixels whose sum does not fit the width.
   [[nodiscard]] std::uint64_t wrapped() const { return wrapped_; }
@@ -155,13 +158,23 @@ std::uint64_t meet_lanes(const BlockF& f, Lanes& lanes, unsigned block, std::uin
   return tests(kind) ? enabled & holds : enabled & ~misfits;
 }
 
+/// Pixels at which F has a one from that bit on.
+std::uint64_t pixels_past(const BlockF& f, std::size_t bit) {
+  constexpr hn::RebindToUnsigned<SumTag> tag;
+  std::uint64_t past = 0;
+  for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
+    const auto rest = hn::ShiftRightSame(hn::BitCast(tag, f.at(from)), static_cast<int>(bit));
+    past |= bits_of_mask(tag, hn::Ne(rest, hn::Zero(tag))) << from;
+  }
+  return past;
+}
+
 /// The same of a field in planes: F's bits as words of the block's pixels, added bit by bit.
 template <LinearKind kind>
 std::uint64_t meet_planes(const BlockF& f, std::span<TileBits* const> planes, const TileShape& shape, unsigned block,
                           std::uint64_t enabled) {
-  HWY_ALIGN std::uint64_t f_bits[word_bits];
-  std::copy_n(f.values(), word_bits, f_bits);
-  transpose(f_bits);
+  std::array<std::uint64_t, isa::max_wide_field_width> f_bits;
+  words_of(hn::RebindToUnsigned<SumTag>(), f.bits(), 0, std::span(f_bits).first(planes.size()));
   std::uint64_t carry = kind == LinearKind::minus ? ~std::uint64_t{0} : 0;
   for (std::size_t bit = 0; bit < planes.size(); ++bit) {
     const std::uint64_t old = planes[bit]->word(block, shape);
@@ -176,9 +189,7 @@ std::uint64_t meet_planes(const BlockF& f, std::span<TileBits* const> planes, co
     planes[bit]->set_word(block, (old & ~enabled) | (number & enabled), shape);
   }
   if constexpr (adds(kind)) return enabled;
-  std::uint64_t misfits = 0;
-  for (std::size_t bit = planes.size(); bit < word_bits; ++bit) misfits |= f_bits[bit];
-  return enabled & ~misfits;
+  return enabled & ~pixels_past(f, planes.size());
 }
 
 template <LinearKind kind>
