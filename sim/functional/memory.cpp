@@ -66,7 +66,7 @@ void Memory::clear() {
 }
 
 TileBits& Memory::stored_plane(unsigned bit) {
-  if (!planes_[bit]) planes_[bit] = std::make_unique<TileBits>();
+  if (!planes_[bit]) planes_[bit] = std::make_unique_for_overwrite<TileBits>();
   return *planes_[bit];
 }
 
