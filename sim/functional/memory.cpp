@@ -54,7 +54,7 @@ void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out
 
 }  // namespace
 
-Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits) {}
+Memory::Memory(TileShape shape, std::uint32_t bits) : shape_(shape), planes_(bits), holders_of_(bits) {}
 
 void Memory::clear() {
   for (const auto& plane : planes_)
@@ -71,13 +71,15 @@ TileBits& Memory::stored_plane(unsigned bit) {
 }
 
 TileBits& Memory::plane(unsigned bit, std::uint64_t blocks) {
-  for (Holder& holder : holders_)
-    if (holder.field.overlaps(one_bit(bit))) spill(holder, blocks);
+  if (holders_of_[bit] != 0)
+    for (Holder& holder : holders_)
+      if (holder.field.overlaps(one_bit(bit))) spill(holder, blocks);
   return stored_plane(bit);
 }
 
 const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy) const {
   const TileBits* const plane = planes_[bit].get();
+  if (holders_of_[bit] == 0 && plane != nullptr) return *plane;
   bool is_copied = false;
   for (const Holder& holder : holders_) {
     const std::uint64_t held = holder.blocks & blocks;
@@ -90,10 +92,6 @@ const TileBits& Memory::read(unsigned bit, std::uint64_t blocks, TileBits& copy)
   if (plane != nullptr) return *plane;
   copy.clear();
   return copy;
-}
-
-bool Memory::is_zero(unsigned bit) const {
-  return in_planes(one_bit(bit)) && (!planes_[bit] || planes_[bit]->any() == 0);
 }
 
 void Memory::planes(Field field, const Worked& worked, std::span<TileBits*> planes) {
@@ -123,8 +121,14 @@ Memory::Holder& Memory::holder_for(Field field) {
   if (known != holders_.end()) return *known;
   const auto unused = std::ranges::find(holders_, std::uint64_t{0}, &Holder::blocks);
   Holder& holder = unused != holders_.end() ? *unused : holders_.size() < most_holders ? add_holder() : reused_holder();
-  holder.field = holder.lanes->field = field;
+  set_field(holder, field);
   return holder;
+}
+
+void Memory::set_field(Holder& holder, Field field) {
+  for (unsigned bit = holder.field.base; bit < holder.field.end(); ++bit) --holders_of_[bit];
+  for (unsigned bit = field.base; bit < field.end(); ++bit) ++holders_of_[bit];
+  holder.field = holder.lanes->field = field;
 }
 
 Memory::Holder& Memory::add_holder() {

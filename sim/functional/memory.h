@@ -42,7 +42,9 @@ class Memory {
   const TileBits& read(unsigned bit, std::uint64_t blocks, TileBits& copy) const;
 
   /// Is the bit 0 everywhere, as far as that is known without a look at pixels?
-  [[nodiscard]] bool is_zero(unsigned bit) const;
+  [[nodiscard]] bool is_zero(unsigned bit) const {
+    return (!planes_[bit] || planes_[bit]->any() == 0) && (holders_of_[bit] == 0 || in_planes({base_of(bit), 1}));
+  }
 
   /// The lanes that hold exactly this field in those blocks, to read and write there; so do those that were asked for
   /// before these, of a field apart.
@@ -71,9 +73,11 @@ class Memory {
     std::unique_ptr<Lanes> lanes;
   };
 
+  static std::uint16_t base_of(unsigned bit) { return static_cast<std::uint16_t>(bit); }
   TileBits& stored_plane(unsigned bit);
   Holder& holder_for(isa::Field field);
   Holder& add_holder();
+  void set_field(Holder& holder, isa::Field field);
   /// One that is in use, but not the last that was asked for.
   Holder& reused_holder();
   /// Into lanes, in the blocks that are worked on at least.
@@ -90,6 +94,7 @@ class Memory {
   TileShape shape_;
   std::vector<std::unique_ptr<TileBits>> planes_;  ///< none yet: 0; 0 too where lanes hold the bit
   std::vector<Holder> holders_;                    ///< no two hold a bit in the same block
+  std::vector<std::uint8_t> holders_of_;           ///< for each bit, how many have it in their field
   std::size_t next_reused_ = 0;                    ///< of holders_, where all are in use
   Lanes* last_ = nullptr;                          ///< asked for
 };
