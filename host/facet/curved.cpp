@@ -99,7 +99,9 @@ void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
 
 }  // namespace
 
-std::vector<glm::dvec2> directions(std::uint32_t sides, double turn) {
+namespace {
+
+std::vector<glm::dvec2> directions_worked_out(std::uint32_t sides, double turn) {
   std::vector<glm::dvec2> all;
   all.reserve(sides);
   for (std::uint32_t i = 0; i < sides; ++i) {
@@ -107,6 +109,39 @@ std::vector<glm::dvec2> directions(std::uint32_t sides, double turn) {
     all.emplace_back(model::cos_degrees(around), model::sin_degrees(around));
   }
   return all;
+}
+
+/// Directions that were asked for last: most models have many solids of as many sides.
+class LastDirections {
+ public:
+  const std::vector<glm::dvec2>& find(std::uint32_t sides, double turn) {
+    const auto is_it = [&](const Known& one) { return one.around.size() == sides && one.turn == turn; };
+    if (const auto found = std::ranges::find_if(known_, is_it); found != known_.end()) return found->around;
+    Known& oldest = known_[next_];
+    next_ = (next_ + 1) % known_.size();
+    oldest = {turn, directions_worked_out(sides, turn)};
+    return oldest.around;
+  }
+
+ private:
+  struct Known {
+    double turn = 0;
+    std::vector<glm::dvec2> around;
+  };
+
+  std::array<Known, 4> known_;
+  std::size_t next_ = 0;
+};
+
+/// Of more sides, working out directions is little beside what else a solid takes, and they would fill memory.
+constexpr std::uint32_t most_sides_known = 4096;
+
+}  // namespace
+
+std::vector<glm::dvec2> directions(std::uint32_t sides, double turn) {
+  if (sides > most_sides_known) return directions_worked_out(sides, turn);
+  thread_local LastDirections last;
+  return last.find(sides, turn);
 }
 
 std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::span<const glm::dvec2> around) {

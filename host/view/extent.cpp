@@ -46,21 +46,28 @@ double rounding(const Sampling& sampling, unsigned fraction_bits) {
   return (1.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -static_cast<int>(fraction_bits));
 }
 
+/// How far half-spaces may move outwards when their planes are rounded.
+struct Moves {
+  explicit Moves(const Sampling& sampling)
+      : step(1.0 + rounding(sampling, sampling.fraction_bits)),
+        edge(sampling.edge_on_fraction + rounding(sampling, edge_fraction_bits(sampling))) {}
+
+  double step;  ///< surfaces lose a step to the floor
+  double edge;  ///< edge tests stand where the plane passes half the depth range
+};
+
 /// How far a half-space may move outwards when its plane is rounded, as a part of its slack at a point.
-double relative_move(const View& view, facet::Halfspace halfspace, const glm::dvec3& inside) {
+double relative_move(const View& view, facet::Halfspace halfspace, const glm::dvec3& inside, const Moves& moves) {
   const ScreenPlane& plane = view.planes[halfspace.plane];
   const double value = value_at(view.sampling, plane.real, inside);
   const auto [slack, move] = [&]() -> std::pair<double, double> {
-    // Surfaces lose a step to the floor. Edge tests stand where the plane passes half the depth range.
-    const double step = 1.0 + rounding(view.sampling, view.sampling.fraction_bits);
-    const double edge = view.sampling.edge_on_fraction + rounding(view.sampling, edge_fraction_bits(view.sampling));
     switch (side_of(plane, halfspace)) {
-      case Side::front: return {inside.z - value, step};
-      case Side::back: return {value - inside.z, step};
-      case Side::edge_positive: return {value, edge};
-      case Side::edge_negative: return {-value, edge};
+      case Side::front: return {inside.z - value, moves.step};
+      case Side::back: return {value - inside.z, moves.step};
+      case Side::edge_positive: return {value, moves.edge};
+      case Side::edge_negative: return {-value, moves.edge};
     }
-    return {0.0, step};
+    return {0.0, moves.step};
   }();
   return slack > 0.0 ? move / slack : infinite;
 }
@@ -109,8 +116,9 @@ double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool n
                     const PixelRect& pixels) {
   // What the near plane cuts, at depth 1, is capped at depth 0.
   double growth = near_cuts ? 1.0 / std::max(inside.z - 1.0, 0.0) : 0.0;
+  const Moves moves(view.sampling);
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
-    growth = std::max(growth, relative_move(view, halfspace, inside));
+    growth = std::max(growth, relative_move(view, halfspace, inside, moves));
   }
   for (const facet::QuadricSide side : solid.quadrics) {
     growth = std::max(growth, growth_of(view.quadrics[side.quadric], side, inside, view, pixels));

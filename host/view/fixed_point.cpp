@@ -5,9 +5,16 @@
 
 namespace csgsim::view {
 
+namespace {
+
+/// 2^bits, of up to 62.
+double power_of_two(unsigned bits) { return static_cast<double>(std::uint64_t{1} << bits); }
+
+}  // namespace
+
 std::optional<std::int64_t> to_fixed(double value, unsigned fraction_bits) {
   constexpr double limit = 4611686018427387904.0;  // 2^62
-  const double scaled = std::round(std::ldexp(value, static_cast<int>(fraction_bits)));
+  const double scaled = std::round(value * power_of_two(fraction_bits));
   if (!(std::abs(scaled) < limit)) return std::nullopt;
   return static_cast<std::int64_t>(scaled);
 }
@@ -17,7 +24,7 @@ std::optional<FixedLinear> to_fixed(const RealLinear& linear, unsigned fraction_
   const auto a = to_fixed(linear.a, fraction_bits);
   const auto b = to_fixed(linear.b, fraction_bits);
   if (!a || !b) return std::nullopt;
-  const double ulp = std::ldexp(1.0, -static_cast<int>(fraction_bits));
+  const double ulp = 1.0 / power_of_two(fraction_bits);
   const double corner = linear.at_centre - static_cast<double>(*a) * ulp * ((width - 1.0) / 2.0) -
                         static_cast<double>(*b) * ulp * ((height - 1.0) / 2.0);
   const auto c = to_fixed(corner, fraction_bits);
