@@ -300,11 +300,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
     const auto count = static_cast<std::size_t>(settings.samples);
     for (const glm::dvec2& offset : sample_offsets(count)) {
       if (offset == glm::dvec2(0)) continue;
-      view::Sampling sampling = drawing.view.sampling;
-      sampling.offset = offset;
-      state.drawings.push_back(emit::make_drawing(
-          drawing.tree, drawing.geometry,
-          view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling), drawing.nesting, workshop));
+      state.drawings.push_back(emit::make_sample(drawing, offset, workshop));
     }
   }
 };

@@ -82,19 +82,30 @@ bool is_caster(const model::Primitive& primitive, const Casters& casters) {
 
 }  // namespace
 
-std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::vector<std::size_t>& lights,
-                                       const Casters& casters, const Work& work) {
+std::vector<ThrownLight> thrown_by(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
+                                   const Casters& casters, const Work& work) {
   const std::vector<convex::Piece> pieces =
       convex::pieces(*drawing.geometry, drawing.plan.positive, convex::most_pieces, work);
-  std::vector<ShadowLight> result;
+  std::vector<ThrownLight> result;
   for (const std::size_t light : lights) {
-    ShadowLight one{light, {}};
+    ThrownLight one{light, {}};
     const convex::Light from = in_model(drawing.look.lighting.lights[light], drawing.view.camera);
     for (const convex::Piece& piece : pieces) {
       if (!is_caster(drawing.tree->primitives[piece.primitive], casters)) continue;
       work.charge(convex::clip_steps(piece.polytope), "finding what is in the shadow");
-      const convex::ShadowVolume volume = convex::shadow_volume(piece.polytope, from, drawing.geometry->planes);
-      if (auto found = seen(drawing, volume, piece.primitive)) one.volumes.push_back(*std::move(found));
+      one.volumes.push_back({convex::shadow_volume(piece.polytope, from, drawing.geometry->planes), piece.primitive});
+    }
+    result.push_back(std::move(one));
+  }
+  return result;
+}
+
+std::vector<ShadowLight> seen_in(const emit::Drawing& drawing, const std::vector<ThrownLight>& lights) {
+  std::vector<ShadowLight> result;
+  for (const ThrownLight& light : lights) {
+    ShadowLight one{light.light, {}};
+    for (const ThrownVolume& thrown : light.volumes) {
+      if (auto found = seen(drawing, thrown.volume, thrown.primitive)) one.volumes.push_back(*std::move(found));
     }
     result.push_back(std::move(one));
   }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/convex/shadow_volume.h"
 #include "host/emit/drawing.h"
 #include "host/view/projection.h"
 #include "hw/base/work.h"
@@ -46,9 +47,25 @@ struct Casters {
   std::optional<std::uint32_t> to_line;  ///< inclusive
 };
 
-/// The volumes of the lights with those numbers, of the pieces that are of the casters. Throws InputError, naming the
-/// primitive, where a plane's coefficients do not fit the machine, and WorkError past the limit on work.
-std::vector<ShadowLight> shadow_lights(const emit::Drawing& drawing, const std::vector<std::size_t>& lights,
-                                       const Casters& casters, const Work& work);
+/// Where a convex piece of the model takes a light away, in model space.
+struct ThrownVolume {
+  convex::ShadowVolume volume;
+  std::uint32_t primitive = 0;  ///< that the piece is of
+};
+
+/// The volumes of a light, however pixels are sampled.
+struct ThrownLight {
+  std::size_t light = 0;  ///< index into Lighting::lights
+  std::vector<ThrownVolume> volumes;
+};
+
+/// The volumes of the lights with those numbers, of the pieces that are of the casters. Throws WorkError past the limit
+/// on work.
+std::vector<ThrownLight> thrown_by(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
+                                   const Casters& casters, const Work& work);
+
+/// The same as the drawing has them. Throws InputError, naming the primitive, where a plane's coefficients do not fit
+/// the machine.
+std::vector<ShadowLight> seen_in(const emit::Drawing& drawing, const std::vector<ThrownLight>& lights);
 
 }  // namespace csgsim::effects

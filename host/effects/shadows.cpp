@@ -56,6 +56,7 @@ std::vector<std::size_t> lights_of(const Settings& settings, const lighting::Lig
 }
 
 struct Prepared : emit::EffectState {
+  std::shared_ptr<const std::vector<ThrownLight>> thrown;  ///< shared by all samples of a drawing
   std::vector<ShadowLight> lights;
 };
 
@@ -102,8 +103,13 @@ class ThrownShadows final : public emit::EffectOf<Settings, Prepared> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    state.lights =
-        shadow_lights(drawing, lights_of(settings, drawing.look.lighting), settings.casters, workshop.options.work);
+    const State* const other = drawing.sampled_from != nullptr ? prepared_in(*drawing.sampled_from, workshop) : nullptr;
+    state.thrown =
+        other != nullptr
+            ? other->thrown
+            : std::make_shared<const std::vector<ThrownLight>>(thrown_by(
+                  lights_of(settings, drawing.look.lighting), drawing, settings.casters, workshop.options.work));
+    state.lights = seen_in(drawing, *state.thrown);
   }
 };
 

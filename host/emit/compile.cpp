@@ -298,7 +298,7 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   return all;
 }
 
-isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
+isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
                             const machines::Machine& machine, const Options& wanted, const ClockCounter& count) {
   const std::optional<machines::Division> division = machines::division(machine);
   Options options = division ? options_for(*division, wanted) : wanted;
@@ -306,7 +306,7 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
   const std::vector<CalledEffect> called =
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
-  const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), view, 0, {machine, options, called});
+  const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called});
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());
@@ -332,10 +332,10 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
 
 }  // namespace
 
-isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
+isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
                      const machines::Machine& machine, const Options& options, const ClockCounter& count) {
   try {
-    return compile_within(tree, geometry, view, machine, options, count);
+    return compile_within(tree, geometry, std::move(view), machine, options, count);
   } catch (const WorkError& error) {
     throw InputError(fmt::format("{}: {}", tree.file, error.what()));
   }

@@ -19,7 +19,7 @@ using ClockCounter = std::function<std::uint64_t(const isa::Program&)>;
 /// machine says how many memory bits there are, and whether it can be asked if any pixel is enabled; its picture is as
 /// large as the view's. Where something is left to be chosen, `count` says what takes the fewest clocks; without it,
 /// they are those if nothing is skipped. Throws InputError where the model does not fit the machine.
-isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
+isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
                      const machines::Machine& machine, const Options& options = {}, const ClockCounter& count = {});
 
 }  // namespace csgsim::emit

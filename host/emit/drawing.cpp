@@ -67,32 +67,53 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
   return true;
 }
 
+namespace {
+
+/// Plans the drawing, of which the rest is there, and has each called effect prepare it.
+void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
+  const Options& options = workshop.options;
+  csg::Pruning pruning = options.pruning;
+  // Chapter 6 multiplies the tree of primitives out as it is.
+  if (options.strategy == Strategy::products) pruning.sets = false;
+  drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive(*drawing.tree), drawing.view.camera);
+  if (drawing.reflection) {
+    drawing.look.lighting = drawing.reflection->lighting;
+    // What hides others may itself be before the mirror.
+    pruning.hidden = false;
+  }
+  drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine), pruning,
+                           opacities(drawing.look, workshop.called), options.work);
+  if (drawing.reflection) drop_unseen(drawing);
+  for (const CalledEffect& one : workshop.called) drawing.states.push_back(one.effect->prepared_for(drawing, workshop));
+}
+
+}  // namespace
+
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
                                             std::optional<Reflection> reflection) {
   auto drawing = std::make_shared<Drawing>();
-  const Options& options = workshop.options;
-  csg::Pruning pruning = options.pruning;
-  // Chapter 6 multiplies the tree of primitives out as it is.
-  if (options.strategy == Strategy::products) pruning.sets = false;
   drawing->tree = std::move(tree);
   drawing->geometry = std::move(geometry);
   drawing->view = std::move(view);
   drawing->nesting = nesting;
-  drawing->look = make_look(options.scene, *drawing->tree, csg::make_positive(*drawing->tree), drawing->view.camera);
   drawing->reflection = std::move(reflection);
-  if (drawing->reflection) {
-    drawing->look.lighting = drawing->reflection->lighting;
-    // What hides others may itself be before the mirror.
-    pruning.hidden = false;
-  }
-  drawing->plan = make_plan(*drawing->tree, *drawing->geometry, drawing->view, machines::regions(workshop.machine),
-                            pruning, opacities(drawing->look, workshop.called), options.work);
-  if (drawing->reflection) drop_unseen(*drawing);
-  for (const CalledEffect& one : workshop.called)
-    drawing->states.push_back(one.effect->prepared_for(*drawing, workshop));
+  plan_and_prepare(*drawing, workshop);
   return drawing;
+}
+
+std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset, const Workshop& workshop) {
+  view::Sampling sampling = drawing.view.sampling;
+  sampling.offset = offset;
+  auto sample = std::make_shared<Drawing>();
+  sample->tree = drawing.tree;
+  sample->geometry = drawing.geometry;
+  sample->view = view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling);
+  sample->nesting = drawing.nesting;
+  sample->sampled_from = &drawing;
+  plan_and_prepare(*sample, workshop);
+  return sample;
 }
 
 std::vector<const Drawing*> with_inner(const Drawing& drawing) {

@@ -31,6 +31,7 @@ struct Drawing {
   Plan plan;
   unsigned nesting = 0;  ///< drawings that it is within
   std::optional<Reflection> reflection;
+  const Drawing* sampled_from = nullptr;  ///< the same but for where its pixels are sampled, if that is another one
   EffectStates states;
 };
 
@@ -46,6 +47,9 @@ std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> t
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
                                             std::optional<Reflection> reflection = {});
+
+/// The same drawing, sampled so far from the pixels' centres: columns and rows.
+std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset, const Workshop& workshop);
 
 /// The drawing and all that its effects prepared, themselves within one another.
 std::vector<const Drawing*> with_inner(const Drawing& drawing);

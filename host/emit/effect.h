@@ -94,13 +94,18 @@ class EffectOf : public Effect {
 
   static const State& prepared(const EffectCall& call) { return static_cast<const State&>(call.state); }
 
-  /// What was prepared for a drawing and for all that are within it.
-  [[nodiscard]] std::vector<const State*> all_prepared(const Drawing& drawing, const Workshop& workshop) const {
+  /// What was prepared for a drawing; null if it has not been yet.
+  [[nodiscard]] const State* prepared_in(const Drawing& drawing, const Workshop& workshop) const {
     const auto own = std::ranges::find(workshop.called, this, [](const CalledEffect& one) { return one.effect.get(); });
     const auto number = static_cast<std::size_t>(own - workshop.called.begin());
+    return number < drawing.states.size() ? static_cast<const State*>(drawing.states[number].get()) : nullptr;
+  }
+
+  /// What was prepared for a drawing and for all that are within it.
+  [[nodiscard]] std::vector<const State*> all_prepared(const Drawing& drawing, const Workshop& workshop) const {
     std::vector<const State*> all;
     for (const Drawing* const one : with_inner(drawing)) {
-      if (number < one->states.size()) all.push_back(static_cast<const State*>(one->states[number].get()));
+      if (const State* const state = prepared_in(*one, workshop)) all.push_back(state);
     }
     return all;
   }

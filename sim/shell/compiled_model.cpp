@@ -110,20 +110,20 @@ void warn_of_pattern(const emit::NoRoom& layers, const ModelOptions& options, co
 }
 
 /// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
-isa::Program compile_with_room(const CompiledModel& model, const view::View& view, const ModelOptions& options,
-                               const machines::Machine& machine) {
+isa::Program compile_with_room(const CompiledModel& model, const view::Camera& camera, view::View view,
+                               const ModelOptions& options, const machines::Machine& machine) {
   emit::Options emit = emit_options_of(options);
-  const auto compiled = [&] {
-    return emit::compile(model.tree, model.scene, view, machine, emit,
+  const auto compiled = [&](view::View seen) {
+    return emit::compile(model.tree, model.scene, std::move(seen), machine, emit,
                          [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
   };
   try {
-    return compiled();
+    return compiled(std::move(view));
   } catch (const emit::NoRoom& layers) {
     std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
-    if (!by_pattern || see_through(emit, model.tree, view.camera) == nullptr) throw;
+    if (!by_pattern || see_through(emit, model.tree, camera) == nullptr) throw;
     emit.scene = std::move(*by_pattern);
-    isa::Program program = compiled();
+    isa::Program program = compiled(view::make_view(model.scene, model.tree, camera, sampling_of(options, machine)));
     warn_of_pattern(layers, options, machine);
     return program;
   }
@@ -142,12 +142,12 @@ story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelOpti
 
 isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelOptions& options,
                              const machines::Machine& machine) {
-  const view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
+  view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
   return with_memory([&] { return short_of_memory(options.model, halfspaces); },
-                     [&] { return compile_with_room(model, view, options, machine); });
+                     [&] { return compile_with_room(model, camera, std::move(view), options, machine); });
 }
 
 CompiledModel compile_model(ModelFile file, const ModelOptions& options, const machines::Machine& machine) {
