@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/common.hpp>
 #include <utility>
 
 namespace csgsim::effects {
@@ -22,6 +21,13 @@ struct Line {
     const double x = a * place.x;
     const double y = b * place.y;
     return x + y + c + noise * (std::abs(x) + std::abs(y) + std::abs(c) + std::abs(a) + std::abs(b));
+  }
+
+  /// Below what it is for certain.
+  [[nodiscard]] double surely_at(const glm::dvec2& place) const {
+    const double x = a * place.x;
+    const double y = b * place.y;
+    return x + y + c - 4 * noise * (std::abs(x) + std::abs(y) + std::abs(c) + std::abs(a) + std::abs(b));
   }
 
   double a;
@@ -71,29 +77,16 @@ bool Outline::clip(const view::FixedLinear& fixed, Outline& spare) {
   return true;
 }
 
-bool Outline::is_beyond(const view::FixedLinear& fixed) const {
+Outline::Lie Outline::lie(const view::FixedLinear& fixed, double least) const {
   const Line line(fixed);
-  return std::none_of(corners_.begin(), corners_.end(), [&](const glm::dvec2& one) { return line.at(one) >= 0; });
-}
-
-OutlineBox::OutlineBox(const Outline& outline) {
-  if (outline.empty()) return;
-  low_ = high_ = outline.corners().front();
-  for (const glm::dvec2& corner : outline.corners()) {
-    low_ = glm::min(low_, corner);
-    high_ = glm::max(high_, corner);
+  bool is_beyond = true;
+  bool is_within = true;
+  for (const glm::dvec2& corner : corners_) {
+    is_beyond = is_beyond && !(line.at(corner) >= 0);
+    is_within = is_within && line.surely_at(corner) >= least;
+    if (!is_beyond && !is_within) return Lie::across;
   }
-}
-
-bool OutlineBox::is_beyond(const view::FixedLinear& fixed) const {
-  const Line line(fixed);
-  const glm::dvec2 at_low = glm::dvec2(line.a, line.b) * low_;
-  const glm::dvec2 at_high = glm::dvec2(line.a, line.b) * high_;
-  const double most = std::max(at_low.x, at_high.x) + std::max(at_low.y, at_high.y) + line.c;
-  const double terms = std::max(std::abs(at_low.x), std::abs(at_high.x)) +
-                       std::max(std::abs(at_low.y), std::abs(at_high.y)) + std::abs(line.c) + std::abs(line.a) +
-                       std::abs(line.b);
-  return most + 2 * noise * terms < 0;
+  return is_beyond ? Lie::beyond : Lie::within;
 }
 
 view::PixelRect Outline::pixels() const {

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstdint>
 #include <glm/vec2.hpp>
-#include <optional>
 #include <vector>
 
 #include "host/view/fixed_point.h"
@@ -23,8 +23,13 @@ class Outline {
   /// As clipped(), in place; `spare` is room for another outline, which is kept. False if nothing is left.
   bool clip(const view::FixedLinear& line, Outline& spare);
 
-  /// Whether the line is negative everywhere.
-  [[nodiscard]] bool is_beyond(const view::FixedLinear& line) const;
+  /// How it lies to a line.
+  enum class Lie : std::uint8_t {
+    beyond,  ///< the line is negative everywhere
+    across,
+    within,  ///< the line is surely `least` at least everywhere
+  };
+  [[nodiscard]] Lie lie(const view::FixedLinear& line, double least) const;
 
   /// Pixels that are in it, or near it.
   [[nodiscard]] view::PixelRect pixels() const;
@@ -33,20 +38,6 @@ class Outline {
 
  private:
   std::vector<glm::dvec2> corners_;
-};
-
-/// A box around an outline, which tells faster.
-class OutlineBox {
- public:
-  explicit OutlineBox(const Outline& outline);
-
-  /// Whether the line is negative, by more than rounding takes, everywhere in the box: then whatever the outline is
-  /// clipped to is beyond it too. False may be so all the same.
-  [[nodiscard]] bool is_beyond(const view::FixedLinear& line) const;
-
- private:
-  glm::dvec2 low_{0};
-  glm::dvec2 high_{0};
 };
 
 }  // namespace csgsim::effects

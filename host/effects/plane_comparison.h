@@ -34,6 +34,9 @@ class PlaneComparison {
     return plane.linear;
   }
 
+  /// Where the one for in is as much, the one for out is negative.
+  [[nodiscard]] double surely_in() const { return static_cast<double>(last_) + 1.0; }
+
  private:
   view::FixedLinear receiver_;
   std::int64_t last_;  ///< the greatest fraction of a depth step

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "host/emit/early_out.h"
@@ -20,6 +22,17 @@ bool contains(const std::vector<ShadowPlane>& planes, const ShadowPlane& plane) 
   return std::find(planes.begin(), planes.end(), plane) != planes.end();
 }
 
+struct PlaneHash {
+  std::size_t operator()(const ShadowPlane& plane) const {
+    std::uint64_t hash = static_cast<std::uint64_t>(plane.side) * 2 + (plane.is_strict ? 1U : 0U);
+    for (const std::int64_t one : {plane.linear.a, plane.linear.b, plane.linear.c}) {
+      hash = (hash ^ static_cast<std::uint64_t>(one)) * 0x9e3779b97f4a7c15U;
+      hash ^= hash >> 32U;
+    }
+    return hash;
+  }
+};
+
 PixelRect hull(std::span<const ShadowPart> parts) {
   PixelRect all;
   for (const ShadowPart& part : parts) all = view::hull(all, part.pixels);
@@ -28,12 +41,22 @@ PixelRect hull(std::span<const ShadowPart> parts) {
 
 /// The plane that most of the parts have, if two at least have one.
 const ShadowPlane* most_shared(std::span<const ShadowPart> parts) {
-  const ShadowPlane* best = nullptr;
-  std::ptrdiff_t most = 1;
+  struct Sharers {
+    std::size_t count = 0;
+    const ShadowPart* last = nullptr;
+  };
+  std::unordered_map<ShadowPlane, Sharers, PlaneHash> sharers;
   for (const ShadowPart& part : parts) {
     for (const ShadowPlane& plane : part.planes) {
-      const auto count =
-          std::count_if(parts.begin(), parts.end(), [&](const ShadowPart& one) { return contains(one.planes, plane); });
+      Sharers& of_plane = sharers[plane];
+      if (std::exchange(of_plane.last, &part) != &part) ++of_plane.count;
+    }
+  }
+  const ShadowPlane* best = nullptr;
+  std::size_t most = 1;
+  for (const ShadowPart& part : parts) {
+    for (const ShadowPlane& plane : part.planes) {
+      const std::size_t count = sharers[plane].count;
       if (count > most) best = &plane, most = count;
     }
   }
@@ -105,18 +128,20 @@ class Shadowing {
   /// Whether narrower planes save more than it takes to clip E to where the parts are.
   [[nodiscard]] bool is_clipping_worth(std::span<const ShadowPart> parts, const PixelRect& outer) const {
     const PixelRect inner = view::common(hull(parts), outer);
+    const std::uint64_t clipping = clocks_of([&](emit::Broadcast& out) { out.clip(inner, outer); });
+    if (clipping == 0) return false;
     std::vector<ShadowPlane> planes;
+    std::unordered_set<ShadowPlane, PlaneHash> known;
     for (const ShadowPart& part : parts) {
       for (const ShadowPlane& plane : part.planes)
-        if (!contains(planes, plane)) planes.push_back(plane);
+        if (known.insert(plane).second) planes.push_back(plane);
     }
     const auto clocks_in = [&](const PixelRect& pixels) {
       return clocks_of([&](emit::Broadcast& out) {
         for (const ShadowPlane& plane : planes) compare(out, plane, pixels);
       });
     };
-    const std::uint64_t clipping = clocks_of([&](emit::Broadcast& out) { out.clip(inner, outer); });
-    return clipping > 0 && clipping + clocks_in(inner) < clocks_in(outer);
+    return clipping + clocks_in(inner) < clocks_in(outer);
   }
 
   /// Remembers where E is within the pixels and the planes.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host/effects/plane_comparison.h"
+#include "host/effects/receiver_sides.h"
 
 namespace csgsim::effects {
 
@@ -37,13 +38,18 @@ struct Volume {
   std::vector<Touch> touches;
 };
 
+/// The sides of some planes, one after another, that each receiver is on.
+using SidesOfPlanes = std::vector<std::vector<ReceiverSide>>;
+
 /// Volumes over receivers, which are made fewer and simpler while what they take together stays the same.
 class Covering {
  public:
   Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits, const Work& work)
-      : receivers_(receivers.facets), fraction_bits_(fraction_bits), work_(work), volumes_of_(receivers.facets.size()) {
-    boxes_.reserve(receivers_.size());
-    for (const Receiver& one : receivers_) boxes_.emplace_back(one.outline);
+      : receivers_(receivers.facets),
+        sides_(receivers_, fraction_bits),
+        fraction_bits_(fraction_bits),
+        work_(work),
+        volumes_of_(receivers.facets.size()) {
     for (const SeenVolume& one : volumes) {
       Volume volume{one.planes, one.primitive, {}};
       volume.touches = touches(volume.planes);
@@ -79,41 +85,42 @@ class Covering {
     return {receivers_[receiver].plane, fraction_bits_};
   }
 
-  /// Clips an outline on a receiver to what planes, but for one, leave of it. False if that is nothing.
-  bool clip(Outline& outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
-            std::size_t but) const {
-    for (std::size_t i = 0; i < planes.size(); ++i) {
-      if (i != but && !outline.clip(compared.in(planes[i]), spare_)) return false;
-    }
-    return !outline.empty();
+  [[nodiscard]] SidesOfPlanes sides_of(const std::vector<ShadowPlane>& planes) const {
+    SidesOfPlanes sides;
+    sides.reserve(planes.size());
+    for (const ShadowPlane& plane : planes) sides_.decide(plane, sides.emplace_back(receivers_.size()));
+    return sides;
   }
 
-  /// Whether a receiver is seen to be beyond one of the planes without a look at its corners.
-  [[nodiscard]] bool is_beyond(std::size_t receiver, const std::vector<ShadowPlane>& planes) const {
-    const PlaneComparison compared = comparison(receiver);
-    return std::any_of(planes.begin(), planes.end(),
-                       [&](const ShadowPlane& plane) { return boxes_[receiver].is_beyond(compared.in(plane)); });
-  }
-
-  /// By receiver, how many of the planes it is seen to be beyond.
-  [[nodiscard]] std::vector<std::uint32_t> planes_before(const std::vector<ShadowPlane>& planes) const {
+  /// By receiver, how many of the planes it is surely beyond.
+  [[nodiscard]] std::vector<std::uint32_t> planes_before(const SidesOfPlanes& sides) const {
     std::vector<std::uint32_t> counts(receivers_.size());
-    for (std::size_t i = 0; i < receivers_.size(); ++i) {
-      const PlaneComparison compared = comparison(i);
-      counts[i] = static_cast<std::uint32_t>(std::count_if(planes.begin(), planes.end(), [&](const ShadowPlane& plane) {
-        return boxes_[i].is_beyond(compared.in(plane));
-      }));
+    for (const std::vector<ReceiverSide>& of_plane : sides) {
+      for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += of_plane[i] == ReceiverSide::beyond ? 1U : 0U;
     }
     return counts;
   }
 
+  /// Clips an outline on a receiver to what planes, but for one, leave of it. False if that is nothing.
+  bool clip(Outline& outline, std::size_t receiver, const std::vector<ShadowPlane>& planes, const SidesOfPlanes& sides,
+            std::size_t but) const {
+    const PlaneComparison compared = comparison(receiver);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      if (i == but || sides[i][receiver] == ReceiverSide::within) continue;
+      if (!outline.clip(compared.in(planes[i]), spare_)) return false;
+    }
+    return !outline.empty();
+  }
+
   [[nodiscard]] std::vector<Touch> touches(const std::vector<ShadowPlane>& planes) const {
     work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
+    const SidesOfPlanes sides = sides_of(planes);
+    const std::vector<std::uint32_t> before = planes_before(sides);
     std::vector<Touch> found;
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
-      if (is_beyond(i, planes)) continue;
+      if (before[i] > 0) continue;
       inside_ = receivers_[i].outline;
-      if (clip(inside_, comparison(i), planes, planes.size())) found.push_back({i, inside_, inside_.pixels()});
+      if (clip(inside_, i, planes, sides, planes.size())) found.push_back({i, inside_, inside_.pixels()});
     }
     return found;
   }
@@ -122,15 +129,19 @@ class Covering {
   void subtract(Outline outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
                 std::vector<Outline>& left) {
     covering_work_ += planes.size();
-    if (std::any_of(planes.begin(), planes.end(),
-                    [&](const ShadowPlane& plane) { return outline.is_beyond(compared.in(plane)); })) {
-      left.push_back(std::move(outline));
-      return;
-    }
+    crossed_.clear();
     for (const ShadowPlane& plane : planes) {
+      const Outline::Lie lie = outline.lie(compared.in(plane), compared.surely_in());
+      if (lie == Outline::Lie::beyond) {
+        left.push_back(std::move(outline));
+        return;
+      }
+      if (lie == Outline::Lie::across) crossed_.push_back(&plane);
+    }
+    for (const ShadowPlane* const plane : crossed_) {
       outside_ = outline;
-      if (outside_.clip(compared.out(plane), spare_)) left.push_back(outside_);
-      if (!outline.clip(compared.in(plane), spare_)) return;
+      if (outside_.clip(compared.out(*plane), spare_)) left.push_back(outside_);
+      if (!outline.clip(compared.in(*plane), spare_)) return;
     }
   }
 
@@ -166,50 +177,50 @@ class Covering {
   /// Leaves out planes that keep nothing but what other volumes take.
   void reduce_planes(std::size_t index) {
     std::vector<ShadowPlane>& planes = volumes_[index].planes;
-    std::vector<std::uint32_t> before = planes_before(planes);
+    SidesOfPlanes sides = sides_of(planes);
+    std::vector<std::uint32_t> before = planes_before(sides);
     for (std::size_t i = 0; i < planes.size();) {
-      if (is_plane_redundant(index, i, before)) {
-        for (std::size_t k = 0; k < before.size(); ++k) {
-          if (before[k] > 0 && boxes_[k].is_beyond(comparison(k).in(planes[i]))) --before[k];
-        }
+      if (is_plane_redundant(index, i, sides, before)) {
+        for (std::size_t k = 0; k < before.size(); ++k) before[k] -= sides[i][k] == ReceiverSide::beyond ? 1U : 0U;
         planes.erase(planes.begin() + static_cast<std::ptrdiff_t>(i));
+        sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(i));
       } else {
         ++i;
       }
     }
   }
 
-  /// `before`: planes_before() of the volume's.
-  [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane,
+  /// `sides`: of the volume's planes; `before`: planes_before() of them.
+  [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane, const SidesOfPlanes& sides,
                                         const std::vector<std::uint32_t>& before) {
     const std::vector<ShadowPlane>& planes = volumes_[index].planes;
     work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
-      // Beyond one of the others there is nothing.
-      if (before[i] > 1) continue;
-      const PlaneComparison compared = comparison(i);
-      if (before[i] == 1 && !boxes_[i].is_beyond(compared.in(planes[plane]))) continue;
-      const view::FixedLinear out = compared.out(planes[plane]);
+      const ReceiverSide side = sides[plane][i];
+      const std::uint32_t others = before[i] - (side == ReceiverSide::beyond ? 1U : 0U);
+      // Beyond one of the others there is nothing, and nothing is out of a plane that all is within.
+      if (others > 0 || side == ReceiverSide::within) continue;
       more_ = receivers_[i].outline;
-      if (!more_.clip(out, spare_) || !clip(more_, compared, planes, plane)) continue;
+      if (!more_.clip(comparison(i).out(planes[plane]), spare_) || !clip(more_, i, planes, sides, plane)) continue;
       if (!is_covered(i, more_, index)) return false;
     }
     return true;
   }
 
   const std::vector<Receiver>& receivers_;
-  std::vector<OutlineBox> boxes_;  ///< of the receivers
+  mutable ReceiverSides sides_;
   unsigned fraction_bits_;
   const Work& work_;
   std::vector<Volume> volumes_;  ///< those that are left out touch nothing
   std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>> volumes_of_;  ///< by receiver
   std::uint64_t covering_work_ = 0;
 
-  // Room for outlines, which would else be taken from the heap for each.
+  // Room that would else be taken from the heap for each.
   mutable Outline spare_;
   mutable Outline inside_;
   Outline outside_;
   Outline more_;
+  std::vector<const ShadowPlane*> crossed_;
 };
 
 }  // namespace
