@@ -11,7 +11,9 @@ namespace {
 /// Bytes a pixel, but for its memory bits.
 constexpr std::uint64_t functional_bytes = 28;
 constexpr std::uint64_t cycle_bytes = 38;
-constexpr std::uint64_t reference_bytes = 16;
+constexpr std::uint64_t reference_bytes = 12;
+/// The reference level has words of a pixel's memory, one more than it fills.
+constexpr std::uint64_t word_bits = 64;
 
 constexpr std::uint64_t much = std::uint64_t{1} << 30U;
 
@@ -44,7 +46,7 @@ std::uint64_t memory_estimate(const machines::Machine& machine, const isa::Array
   const std::uint64_t pixels = std::uint64_t{picture.width} * picture.height;
   const bool is_whole = machine.array.width >= picture.width && machine.array.height >= picture.height;
   if (level == "functional" || !is_whole) return pixels * functional_bytes;
-  if (level == "reference") return pixels * (reference_bytes + picture.memory_bits);
+  if (level == "reference") return pixels * (reference_bytes + (picture.memory_bits / word_bits + 1) * word_bits / 8);
   return pixels * (cycle_bytes + picture.memory_bits / 8);
 }
 
