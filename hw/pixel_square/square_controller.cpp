@@ -66,7 +66,7 @@ void SquareController::act() {
   const bool was_idle = state_ == State::idle;
   if (clock.posedge()) {
     advance(count());
-  } else if (state_ == State::leaving) {
+  } else if (state_ == State::leaving && left.event()) {
     count();
     finish();
   } else {
