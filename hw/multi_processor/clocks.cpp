@@ -2,7 +2,6 @@
 
 #include <bit>
 #include <optional>
-#include <utility>
 
 #include "hw/base/quotient.h"
 #include "hw/multi_processor/figures.h"
@@ -156,8 +155,9 @@ std::uint64_t RenderingClocks::all(const NodePixels& own, isa::Field colour) con
 /// The loops of an order, from the outermost in, begin a row and a pixel of it as many times as there are before this.
 std::vector<machines::ClockSpan> RenderingClocks::spans_at(const NodePixels& own, std::uint32_t column,
                                                            std::uint32_t row) const {
-  const std::optional<PlaneCounts> counts =
-      part_.met == nullptr ? std::nullopt : std::optional<PlaneCounts>(std::in_place, *part_.met, own, machine_.array);
+  if (prices_.empty()) return {};  // nor do planes have rows
+  std::optional<PlaneCounts> counts;
+  if (part_.met != nullptr) counts.emplace(*part_.met, own, machine_.array);
   const auto at_pixels = [&](std::size_t i, std::uint64_t begin, std::uint64_t end) {
     const PixelPrices& prices = prices_[i].at_pixel;
     if (!counts) return (end - begin) * prices.most();

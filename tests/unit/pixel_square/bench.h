@@ -10,6 +10,7 @@
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/pixel_square/port_word.h"
+#include "hw/systemc/clock.h"
 #include "hw/systemc/kernel.h"
 #include "hw/systemc/retirement.h"
 
@@ -35,8 +36,7 @@ inline machines::Machine square_machine(const pixel_square::Figures& figures, co
 /// Edges of a clock, one at a time: what is written between two of them is there at the next.
 class Bench {
  public:
-  explicit Bench(const machines::Machine& machine)
-      : clock("clock", systemc::period_of(machine), 0.5, systemc::period_of(machine)) {}
+  explicit Bench(const machines::Machine& machine) : clock("clock", systemc::period_of(machine)) {}
 
   /// So many edges go by, and all that belongs to them happens.
   void edges(std::uint64_t count) {
@@ -45,7 +45,7 @@ class Bench {
     for (std::uint64_t i = 0; i < count; ++i) sc_core::sc_start(clock.period());
   }
 
-  sc_core::sc_clock clock;
+  systemc::Clock clock;
 
  private:
   bool begun_ = false;

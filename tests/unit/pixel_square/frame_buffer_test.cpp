@@ -26,7 +26,7 @@ struct Board {
       : Board(pixel_square::Figures{.renderers = renderers, .port_bits = port_bits}) {}
 
   explicit Board(const pixel_square::Figures& figures, std::uint64_t clock_hz = 10'000'000)
-      : bench(testing::square_machine(figures)),
+      : bench(machine_of(figures, clock_hz)),
         colours("colours", figures.renderers,
                 [](const char* name, std::size_t) { return new sc_core::sc_fifo<PortWord>(name, 100); }),
         buffer("buffer", machine_of(figures, clock_hz)) {
