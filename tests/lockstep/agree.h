@@ -26,6 +26,7 @@ bool agree_scan_line_in_sequences(const machines::Machine& machine, unsigned ins
 bool agree_squares(const machines::Machine& machine, unsigned instructions, systemc::EvaluatorForm evaluator,
                    const Allowed& allowed = all_allowed);
 bool agree_nodes(const machines::Machine& machine, const Allowed& allowed = all_allowed);
+bool agree_memory(const machines::Machine& machine, unsigned instructions, const Allowed& allowed = all_allowed);
 
 /// Inside a property: the first of these Programs that is allowed; none of many is no case.
 isa::Program first_allowed(const std::function<isa::Program()>& any_program, const Allowed& allowed);

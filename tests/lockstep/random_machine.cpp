@@ -44,6 +44,10 @@ const std::map<std::string_view, Ends> nearer{
     {"display.memory_words", {500, std::int64_t{1} << 31}},
     {"node.memory_words", {200, std::int64_t{1} << 31}},
     {"node.word_bits", {8, 64}},
+    {"chips.count", {1, 4}},
+    {"chips.columns", {16, 600}},
+    {"chips.rows", {300, 1024}},
+    {"timing.refresh_interval", {0, 3000}},
     {"node.instruction_loop_clocks", {1, most_clocks}},  // without a clock it has no place in a timeline
     {"node.call_clocks", {1, most_clocks}},              // nor then
 };

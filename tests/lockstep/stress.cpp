@@ -58,10 +58,15 @@ bool squares(const machines::Machine& machine, const Allowed& allowed) {
   return agree_squares(machine, instructions, form_for(machine), allowed);
 }
 
+bool memory(const machines::Machine& machine, const Allowed& allowed) {
+  return agree_memory(machine, instructions, allowed);
+}
+
 const std::map<std::string, Property> properties{{"frame-buffer", whole_pictures},
                                                  {"scan-line", lines},
                                                  {"pixel-square", squares},
-                                                 {"multi-processor", agree_nodes}};
+                                                 {"multi-processor", agree_nodes},
+                                                 {"bit-serial-memory", memory}};
 
 const machines::Kind& kind_of(const std::string& name) {
   for (const machines::Kind* const kind : kinds::all())

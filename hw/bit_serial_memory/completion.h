@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <systemc>
+#include <vector>
+
+#include "hw/bit_serial_memory/controller.h"
+#include "hw/bit_serial_memory/memory_view.h"
+#include "hw/isa/program.h"
+#include "hw/machines/told.h"
+#include "hw/systemc/retirement.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// Numbers what the controller has carried out, for who watches. Takes no clock.
+class Completion final : public sc_core::sc_module, public ProgressPort {
+ public:
+  sc_core::sc_port<systemc::RetirementPort> retirement{"retirement"};
+
+  Completion(sc_core::sc_module_name name, const MemoryView& pixels) : sc_core::sc_module(name), pixels_(pixels) {}
+
+  /// The segments have to live until the frame is drawn.
+  void begin(std::span<const isa::Segment> segments);
+
+  void before_instruction() override { enabled_ = pixels_.count_enabled(); }
+  void after_clear() override;
+  void after_instruction(std::uint64_t clocks, std::optional<bool> answer, std::uint64_t skipped) override;
+
+  [[nodiscard]] const std::vector<bool>& answers() const { return answers_; }
+  [[nodiscard]] std::uint64_t skipped() const { return skipped_; }
+
+ private:
+  void finish_segment();
+
+  const MemoryView& pixels_;
+  std::span<const isa::Segment> segments_;
+  std::uint32_t begun_ = 0;  ///< segments
+  std::uint32_t index_ = 0;
+  std::uint64_t enabled_ = 0;
+  std::uint64_t skipped_ = 0;
+  std::vector<bool> answers_;
+};
+
+}  // namespace csgsim::bit_serial_memory

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <systemc>
+#include <vector>
+
+#include "hw/bit_serial_memory/account.h"
+#include "hw/bit_serial_memory/activation_guard.h"
+#include "hw/bit_serial_memory/bank.h"
+#include "hw/bit_serial_memory/command_queue.h"
+#include "hw/bit_serial_memory/figures.h"
+#include "hw/bit_serial_memory/micro_program.h"
+#include "hw/isa/wire.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// What the controller tells of the commands that it has carried out.
+class ProgressPort : virtual public sc_core::sc_interface {
+ public:
+  virtual void before_instruction() = 0;
+  virtual void after_clear() = 0;
+  /// `clocks`: without those of refreshes. `skipped`: instructions after it that are left out.
+  virtual void after_instruction(std::uint64_t clocks, std::optional<bool> answer, std::uint64_t skipped) = 0;
+};
+
+/// Takes commands from the queue, makes row commands of each and tells them to the banks, one slot after the other, as
+/// soon as the bank is free and the guard allows an activation. Every tREFI it refreshes all banks.
+class Controller final : public sc_core::sc_module {
+ public:
+  sc_core::sc_port<QueueOutput> queue{"queue"};
+  sc_core::sc_fifo_out<std::uint64_t> requests{"requests"};
+  sc_core::sc_port<BankPort, 0> banks{"banks"};
+  sc_core::sc_port<ExpressionBits> expression{"expression"};
+  sc_core::sc_port<ProgressPort> progress{"progress"};
+
+  Controller(sc_core::sc_module_name name, const Figures& figures, const Slots& slots, const RowMap& map,
+             unsigned link_width, const sc_core::sc_time& period);
+
+  /// Draws the frame that the host has. `shows`: it is then scanned out. `answer` tells what the host, or the line, has
+  /// made of the enable bits at the sense amplifiers.
+  void begin(bool shows, std::function<bool()> answer);
+
+  // Of the frame that was drawn last.
+  [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
+  [[nodiscard]] std::uint64_t shown_clocks() const { return shown_clocks_; }
+  [[nodiscard]] const ControllerAccount& account() const { return account_; }
+  [[nodiscard]] const std::array<std::uint64_t, row_op_count>& commands() const { return commands_; }
+  [[nodiscard]] std::uint64_t refreshes() const { return refreshes_; }
+  /// Calls this with each row that goes to the host when the picture is scanned out.
+  void on_sent_row(std::function<void(unsigned bit)> call) { on_sent_row_ = std::move(call); }
+
+  // For waves.
+  [[nodiscard]] std::string_view state() const { return state_; }
+  [[nodiscard]] std::optional<std::uint64_t> ordinal() const { return ordinal_; }
+  [[nodiscard]] std::string row_command() const { return current_ == nullptr ? "" : text_of(*current_); }
+
+ private:
+  void work();
+  void draw();
+  isa::Command next_command();
+  void begin(const isa::SegmentStart& start);
+  void begin(const isa::SegmentEnd& /*end*/) {}
+  void begin(const isa::FrameEnd& end);
+  void begin(const isa::Instruction& instruction);
+  void ask(const isa::Instruction& question, std::uint64_t begun, std::uint64_t refreshing);
+  void scan_out(isa::Field colour);
+
+  void carry_out(const RowCommands& commands);
+  void refresh_before(const RowCommand& command);
+  void issue(const RowCommand& command);
+  void issue_to_slot(const RowCommand& command, std::uint64_t slot);
+  void activate_at(std::uint64_t slot);
+  void transfer(const RowCommand& command, std::uint64_t slot);
+  void refresh_idle();
+  void settle();
+
+  [[nodiscard]] sc_core::sc_time all_closed() const;
+  [[nodiscard]] std::uint64_t edge() const;
+  [[nodiscard]] sc_core::sc_time time_of(std::uint64_t clocks) const { return static_cast<double>(clocks) * period_; }
+  void wait_until(const sc_core::sc_time& edge);
+
+  const Figures figures_;
+  const Slots slots_;
+  const RowMap map_;
+  const sc_core::sc_time period_;
+  isa::WireDecoder decoder_;
+  ActivationGuard guard_{"guard", figures_.rank, period_};
+  sc_core::sc_event start_{"start"};
+  std::function<bool()> answer_;
+  std::function<void(unsigned bit)> on_sent_row_;
+
+  bool shows_ = false;
+  bool ended_ = false;
+  bool jumped_ = false;
+  sc_core::sc_time origin_;  ///< of the frame's first edge
+  sc_core::sc_time due_;     ///< the next refresh
+  sc_core::sc_time bus_;     ///< free
+  std::uint64_t next_ordinal_ = 0;
+  isa::Linear squares_;  ///< that the next instruction's expression has besides
+  std::uint64_t clocks_ = 0;
+  std::uint64_t shown_clocks_ = 0;
+  std::uint64_t refreshes_ = 0;
+  ControllerAccount account_;
+  std::array<std::uint64_t, row_op_count> commands_{};
+  std::string_view state_;
+  std::optional<std::uint64_t> ordinal_;
+  const RowCommand* current_ = nullptr;
+};
+
+}  // namespace csgsim::bit_serial_memory

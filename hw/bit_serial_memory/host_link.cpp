@@ -1,0 +1,71 @@
+#include "hw/bit_serial_memory/host_link.h"
+
+#include <algorithm>
+
+#include "hw/isa/wire.h"
+
+namespace csgsim::bit_serial_memory {
+
+HostLink::HostLink(sc_core::sc_module_name name, const machines::Link& link, const sc_core::sc_time& period)
+    : sc_core::sc_module(name), link_(link), period_(period) {
+  SC_HAS_PROCESS(HostLink);
+  SC_THREAD(work);
+}
+
+void HostLink::load(const link::FrameWords& frame) {
+  commands_.clear();
+  isa::WireDecoder decoder(link_.width);
+  std::vector<std::size_t> first_words;
+  for (std::size_t word = 0; word < frame.words.size(); ++word) {
+    if (decoder.between_commands()) {
+      commands_.emplace_back();
+      first_words.push_back(word);
+    }
+    commands_.back().push_back(frame.words[word]);
+    decoder.take(frame.words[word]);
+  }
+  begins_.clear();
+  for (const std::size_t word : frame.begins)
+    begins_.push_back(static_cast<std::size_t>(std::ranges::lower_bound(first_words, word) - first_words.begin()));
+  asked_ = 0;
+  sending_ = 0;
+}
+
+void HostLink::work() {
+  while (true) {
+    state_ = "";
+    if (!is_asked()) wait(requests->data_written_event());
+    std::uint64_t instruction = 0;
+    requests->nb_read(instruction);
+    ++asked_;
+    send_from(instruction);
+  }
+}
+
+bool HostLink::rest(std::uint64_t clocks) {
+  if (clocks > 0 && !is_asked()) wait(static_cast<double>(clocks) * period_, requests->data_written_event());
+  return !is_asked();
+}
+
+bool HostLink::await_room() {
+  while (!queue->has_room() && !is_asked()) wait(queue->room_made() | requests->data_written_event());
+  return !is_asked();
+}
+
+void HostLink::send_from(std::uint64_t instruction) {
+  state_ = "waiting";
+  if (!rest(link_.latency)) return;
+  const std::size_t first = instruction == 0 ? 0 : begins_[instruction];
+  for (std::size_t i = first; i < commands_.size(); ++i) {
+    state_ = "blocked";
+    if (!await_room()) return;
+    state_ = "sending";
+    const sc_core::sc_time begun = sc_core::sc_time_stamp();
+    const bool whole = rest(commands_[i].size() * std::uint64_t{link_.word_clocks});
+    sending_ += (sc_core::sc_time_stamp() - begun).value() / period_.value();
+    if (!whole) return;
+    queue->put({commands_[i], sc_core::sc_time_stamp()}, asked_ - 1);
+  }
+}
+
+}  // namespace csgsim::bit_serial_memory

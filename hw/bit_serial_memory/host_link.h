@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <systemc>
+#include <vector>
+
+#include "hw/bit_serial_memory/command_queue.h"
+#include "hw/link/frame_words.h"
+#include "hw/machines/machine.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// The host's end of the link: its memory holds a frame's commands. A request names the instruction to go on from; the
+/// first word is on the link Link::latency clocks after it, and each word for Link::word_clocks. The words of a command
+/// follow each other; a command is begun when there is room for it in the queue.
+class HostLink final : public sc_core::sc_module {
+ public:
+  sc_core::sc_fifo_in<std::uint64_t> requests{"requests"};
+  sc_core::sc_port<QueueInput> queue{"queue"};
+
+  HostLink(sc_core::sc_module_name name, const machines::Link& link, const sc_core::sc_time& period);
+
+  /// Puts a frame into the host's memory.
+  void load(const link::FrameWords& frame);
+
+  /// Clocks of the frame in which a command was on the link.
+  [[nodiscard]] std::uint64_t sending() const { return sending_; }
+  [[nodiscard]] std::string_view state() const { return state_; }
+
+ private:
+  void work();
+  void send_from(std::uint64_t instruction);
+  /// Until then, or until a request comes: says whether none has.
+  bool rest(std::uint64_t clocks);
+  bool await_room();
+  [[nodiscard]] bool is_asked() const { return requests->num_available() > 0; }
+
+  const machines::Link link_;
+  const sc_core::sc_time period_;
+  std::vector<std::vector<isa::LinkWord>> commands_;
+  std::vector<std::size_t> begins_;  ///< for each instruction, and one more, the command to go on with
+  std::uint64_t asked_ = 0;          ///< requests of this frame
+  std::uint64_t sending_ = 0;
+  std::string_view state_;
+};
+
+}  // namespace csgsim::bit_serial_memory

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "hw/bit_serial_memory/figures.h"
+#include "hw/machines/kind.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// Chips of dynamic memory whose subarrays compute: a pixel a column, a bit of pixel memory a row.
+class Kind final : public machines::KindOf<Figures> {
+ public:
+  using KindOf::KindOf;
+
+  void complete(Machine& machine) const override;
+  void set_picture(Machine& machine, machines::Size size) const override;
+  /// By the wired OR, or by the host, which reads the row of all enable bits.
+  bool has_global_or(const Machine& /*machine*/) const override { return true; }
+  std::vector<isa::Region> regions(const Machine& machine) const override;
+  void check(const Program& program, const Machine& machine) const override;
+  /// One to take it, and those of its row commands at all subarrays that hold pixels.
+  std::uint64_t clocks(const isa::Instruction& instruction, const Machine& machine) const override;
+  machines::FrameTiming time(const Program& program, const Machine& machine, const Told& told) const override;
+  /// When the row commands of an instruction are carried out, at all pixels.
+  std::optional<Timeline> timeline(const Program& program, const Machine& machine, const Told& told) const override;
+  Spans at_pixel(const Timeline& timeline, const Program& program, const Machine& machine, std::uint32_t segment,
+                 std::uint32_t x, std::uint32_t y) const override;
+  machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;
+  std::vector<machines::Load> loads(const machines::FrameTiming& timing) const override;
+};
+
+extern const Kind kind;
+
+}  // namespace csgsim::bit_serial_memory

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+
+#include "hw/bit_serial_memory/column_logic.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// Gates and latches at each sense amplifier: the operands of a bit are read one after the other, and the result is
+/// written. E is in a row, from which an instruction reads it into a latch, and back; or always in that latch, which
+/// then gates what is written. The carry goes from one of two latches to the other where that saves a command.
+class LatchLogic final : public ColumnLogic {
+ public:
+  using ColumnLogic::ColumnLogic;
+
+  void end() override;
+  void assign(Row target, Bit value, bool inverted) override;
+  void store(Row target, Bit value, Mask mask, bool inverted) override;
+  void combine(Two op, Row target, Bit a, Bit b) override;
+  void store_combined(Two op, Row target, Bit a, Bit b, Mask mask) override;
+  void choose(Row target, Row condition, Bit yes, Bit no) override;
+  void toggle(Row target) override;
+  void hold(Row row) override;
+  void begin_chain(Chain chain, bool one) override;
+  void sum(Row target, Bit a, Bit b) override;
+  void store_sum(Row target, Bit a, Bit b, Mask mask) override;
+  void carry(Bit a, Bit b) override;
+  void assign_chain(Row target, bool inverted) override;
+  void narrow_by_chain(bool inverted) override;
+  void select_by_chain(bool inverted) override;
+  void change_enable(Two op, Bit value) override;
+  void set_enable(Bit value) override;
+  void invert_enable() override;
+  void narrow_equal(std::span<const Bit> a, std::span<const Bit> b) override;
+  void drop_where_any(std::span<const Bit> bits, Mask mask) override;
+  void store_enable(Row target) override;
+  void sense_enable() override;
+  Row enable_row() override;
+
+ private:
+  void gate(Latch target, Gate function, Latch x = Latch::sense, Latch y = Latch::sense, Latch z = Latch::sense);
+  void read(Row row);
+  void write(Row row);
+  void write_masked(Row row, Mask mask);
+  Latch operand(Bit value);
+  void combine_latches(Two op, Latch target, Latch a, Latch b);
+  void need_enable();
+  void mark_changed();
+  [[nodiscard]] Latch spare() const { return carry_ == Latch::carry ? Latch::carry_2 : Latch::carry; }
+  void change_places() { carry_ = spare(); }
+  /// Leaves the sum, or the difference, in `target`.
+  void sum_into(Latch target, Bit a, Bit b);
+  void with_constant_into(Latch target, Bit a, bool one);
+  void carry_of_constants(Bit a, Bit b);
+
+  Chain chain_ = Chain::sum;
+  Latch carry_ = Latch::carry;
+  std::optional<Row> held_;
+  bool has_enable_ = false;      ///< the latch has E
+  bool enable_changed_ = false;  ///< and the row has not
+};
+
+}  // namespace csgsim::bit_serial_memory

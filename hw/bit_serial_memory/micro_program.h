@@ -1,0 +1,33 @@
+#pragma once
+
+#include "hw/bit_serial_memory/figures.h"
+#include "hw/bit_serial_memory/row_command.h"
+#include "hw/bit_serial_memory/row_map.h"
+#include "hw/isa/instruction.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// What of a machine its micro-programs depend on.
+struct MicroDesign {
+  Design design = Design::latches;
+  Expressions expressions = Expressions::rows;
+  bool enable_latch = false;
+  bool has_wired_or = false;
+
+  constexpr bool operator==(const MicroDesign&) const = default;
+};
+
+constexpr MicroDesign micro_design(const Figures& figures) {
+  return {figures.design, figures.expressions, figures.enable_latch, figures.has_wired_or};
+}
+
+/// The row commands of an instruction, for subarrays of that map. Of a question those until the answer is known.
+RowCommands micro_program(const isa::Instruction& instruction, const RowMap& map, const MicroDesign& design);
+
+/// In which all pixel memory and the enable bits become 0.
+RowCommands clear_program(const RowMap& map, const MicroDesign& design);
+
+/// In which a field of pixel memory goes to the host.
+RowCommands send_program(isa::Field field);
+
+}  // namespace csgsim::bit_serial_memory

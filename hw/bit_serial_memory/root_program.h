@@ -1,0 +1,12 @@
+#pragma once
+
+#include "hw/bit_serial_memory/column_logic.h"
+#include "hw/isa/instruction.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// The instruction `root` of a field of 2w + 1 bits: bit after bit from the highest on, 4q + 1 is subtracted from the
+/// remainder where it is not greater.
+void take_root(isa::Field field, ColumnLogic& logic);
+
+}  // namespace csgsim::bit_serial_memory

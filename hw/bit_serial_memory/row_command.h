@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace csgsim::bit_serial_memory {
+
+/// Number of a row in its subarray.
+using Row = std::uint16_t;
+
+/// A row by one of its word lines. By the negated one, which two rows have, its complement meets the bit lines.
+struct WordLine {
+  Row row = 0;
+  bool negated = false;
+
+  constexpr bool operator==(const WordLine&) const = default;
+};
+
+/// Up to three word lines that are raised together.
+struct WordLines {
+  std::array<WordLine, 3> lines{};
+  std::uint8_t count = 0;
+
+  constexpr WordLines() = default;
+  constexpr WordLines(WordLine one) : lines{one}, count(1) {}
+  constexpr WordLines(Row one) : WordLines(WordLine{one, false}) {}
+  constexpr WordLines(WordLine one, WordLine two) : lines{one, two}, count(2) {}
+  constexpr WordLines(WordLine one, WordLine two, WordLine three) : lines{one, two, three}, count(3) {}
+
+  [[nodiscard]] constexpr const WordLine* begin() const { return lines.data(); }
+  [[nodiscard]] constexpr const WordLine* end() const { return lines.data() + count; }
+  constexpr bool operator==(const WordLines&) const = default;
+};
+
+/// Latches at each sense amplifier. Rows are read into `sense` and written from there.
+enum class Latch : std::uint8_t { sense, carry, carry_2, held, enable, select };
+
+inline constexpr auto latch_names = std::to_array<std::string_view>({"SA", "R1", "R2", "R3", "R4", "R5"});
+inline constexpr std::size_t latch_count = latch_names.size();
+
+constexpr std::string_view name_of(Latch latch) { return latch_names[static_cast<std::size_t>(latch)]; }
+
+/// Of what a latch becomes; x, y and z are latches.
+enum class Gate : std::uint8_t {
+  zero,         ///< 0
+  one,          ///< 1
+  move,         ///< x
+  invert,       ///< not x
+  conjunction,  ///< x and y
+  disjunction,  ///< x or y
+  unequal,      ///< x xor y
+  equal,        ///< not (x xor y)
+  choose,       ///< y where x is 1, else z
+};
+
+inline constexpr auto gate_names =
+    std::to_array<std::string_view>({"SET0", "SET1", "MOVE", "NOT", "AND", "OR", "XOR", "XNOR", "SEL"});
+
+constexpr std::string_view name_of(Gate gate) { return gate_names[static_cast<std::size_t>(gate)]; }
+
+/// What the controller tells all subarrays that hold pixels.
+enum class RowOp : std::uint8_t {
+  copy,       ///< activates `from`: one row, or the majority of three, which all three become; then `to` become that
+  activate,   ///< the first half of `copy`
+  latch,      ///< activates `from`, one row, into the enable latches
+  read,       ///< `sense` becomes the row `from`
+  write,      ///< the row `to` becomes `sense`
+  logic,      ///< the latch `target` becomes `gate` of x, y and z
+  leaf,       ///< `sense` becomes bit `bit` of the expression, from the trees
+  leaf_copy,  ///< `to` become bit `bit` of the expression, from the trees
+  receive,    ///< the row `to` becomes bit `bit` of the expression, from the host
+  send,       ///< the row `from` goes to the host
+  wired_or,   ///< the controller is told whether the row `from`, or the enable latch, is 1 at any column
+};
+
+inline constexpr auto row_op_names = std::to_array<std::string_view>(
+    {"AAP", "AP", "LATCH", "READ", "WRITE", "LOGIC", "LEAF", "LEAFAP", "RECEIVE", "SEND", "OR"});
+inline constexpr std::size_t row_op_count = row_op_names.size();
+
+constexpr std::string_view name_of(RowOp op) { return row_op_names[static_cast<std::size_t>(op)]; }
+
+/// One of these, with its operands; those that its op does not name are zero.
+struct RowCommand {
+  RowOp op = RowOp::activate;
+  bool masked = false;  ///< of copy, leaf_copy and write: rows are written where the latch `mask` is 1 alone
+  Latch mask = Latch::enable;
+  Gate gate = Gate::zero;
+  Latch target = Latch::sense;
+  Latch x = Latch::sense;
+  Latch y = Latch::sense;
+  Latch z = Latch::sense;
+  std::uint8_t bit = 0;  ///< of the expression
+  WordLines from{};
+  WordLines to{};
+
+  constexpr bool operator==(const RowCommand&) const = default;
+};
+
+using RowCommands = std::vector<RowCommand>;
+
+/// Activations that a subarray carries out for it.
+constexpr unsigned activations(RowOp op) {
+  switch (op) {
+    case RowOp::copy: return 2;
+    case RowOp::activate:
+    case RowOp::latch:
+    case RowOp::read:
+    case RowOp::write:
+    case RowOp::leaf_copy:
+    case RowOp::receive:
+    case RowOp::send: return 1;
+    case RowOp::logic:
+    case RowOp::leaf:
+    case RowOp::wired_or: return 0;
+  }
+  return 0;
+}
+
+/// Does it find the sense amplifiers free, so that a refresh may come before it? Their latch is lost by one.
+constexpr bool begins_closed(RowOp op) {
+  switch (op) {
+    case RowOp::copy:
+    case RowOp::activate:
+    case RowOp::latch:
+    case RowOp::read:
+    case RowOp::leaf_copy:
+    case RowOp::receive:
+    case RowOp::send: return true;
+    case RowOp::write:
+    case RowOp::logic:
+    case RowOp::leaf:
+    case RowOp::wired_or: return false;
+  }
+  return false;
+}
+
+/// As a line of text, without its end: `AAP 17 -> 74 !78`, `LOGIC R2 = XOR SA R1`.
+std::string text_of(const RowCommand& command);
+
+}  // namespace csgsim::bit_serial_memory

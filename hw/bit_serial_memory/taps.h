@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hw/bit_serial_memory/bank.h"
+#include "hw/bit_serial_memory/controller.h"
+#include "hw/bit_serial_memory/host_link.h"
+#include "hw/bit_serial_memory/memory_view.h"
+#include "hw/isa/program.h"
+#include "hw/wave/request.h"
+#include "hw/wave/tap.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// What the taps look at.
+struct TappedParts {
+  const Controller& controller;
+  const HostLink& host;
+  std::span<const Bank* const> banks;
+  const MemoryView& pixels;
+  Slots slots;
+  std::uint32_t picture_width;
+};
+
+/// What a wave shows of the machine: host, controller, banks, and the probed pixels. Throws InputError for levels of
+/// trees, of which no part is modelled.
+std::vector<wave::Tap> machine_taps(const TappedParts& parts, const isa::Program& program,
+                                    const wave::Request& request);
+
+}  // namespace csgsim::bit_serial_memory

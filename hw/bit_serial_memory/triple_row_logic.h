@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+
+#include "hw/bit_serial_memory/column_logic.h"
+
+namespace csgsim::bit_serial_memory {
+
+/// What both designs with three rows at a time have in common. E is in a row, the selected columns in another; a latch
+/// for writes, where there is one, takes either.
+class TripleRowLogic : public ColumnLogic {
+ public:
+  using ColumnLogic::ColumnLogic;
+
+  void assign(Row target, Bit value, bool inverted) override;
+  void store(Row target, Bit value, Mask mask, bool inverted) override;
+  void combine(Two op, Row target, Bit a, Bit b) override;
+
+ protected:
+  // Word lines of the rows for three.
+  [[nodiscard]] WordLine t(unsigned i) const { return {map().t(i), false}; }
+  [[nodiscard]] WordLine dual(unsigned i) const { return {map().dual(i), false}; }
+  [[nodiscard]] WordLine negated(unsigned i) const { return {map().dual(i), true}; }
+  // Those that are activated three at a time.
+  [[nodiscard]] WordLines lower() const { return {t(0), t(1), t(2)}; }
+  [[nodiscard]] WordLines first_dual() const { return {dual(0), t(1), t(2)}; }
+  [[nodiscard]] WordLines second_dual() const { return {dual(1), t(0), t(3)}; }
+
+  [[nodiscard]] Row row_of(Mask mask) const { return mask == Mask::enable ? map().enable() : map().select(); }
+
+  void copy(const WordLines& from, const WordLines& to);
+  void activate(const WordLines& lines) { emit({.op = RowOp::activate, .from = lines}); }
+  /// The bit is copied to these.
+  void load(Bit value, const WordLines& to);
+  void exclusive_or(Row target, Bit a, Bit b);
+
+ private:
+  void store_by_latch(Row target, Bit value, Mask mask, bool inverted);
+
+  std::optional<Row> latched_;  ///< what is in the latch for writes
+};
+
+/// Each operation by itself: AND and OR of two rows take four commands, NOT two, XOR seven (Seshadri et al. 2017).
+class AndOrNotLogic final : public TripleRowLogic {
+ public:
+  using TripleRowLogic::TripleRowLogic;
+
+  void combine(Two op, Row target, Bit a, Bit b) override;
+  void choose(Row target, Row condition, Bit yes, Bit no) override;
+  void begin_chain(Chain chain, bool one) override;
+  void sum(Row target, Bit a, Bit b) override;
+  void store_sum(Row target, Bit a, Bit b, Mask mask) override;
+  void carry(Bit a, Bit b) override;
+  void assign_chain(Row target, bool inverted) override;
+  void narrow_by_chain(bool inverted) override;
+  void select_by_chain(bool inverted) override;
+
+ private:
+  [[nodiscard]] Bit chain_bit() const { return Bit::of_row(map().carry()); }
+  void invert(Row target, Bit value);
+
+  Chain chain_ = Chain::sum;
+};
+
+/// Majorities of three, whose results stay where the next one needs them: a bit of a sum takes eight commands, one of a
+/// comparison three (Hajinazar et al. 2021).
+class MajorityLogic final : public TripleRowLogic {
+ public:
+  using TripleRowLogic::TripleRowLogic;
+
+  void choose(Row target, Row condition, Bit yes, Bit no) override;
+  void begin_chain(Chain chain, bool one) override;
+  void sum(Row target, Bit a, Bit b) override;
+  void store_sum(Row target, Bit a, Bit b, Mask mask) override;
+  void carry(Bit a, Bit b) override;
+  void assign_chain(Row target, bool inverted) override;
+  void narrow_by_chain(bool inverted) override { and_enable_with_chain(map().enable(), inverted); }
+  void select_by_chain(bool inverted) override { and_enable_with_chain(map().select(), inverted); }
+  /// Neither is greater, where rows can be looked at twice.
+  void narrow_equal(std::span<const Bit> a, std::span<const Bit> b) override;
+
+ private:
+  void and_enable_with_chain(Row target, bool inverted);
+  void narrow_not_greater(std::span<const Bit> a, std::span<const Bit> b);
+  void sum_first(Row target, Bit a, Bit b);
+  void sum_second(Row target, Bit a, Bit b);
+
+  Chain chain_ = Chain::sum;
+  std::optional<bool> initial_;  ///< of the chain, before its first bit
+  unsigned place_ = 1;           ///< the dual row that has the carry or borrow
+  bool in_t2_ = false;           ///< so has T2
+};
+
+}  // namespace csgsim::bit_serial_memory

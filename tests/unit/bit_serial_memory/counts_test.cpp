@@ -1,0 +1,152 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <functional>
+#include <memory>
+
+#include "hw/bit_serial_memory/column_logic.h"
+#include "tests/unit/bit_serial_memory/columns.h"
+
+// What the papers print, and what PIMeval has in its tables, of n bits each:
+//   Ambit    (Seshadri et al. 2017): AND and OR 4 AAP, NOT 2, XOR 5 AAP and 2 AP
+//   SIMDRAM  (Hajinazar et al. 2021): addition 8n + 1, greater 3n + 2, AAPs and APs
+//   PIMeval  (UVA-LavaLab/PIMeval-PIMbench, BitSIMD): reads, writes and logic commands
+
+using namespace csgsim;
+using bit_serial_memory::Bit;
+using bit_serial_memory::Chain;
+using bit_serial_memory::ColumnLogic;
+using bit_serial_memory::Design;
+using bit_serial_memory::Row;
+using bit_serial_memory::RowCommands;
+using bit_serial_memory::RowMap;
+using bit_serial_memory::RowOp;
+using bit_serial_memory::Two;
+
+namespace {
+
+constexpr std::uint32_t memory_bits = 160;
+constexpr Row a = 0;
+constexpr Row b = 40;
+constexpr Row target = 80;
+
+RowCommands commands_of(Design design, const std::function<void(ColumnLogic&)>& make) {
+  const RowMap map(memory_bits, 8, 8);
+  RowCommands commands;
+  const std::unique_ptr<ColumnLogic> logic = make_column_logic(design, map, false, commands);
+  make(*logic);
+  return commands;
+}
+
+Bit bit_of(Row field, unsigned bit) { return Bit::of_row(field + bit); }
+
+void sum(ColumnLogic& logic, Chain chain, unsigned n) {
+  logic.begin_chain(chain, false);
+  for (unsigned bit = 0; bit < n; ++bit) logic.sum(static_cast<Row>(target + bit), bit_of(a, bit), bit_of(b, bit));
+}
+
+void compare(ColumnLogic& logic, unsigned n) {
+  logic.begin_chain(Chain::difference, false);
+  for (unsigned bit = 0; bit < n; ++bit) logic.carry(bit_of(a, bit), bit_of(b, bit));
+  logic.assign_chain(target, false);
+}
+
+struct Reads {
+  std::size_t reads;
+  std::size_t writes;
+  std::size_t logic;
+  bool operator==(const Reads&) const = default;
+};
+
+Reads reads_of(const RowCommands& commands) {
+  return {testing::count_of(RowOp::read, commands), testing::count_of(RowOp::write, commands),
+          testing::count_of(RowOp::logic, commands)};
+}
+
+constexpr std::array<unsigned, 5> widths{1, 8, 16, 31, 32};
+
+}  // namespace
+
+TEST_CASE("AND, OR, NOT and XOR of rows take the commands that Ambit's do") {
+  for (const Design design : {Design::and_or_not, Design::majority}) {
+    for (const Two op : {Two::conjunction, Two::disjunction}) {
+      const RowCommands commands =
+          commands_of(design, [&](ColumnLogic& logic) { logic.combine(op, target, bit_of(a, 0), bit_of(b, 0)); });
+      CHECK(testing::count_of(RowOp::copy, commands) == 4);
+      CHECK(commands.size() == 4);
+    }
+    const RowCommands inverted =
+        commands_of(design, [](ColumnLogic& logic) { logic.assign(target, bit_of(a, 0), true); });
+    CHECK(testing::count_of(RowOp::copy, inverted) == 2);
+    CHECK(inverted.size() == 2);
+    const RowCommands unequal = commands_of(
+        design, [](ColumnLogic& logic) { logic.combine(Two::unequal, target, bit_of(a, 0), bit_of(b, 0)); });
+    CHECK(testing::count_of(RowOp::copy, unequal) == 5);
+    CHECK(testing::count_of(RowOp::activate, unequal) == 2);
+    CHECK(unequal.size() == 7);
+  }
+}
+
+TEST_CASE("sums and differences of n bits by majorities take 8n + 1 commands as SIMDRAM's, a comparison 3n + 2") {
+  for (const unsigned n : widths) {
+    CAPTURE(n);
+    for (const Chain chain : {Chain::sum, Chain::difference})
+      CHECK(commands_of(Design::majority, [&](ColumnLogic& logic) { sum(logic, chain, n); }).size() == 8 * n + 1);
+    CHECK(commands_of(Design::majority, [&](ColumnLogic& logic) { compare(logic, n); }).size() == 3 * n + 2);
+  }
+}
+
+TEST_CASE("a selection of n bits by majorities takes 8n commands, n more than SIMDRAM prints") {
+  for (const unsigned n : widths) {
+    const RowCommands commands = commands_of(Design::majority, [&](ColumnLogic& logic) {
+      for (unsigned bit = 0; bit < n; ++bit)
+        logic.choose(static_cast<Row>(target + bit), 150, bit_of(a, bit), bit_of(b, bit));
+    });
+    CHECK(commands.size() == 8 * n);
+  }
+}
+
+TEST_CASE("of single operations a sum of n bits takes 26n + 1 commands, a difference 30n + 1") {
+  for (const unsigned n : widths) {
+    CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { sum(logic, Chain::sum, n); }).size() == 26 * n + 1);
+    CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { sum(logic, Chain::difference, n); }).size() ==
+          30 * n + 1);
+  }
+}
+
+TEST_CASE("sums, differences and operations bit by bit at the sense amplifiers take what PIMeval's table has") {
+  for (const unsigned n : widths) {
+    CAPTURE(n);
+    for (const Chain chain : {Chain::sum, Chain::difference}) {
+      CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { sum(logic, chain, n); })) ==
+            Reads{2 * n, n, 3 * n + 1});
+    }
+    for (const Two op : {Two::conjunction, Two::disjunction, Two::unequal}) {
+      CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) {
+              for (unsigned bit = 0; bit < n; ++bit)
+                logic.combine(op, static_cast<Row>(target + bit), bit_of(a, bit), bit_of(b, bit));
+            })) == Reads{2 * n, n, 2 * n});
+    }
+    CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) {
+            for (unsigned bit = 0; bit < n; ++bit) logic.assign(static_cast<Row>(target + bit), bit_of(a, bit), true);
+          })) == Reads{n, n, n});
+  }
+}
+
+TEST_CASE(
+    "a comparison at the sense amplifiers takes 2n + 2 logic commands, fewer than the 3n + 1 of PIMeval's table") {
+  for (const unsigned n : widths) {
+    CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { compare(logic, n); })) ==
+          Reads{2 * n, 1, 2 * n + 2});
+  }
+}
+
+TEST_CASE("a sum with a constant at the sense amplifiers takes 2n + 1 logic commands, fewer than PIMeval's 4n + 1") {
+  for (const unsigned n : widths) {
+    CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) {
+            logic.begin_chain(Chain::sum, false);
+            for (unsigned bit = 0; bit < n; ++bit)
+              logic.sum(static_cast<Row>(target + bit), bit_of(a, bit), Bit::constant(bit % 3 == 0));
+          })) == Reads{n, n, 2 * n + 1});
+  }
+}
