@@ -46,6 +46,7 @@ void Controller::draw() {
   next_ordinal_ = 0;
   ended_ = false;
   jumped_ = false;
+  cleared_ = false;
   requests->nb_write(0);
   while (!ended_) {
     const isa::Command command = next_command();
@@ -98,6 +99,7 @@ void Controller::begin(const isa::SegmentStart& /*start*/) {
   squares_ = {};
   carry_out(clear_program(map_, micro_design(figures_)));
   account_.clearing += edge() - begun - (account_.refreshing - refreshing);
+  cleared_ = true;
   progress->after_clear();
 }
 

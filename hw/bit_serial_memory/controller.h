@@ -56,6 +56,7 @@ class Controller final : public sc_core::sc_module {
   // For waves.
   [[nodiscard]] std::string_view state() const { return state_; }
   [[nodiscard]] std::optional<std::uint64_t> ordinal() const { return ordinal_; }
+  [[nodiscard]] bool cleared() const { return cleared_; }  ///< pixel memory has been, for the frame that is drawn
   [[nodiscard]] std::string row_command() const { return current_ == nullptr ? "" : text_of(*current_); }
 
  private:
@@ -96,6 +97,7 @@ class Controller final : public sc_core::sc_module {
   bool shows_ = false;
   bool ended_ = false;
   bool jumped_ = false;
+  bool cleared_ = false;
   sc_core::sc_time origin_;  ///< of the frame's first edge
   sc_core::sc_time due_;     ///< the next refresh
   sc_core::sc_time bus_;     ///< free

@@ -13,17 +13,22 @@ namespace {
 using wave::Number;
 using wave::Tap;
 
+/// Nothing is shown of a pixel before its memory has been cleared.
 std::vector<Tap> pixel_taps(const TappedParts& parts, const isa::Program& program, wave::Pixel pixel) {
   const std::uint64_t number = std::uint64_t{pixel.y} * parts.picture_width + pixel.x;
   const std::string part = wave::part_of(pixel);
   const MemoryView& pixels = parts.pixels;
-  std::vector<Tap> taps{
-      wave::bit(part + ".enable", [&pixels, number] { return Number(pixels.enabled(number) ? 1 : 0); })};
-  const auto field = [&pixels, number](isa::Field at) {
+  const Controller& controller = parts.controller;
+  std::vector<Tap> taps = wave::instruction_taps(part, program, [&controller] { return Number(controller.ordinal()); });
+  taps.push_back(wave::bit(part + ".enable", [&pixels, &controller, number]() -> Number {
+    return controller.cleared() ? Number(pixels.enabled(number) ? 1 : 0) : std::nullopt;
+  }));
+  const auto field = [&pixels, &controller, number](isa::Field at) -> Number {
+    if (!controller.cleared()) return std::nullopt;
     std::uint64_t value = 0;
     for (unsigned bit = 0; bit < at.width; ++bit)
       value |= std::uint64_t{pixels.bit(static_cast<Row>(at.base + bit), number)} << bit;
-    return Number(value);
+    return value;
   };
   wave::add(wave::field_taps(part, program, field), taps);
   return taps;

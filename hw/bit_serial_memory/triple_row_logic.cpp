@@ -88,9 +88,10 @@ void AndOrNotLogic::combine(Two op, Row target, Bit a, Bit b) {
 
 void AndOrNotLogic::choose(Row target, Row condition, Bit yes, Bit no) {
   const Row kept = map().scratch(2);
+  const Row taken = map().scratch(3);
   combine(Two::and_not, kept, no, Bit::of_row(condition));
-  combine(Two::conjunction, target, yes, Bit::of_row(condition));
-  combine(Two::disjunction, target, Bit::of_row(target), Bit::of_row(kept));
+  combine(Two::conjunction, taken, yes, Bit::of_row(condition));
+  combine(Two::disjunction, target, Bit::of_row(taken), Bit::of_row(kept));
 }
 
 void AndOrNotLogic::begin_chain(Chain chain, bool one) {
