@@ -27,6 +27,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "hw/scan_line": ["machines", "scan_line", "scan_line_array", "lockstep_scan_line"],
     "hw/pixel_square": ["machines", "pixel_square_modules", "pixel_square", "lockstep_squares"],
     "hw/multi_processor": ["machines", "multi_processor_kind", "multi_processor", "lockstep_multi_processor"],
+    "hw/bit_serial_memory": ["bit_serial_memory", "machines", "layers"],
     "hw/kinds": ["machines", "kinds"],
     "hw/systemc": ["cycle", "pixel_planes", "scan_line", "pixel_square_modules", "elaboration"],
     "host/model": ["functions", "read", "facet", "solids"],

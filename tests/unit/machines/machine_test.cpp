@@ -208,8 +208,8 @@ TEST_CASE("an unknown machine names the nearest known") {
   CHECK_THROWS_WITH_AS(
       kinds::load("pixel-plane-4"),
       "there is no machine 'pixel-plane-4'; did you mean pixel-planes-4? The machines are "
-      "pixel-planes-4, scan-line, pixel-square, pixel-planes-5, multi-processor, pixel-powers, or a file, whose name "
-      "ends in .toml",
+      "pixel-planes-4, scan-line, pixel-square, pixel-planes-5, multi-processor, pixel-powers, ambit-ddr4, "
+      "simdram-ddr4, digital-bit-serial-ddr4, or a file, whose name ends in .toml",
       InputError);
   CHECK_THROWS_WITH_AS(kinds::load("none/such.toml"),
                        "none/such.toml: cannot be read: No such file or directory; check the path and its permissions",
@@ -371,7 +371,8 @@ TEST_CASE("expressions are of degree 2 on the machines whose papers say so, and 
 TEST_CASE("what a Program says of its machine makes that machine again, whatever figures were changed") {
   for (const std::string name : {"pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor",
                                  "pixel-powers", "pixel-planes-4+array.memory_bits=96+alu.bits=4",
-                                 "scan-line+link.latency=ideal", "pixel-square+divider.kind=host"}) {
+                                 "scan-line+link.latency=ideal", "pixel-square+divider.kind=host", "ambit-ddr4",
+                                 "simdram-ddr4", "digital-bit-serial-ddr4+logic.expressions=trees"}) {
     CAPTURE(name);
     const Machine machine = kinds::load(name);
     const isa::MachineRecord record = machines::record_of(machine);

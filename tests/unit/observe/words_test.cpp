@@ -23,6 +23,7 @@ const std::string all_machines[] = {"pixel-planes-4",
                                     "pixel-square",
                                     "pixel-planes-5",
                                     "multi-processor",
+                                    "digital-bit-serial-ddr4",
                                     "pixel-planes-4+scan_out.buffers=2+array.memory_bits=128",
                                     "pixel-square+divider.kind=host+renderers.count=3"};
 
