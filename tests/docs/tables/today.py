@@ -1,0 +1,66 @@
+"""docs/machines/today.md and bit-serial-memory.md: Pixel-planes beside the memories of today."""
+
+from figures import THESIS_MODELS, row, ruled
+
+DIGITAL = "digital-bit-serial-ddr4"
+TREES = f"{DIGITAL}+logic.expressions=trees"
+MACHINES = ("pixel-planes-4", "pixel-planes-5", DIGITAL, TREES, "simdram-ddr4")
+CORPUS = ("thesis_fig_2_3", "old_example002", "old_example003", "old_example011", "molecule", "crossing_cylinders", "sphere")
+LACKING = (("as it is", ""),
+           ("the expression trees", "+logic.expressions=trees"),
+           ("a latch that enables writes", "+logic.enable=1"),
+           ("the global OR", "+global_or.present=1"),
+           ("trees and latch", "+logic.expressions=trees+logic.enable=1"),
+           ("all three", "+logic.expressions=trees+logic.enable=1+global_or.present=1"))
+WAYS = (("rows of x and y", ""), ("planes of the host", "+logic.expressions=planes"), ("trees", "+logic.expressions=trees"))
+LIMITS = (("as it is", ""), ("one chip", "+chips.count=1"), ("without tFAW", "+timing.window=ideal"),
+          ("without refresh", "+timing.refresh_interval=ideal"))
+
+
+def joules(stats):
+    value = stats.frame_joules
+    return "-" if value is None else f"{value:.3g}"
+
+
+def frame(figures, model, machine):
+    return figures.render(model, f"--machine {machine}")
+
+
+def frame_row(name, stats):
+    return (name, f"{stats.clocks:,}", f"{stats.simulated_seconds * 1e3:,.3g}", f"{stats.frames_per_second:.3g}", joules(stats))
+
+
+def models(figures):
+    lines = [row("", "clocks", "ms", "frames/s", "J a frame"), "|---" + "|--:" * 4 + "|"]
+    for model in THESIS_MODELS:
+        lines.append(row(f"**{model}**", *[""] * 4))
+        lines += [row(*frame_row(f"`{machine}`", frame(figures, model, machine))) for machine in MACHINES]
+    return "\n".join(lines)
+
+
+def corpus(figures):
+    rows = []
+    for model in CORPUS:
+        stats = [figures.render(f"tests/models/{model}.csg", f"--view-all --machine {machine}") for machine in MACHINES]
+        rows.append((model, *(f"{each.simulated_seconds * 1e3:.3g}" for each in stats), joules(stats[2]), joules(stats[4])))
+    return ruled(("model", *(f"`{machine}`" for machine in MACHINES), "J, digital", "J, SIMDRAM"), rows)
+
+
+def worth(figures, kind, choices):
+    rows = []
+    for name, change in choices:
+        stats = [frame(figures, model, kind + change) for model in THESIS_MODELS]
+        rows.append((name, *(f"{each.simulated_seconds * 1e3:.3g}" for each in stats), *(joules(each) for each in stats)))
+    return ruled(("", *(f"{model}, ms" for model in THESIS_MODELS), *("J" for _ in THESIS_MODELS)), rows)
+
+
+def lacking(figures):
+    return worth(figures, DIGITAL, LACKING)
+
+
+def ways(figures):
+    return worth(figures, DIGITAL, WAYS)
+
+
+def limits(figures):
+    return worth(figures, DIGITAL, LIMITS)
