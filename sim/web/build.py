@@ -14,7 +14,7 @@ from rooms import TOP, make_sources, sources_of, version, write
 HERE = Path(__file__).resolve().parent
 EMSCRIPTEN = Path("/usr/share/emscripten/system/lib")
 
-ROOMS = """base toml isa machines division processors host pixel_planes scan_line pixel_square multi_processor kinds
+ROOMS = """base toml isa machines division processors host pixel_planes scan_line pixel_square multi_processor bit_serial_memory kinds
 model view facet csg scene lighting convex emit effects functional observe read flat solids judges reference checkpoint
 lockstep swept commands""".split()
 # Those that answer in JSON.
