@@ -13,6 +13,7 @@
 #include "sim/observe/account_json.h"
 #include "sim/observe/bound.h"
 #include "sim/observe/dearest.h"
+#include "sim/observe/energy.h"
 
 namespace csgsim::observe {
 
@@ -202,6 +203,8 @@ nlohmann::ordered_json to_json(const Report& report) {
   json["hosted_frames_per_second"] =
       frames_per_second(report, machines::paced_clocks(report.result.interval_clocks, report.result.host_clocks));
   json["simulated_seconds"] = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
+  const std::optional<double> joules = frame_joules(report.result.account);
+  json["frame_joules"] = joules ? Json(*joules) : Json();
   json["instructions"] = instructions_json(report);
   json["pixel_operations"] = pixel_operations(report.stats.total);
   json["scan_conversions"] = {{"rendered", compile.rendered}, {"classified", compile.classified}};

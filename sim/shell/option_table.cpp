@@ -130,6 +130,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {outputs, "stats", "FILE", FileRole::output},
     {outputs, "json", "FILE", FileRole::output},
     {outputs, "report", "FILE", FileRole::output},
+    {outputs, "row-commands"},
     {outputs, "no-plots"},
     {outputs, "missing"},
     {settings, "config", "FILE", FileRole::input},

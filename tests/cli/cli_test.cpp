@@ -40,6 +40,7 @@ TEST_CASE("the stats have the keys that the documentation lists, and their accou
                                          "dearest",
                                          "depth_tests",
                                          "effects",
+                                         "frame_joules",
                                          "frame_seconds",
                                          "frames_per_second",
                                          "host_clocks",

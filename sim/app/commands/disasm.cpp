@@ -4,7 +4,10 @@
 #include <memory>
 #include <sstream>
 
+#include "hw/base/error.h"
 #include "hw/base/output_file.h"
+#include "hw/bit_serial_memory/kind.h"
+#include "hw/bit_serial_memory/row_text.h"
 #include "hw/isa/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/options.h"
@@ -14,27 +17,47 @@
 
 namespace csgsim::app {
 
+namespace {
+
+void print_rows(std::ostream& out, const isa::Program& program, const std::string& file) {
+  const machines::Machine machine = machine_for(program, file, "", {});
+  if (machine.kind != &bit_serial_memory::kind) {
+    throw InputError(file + ": the Program is for " + machine.name +
+                     ", which has no row commands; compile the model for a machine of kind bit-serial-memory");
+  }
+  bit_serial_memory::print_row_commands(out, program, machine);
+}
+
+}  // namespace
+
 void add_disasm(CommandLine& line) {
   struct Options {
     std::string program;
     std::string output;
+    bool row_commands = false;
   };
   const auto options = std::make_shared<Options>();
   Command command = line.add("disasm", "Show a Program as text, which csgsim run reads too",
                              "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
+  command.flag(
+      "--row-commands", options->row_commands,
+      "Show instead what a machine of kind bit-serial-memory does to rows, a command a line, for other simulators");
   command.runs([options] {
     refuse_model(options->program);
     refuse_clashes(std::to_array<std::filesystem::path>({options->program}),
                    std::to_array<std::filesystem::path>({options->output}));
     const isa::Program program = read_program(options->program);
-    if (options->output.empty()) {
-      isa::print(std::cout, program);
-      return;
-    }
+    const auto print = [&](std::ostream& out) {
+      if (options->row_commands)
+        print_rows(out, program, options->program);
+      else
+        isa::print(out, program);
+    };
+    if (options->output.empty()) return print(std::cout);
     std::ostringstream text;
-    isa::print(text, program);
+    print(text);
     write_file(options->output, text.view());
   });
 }

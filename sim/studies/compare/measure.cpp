@@ -7,9 +7,12 @@
 #include "hw/base/error.h"
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
+#include "hw/process/price.h"
+#include "hw/process/process.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/bound.h"
 #include "sim/observe/dearest.h"
+#include "sim/observe/energy.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/frame_hash.h"
 #include "sim/observe/stats.h"
@@ -35,6 +38,15 @@ void count(const isa::Program& program, const machines::Machine& machine, Compar
   if (row.pixel_transistors) row.machine_transistors = *row.pixel_transistors * row.processors;
 }
 
+/// Processors and memory of bit-serial pixels are priced as in `explore`.
+std::optional<double> frame_joules(const isa::Program& program, const machines::Machine& machine,
+                                   const engine::RunResult& result, const ComparisonRow& row) {
+  if (const std::optional<double> told = observe::frame_joules(result.account)) return told;
+  static const process::Process of_their_time = process::load_process("nmos-3um");
+  const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
+  return process::frame_joules(machine, resources, {row.pixel_operations, 1 / row.frames_per_second}, of_their_time);
+}
+
 void draw(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
   observe::FrameObserver frame(program);
   observe::StatsObserver stats(program);
@@ -53,6 +65,7 @@ void draw(const isa::Program& program, const machines::Machine& machine, Compari
   row.hosted_frames_per_second = frames(machines::paced_clocks(result.interval_clocks, result.host_clocks));
   row.pixel_operations = stats.stats().total.pixel_operations;
   row.enabled = stats.stats().total.enabled;
+  row.frame_joules = frame_joules(program, machine, result, row);
   row.processor_clocks = row.processors * row.clocks;
   row.utilisation = static_cast<double>(row.enabled) / static_cast<double>(row.processor_clocks);
   if (const std::optional<observe::Bound> bound = observe::bound_of(result, machine)) {

@@ -64,7 +64,9 @@ struct ComparisonRow {
   std::uint64_t machine_memory_bits = 0;               ///< of all processors, and of a frame buffer beside them
   std::optional<std::uint64_t> pixel_transistors{};    ///< of one processor with its memory: hw/machines/area.h
   std::optional<std::uint64_t> machine_transistors{};  ///< of all processors
-  double utilisation = 0;                              ///< enabled pixel operations in processor clocks
+  /// Of a frame: by the machine's figures, or of bit-serial pixels by a model, in the process of their time.
+  std::optional<double> frame_joules{};
+  double utilisation = 0;  ///< enabled pixel operations in processor clocks
   std::string bound_by;    ///< the part that bounds the frame if the host keeps up; empty where the kind does not tell
   double bound_share = 0;  ///< of the clocks from one frame to the next, in which it works
   std::uint64_t instruction_clocks = 0;  ///< of all instructions, over all segments, and the final latency
@@ -97,6 +99,7 @@ struct ComparisonRow {
     visit("machine_memory_bits", row.machine_memory_bits);
     visit("pixel_transistors", row.pixel_transistors);
     visit("machine_transistors", row.machine_transistors);
+    visit("frame_joules", row.frame_joules);
     visit("utilisation", row.utilisation);
     visit("bound_by", row.bound_by);
     visit("bound_share", row.bound_share);
