@@ -60,7 +60,7 @@ class Replay {
     sensed.resize(columns_);
     for (std::size_t column = 0; column < columns_; ++column) {
       std::size_t ones = 0;
-      for (const std::string& one : from) ones += seen(one, column) ? 1 : 0;
+      for (const std::string& one : from) ones += seen(one, column) ? 1U : 0U;
       sensed[column] = 2 * ones > from.size();
     }
     if (from.size() > 1) write(words, 1);

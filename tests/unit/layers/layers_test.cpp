@@ -131,6 +131,8 @@ TEST_CASE("no module reads a Program: each acts on what came in through its port
       {"bit_serial_memory/completion.h", "as above"},
       {"bit_serial_memory/memory_machine.cpp", "hands the Program to the host's end of the link"},
       {"bit_serial_memory/memory_machine.h", "as above"},
+      {"bit_serial_memory/row_text.cpp", "a Program's row commands as text, which other simulators replay"},
+      {"bit_serial_memory/row_text.h", "as above"},
       {"bit_serial_memory/taps.cpp", "an observer: names of instructions and fields, for waves"},
       {"bit_serial_memory/taps.h", "as above"},
       {"link/frame_words.cpp", "encodes a Program into the words of the host's memory"},

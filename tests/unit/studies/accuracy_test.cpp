@@ -226,6 +226,7 @@ TEST_CASE("a line of a comparison has a cell for each thing that a point takes, 
         &studies::ComparisonRow::hosted_frames_per_second, &studies::ComparisonRow::utilisation,
         &studies::ComparisonRow::bound_share})
     row.*fraction = static_cast<double>(number++);
+  row.frame_joules = static_cast<double>(number++);
   row.bound_by = "a part";
   row.dearest = {{"cube@1:1", 7}};
   row.picture = "a picture";
