@@ -27,7 +27,7 @@ std::uint64_t outer_clocks(const NodePixels& own, const Figures& figures) {
   return 0;
 }
 
-constexpr std::uint64_t word_bits = 64;  ///< of a plane
+constexpr std::uint64_t bits_a_word = 64;  ///< of a plane
 
 /// Of each word of a plane's row, the bits of the node's first so many columns.
 std::vector<std::uint64_t> row_mask(const machines::MetPixels& met, const NodePixels& own, std::uint64_t columns,
@@ -35,7 +35,7 @@ std::vector<std::uint64_t> row_mask(const machines::MetPixels& met, const NodePi
   std::vector<std::uint64_t> mask(met.row_words);
   for (std::uint64_t column = 0; column < columns; ++column) {
     const std::uint64_t x = own.first_x + column * nodes.width;
-    mask[static_cast<std::size_t>(x / word_bits)] |= std::uint64_t{1} << x % word_bits;
+    mask[static_cast<std::size_t>(x / bits_a_word)] |= std::uint64_t{1} << x % bits_a_word;
   }
   return mask;
 }
