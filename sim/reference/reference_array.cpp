@@ -121,7 +121,9 @@ void ReferenceArray::set_enable(const Becomes& becomes) {
 
 void ReferenceArray::carry_out(const isa::Instruction& instruction) {
   using isa::Opcode;
-  const auto& [first, second, third] = instruction.fields;
+  const isa::Field& first = instruction.fields[0];
+  const isa::Field& second = instruction.fields[1];
+  const isa::Field& third = instruction.fields[2];
   const auto bits = [&](std::size_t pixel, const isa::Field& field) {
     return static_cast<std::uint64_t>(get(pixel, field));
   };
