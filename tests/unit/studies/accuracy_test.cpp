@@ -12,6 +12,8 @@
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/accuracy/pareto.h"
 #include "sim/studies/compare/measure.h"
+#include "sim/studies/csv.h"
+#include "sim/studies/row_text.h"
 
 using namespace csgsim;
 
