@@ -18,9 +18,7 @@ class Screen {
   /// A frame begins, and with it the time of a picture.
   void begin(const machines::Size& picture, std::uint32_t colour_bits);
 
-  /// An edge of the clock.
-  void on_clock() { on_clocks(1); }
-  /// So many, at most as many as there are until the next change.
+  /// So many edges of the clock, at most as many as there are until the next change.
   void on_clocks(std::uint64_t clocks);
 
   /// Edges until a turn begins or ends; of a screen that takes turns.

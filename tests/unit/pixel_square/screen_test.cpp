@@ -39,7 +39,7 @@ TEST_CASE("a screen's turns come evenly, and read the picture row by row, again 
   screen.begin({4, 2}, 3);
   std::string rows;
   for (int edge = 1; edge <= 20; ++edge) {
-    screen.on_clock();
+    screen.on_clocks(1);
     rows += screen.row() ? std::to_string(*screen.row()) : "-";
   }
   CHECK(rows == "---00-00-11--00-00-1");
@@ -55,7 +55,7 @@ TEST_CASE("with two pictures, without a rate and without colours a screen takes 
     Screen screen(figures, 10'000);
     screen.begin({4, 2}, colour_bits);
     CHECK_FALSE(screen.takes());
-    screen.on_clock();
+    screen.on_clocks(1);
     CHECK_FALSE(screen.row());
   }
 }
@@ -78,7 +78,7 @@ TEST_CASE("turns worked out are those that are stepped, at every edge") {
     const pixel_square::ScreenTiming timing(program, machine_of(figures, clock_hz));
     std::uint64_t clocks = 0;
     for (std::uint64_t edge = 1; edge < 500; ++edge) {
-      screen.on_clock();
+      screen.on_clocks(1);
       const std::optional<std::uint32_t> row = screen.row();
       if (row) ++clocks;
       RC_ASSERT(timing.bank(edge) == (row ? std::optional(*row % figures.banks) : std::nullopt));
