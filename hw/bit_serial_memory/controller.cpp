@@ -85,10 +85,8 @@ isa::Command Controller::next_command() {
 
 void Controller::refresh_idle() {
   state_ = "refreshing";
-  wait(time_of(figures_.rank.refresh));
+  refresh();
   account_.refreshing += figures_.rank.refresh;
-  due_ += time_of(figures_.rank.refresh_interval);
-  ++refreshes_;
   state_ = "waiting";
 }
 
@@ -182,24 +180,29 @@ sc_core::sc_time Controller::all_closed() const {
   return closed;
 }
 
-/// Where the command could begin now, a refresh that is due goes before it, and all else goes on later.
+/// Where the command could begin now, the refreshes that are due go before it, once all banks are closed. All else goes
+/// on later.
 void Controller::refresh_before(const RowCommand& command) {
   if (figures_.rank.refresh_interval == 0 || !begins_closed(command.op)) return;
   wait_until(std::max(banks[0]->free(), guard_.allowed()));
-  while (due_ <= sc_core::sc_time_stamp()) {
-    const std::string_view before = std::exchange(state_, "refreshing");
-    const sc_core::sc_time begun = sc_core::sc_time_stamp();
-    wait_until(all_closed());
-    wait(time_of(figures_.rank.refresh));
-    const sc_core::sc_time taken = sc_core::sc_time_stamp() - begun;
-    for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank) banks[static_cast<int>(bank)]->delay(taken);
-    guard_.delay(taken);
-    bus_ += taken;
-    due_ += time_of(figures_.rank.refresh_interval);
-    account_.refreshing += taken.value() / period_.value();
-    ++refreshes_;
-    state_ = before;
-  }
+  const sc_core::sc_time begun = sc_core::sc_time_stamp();
+  if (begun < due_) return;
+  const std::string_view before = std::exchange(state_, "refreshing");
+  wait_until(all_closed());
+  while (due_ <= sc_core::sc_time_stamp()) refresh();
+  const sc_core::sc_time taken = sc_core::sc_time_stamp() - begun;
+  for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank) banks[static_cast<int>(bank)]->delay(taken);
+  guard_.delay(taken);
+  bus_ += taken;
+  account_.refreshing += taken.value() / period_.value();
+  state_ = before;
+}
+
+/// All banks are closed.
+void Controller::refresh() {
+  wait(time_of(figures_.rank.refresh));
+  due_ += time_of(figures_.rank.refresh_interval);
+  ++refreshes_;
 }
 
 void Controller::issue(const RowCommand& command) {

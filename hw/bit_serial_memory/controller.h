@@ -76,6 +76,7 @@ class Controller final : public sc_core::sc_module {
   void issue_to_slot(const RowCommand& command, std::uint64_t slot);
   void activate_at(std::uint64_t slot);
   void transfer(const RowCommand& command, std::uint64_t slot);
+  void refresh();
   void refresh_idle();
   void settle();
 

@@ -54,15 +54,16 @@ void RankTiming::activate(std::uint64_t clock) {
 
 void RankTiming::refresh_before(const RowCommand& command) {
   if (!refreshes_come_ || !begins_closed(command.op)) return;
-  while (next_activation(0) >= due_) {
-    const std::uint64_t now = next_activation(0);
-    const std::uint64_t closed = std::max(now, std::max(bus_, *std::ranges::max_element(free_)));
-    const std::uint64_t taken = closed - now + figures_.rank.refresh;
-    shift(taken);
-    refreshing_ += taken;
-    ++refreshes_;
+  const std::uint64_t now = next_activation(0);
+  if (now < due_) return;
+  std::uint64_t taken = std::max({now, bus_, *std::ranges::max_element(free_)}) - now;
+  while (due_ <= now + taken) {
+    taken += figures_.rank.refresh;
     due_ += figures_.rank.refresh_interval;
+    ++refreshes_;
   }
+  shift(taken);
+  refreshing_ += taken;
 }
 
 void RankTiming::shift(std::uint64_t clocks) {

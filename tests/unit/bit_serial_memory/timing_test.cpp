@@ -89,6 +89,18 @@ TEST_CASE("a refresh that is due waits until all banks are closed, and all else 
   CHECK(rank.begin(300, 350) == 380);
 }
 
+TEST_CASE("banks are closed once for all refreshes that are due, and a frame goes on however often they are") {
+  Figures figures = ddr4();
+  figures.rank.refresh_interval = 10;
+  figures.rank.refresh = 4;
+  RankTiming rank(figures, {4 * 64, 64, 16});
+  const RowCommands reads(2, read);
+  // The second read would begin at 55; all are closed at 67, when 6 are due; while they take 24 clocks, 3 more are,
+  // and then one: the tenth, due at 100, ends at 107.
+  CHECK(rank.carry_out(reads, 0) == rank.clocks(reads) + 12 + 10 * 4);
+  CHECK(rank.refreshes() == 10);
+}
+
 namespace {
 
 /// Bounds that know nothing of the order in which the controller goes through slots and commands.
