@@ -28,6 +28,12 @@ std::vector<std::string_view> built_in_names() {
   return names;
 }
 
+std::vector<std::string_view> studied_names() {
+  std::vector<std::string_view> names = built_in_names();
+  std::erase_if(names, [](std::string_view name) { return std::ranges::find(costly(), name) != costly().end(); });
+  return names;
+}
+
 namespace {
 
 const BuiltIn* built_in_named(std::string_view name) {

@@ -12,6 +12,9 @@ namespace csgsim::kinds {
 /// Names of the machines that come with csgsim.
 std::vector<std::string_view> built_in_names();
 
+/// Of these, the ones on which studies of several machines draw where none is named.
+std::vector<std::string_view> studied_names();
+
 /// The file that describes the machine; empty if it is built in.
 using machines::file_of;
 

@@ -18,4 +18,7 @@ struct BuiltIn {
 
 std::span<const BuiltIn> built_in();
 
+/// Names of those on which studies of several machines draw only where they are named.
+std::span<const std::string_view> costly();
+
 }  // namespace csgsim::kinds

@@ -144,6 +144,16 @@ TEST_CASE("every built-in machine reads and bears its own name") {
   }
 }
 
+TEST_CASE("studies of several machines draw on all that come with csgsim but the costly ones") {
+  const std::vector<std::string_view> all = kinds::built_in_names();
+  const std::vector<std::string_view> studied = kinds::studied_names();
+  for (const std::string_view name : kinds::costly()) {
+    CHECK(std::ranges::count(all, name) == 1);
+    CHECK(std::ranges::count(studied, name) == 0);
+  }
+  CHECK(studied.size() + kinds::costly().size() == all.size());
+}
+
 TEST_CASE("figures come in the order of the file, each with unit, provenance and source") {
   const Machine machine = kinds::load("pixel-planes-4");
   std::string keys;
