@@ -111,16 +111,14 @@ class FrameModel {
 
   void step() {
     const auto [now, part] = agenda_.next();
-    if (part == parts_.sender()) return sender_.send(now);
     if (part == parts_.frame_buffer()) return frame_buffer_.store(now);
     if (part == parts_.ring()) return ring_.carry(now);
+    if (part == parts_.sender()) return sender_.send(now);
     if (part >= parts_.processor(0)) return processors_.act(part - parts_.processor(0), now);
     if (part >= parts_.divider(0)) return dividers_[part - parts_.divider(0)].act(now);
-    const std::size_t number = part % renderers_.size();
-    RendererTiming& renderer = renderers_[number];
-    if (part == parts_.pixels(number)) return renderer.draw(now);
-    if (part == parts_.decoder(number)) return renderer.decode(now);
-    renderer.leave(now);
+    if (part >= parts_.output(0)) return renderers_[part - parts_.output(0)].leave(now);
+    if (part >= parts_.decoder(0)) return renderers_[part - parts_.decoder(0)].decode(now);
+    renderers_[part].draw(now);
   }
 
   SquareAccount counted() {

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/circular_buffer.hpp>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <utility>
 #include <vector>
@@ -43,6 +44,39 @@ constexpr std::size_t next_in_turn(std::size_t number, std::size_t count) {
   return number + 1 == count ? 0 : number + 1;
 }
 
+/// Which of several that take turns have something to give.
+class Givers {
+ public:
+  explicit Givers(std::size_t count) : words_((count + 63) / 64) {}
+
+  void add(std::size_t number) { words_[number / 64] |= bit(number); }
+  void remove(std::size_t number) { words_[number / 64] &= ~bit(number); }
+
+  /// Calls `ask` with each that has, once around from `first` on, as long as it returns true. Only the one that is
+  /// asked may change meanwhile.
+  template <class Ask>
+  void each_from(std::size_t first, const Ask& ask) const {
+    if (words_.empty()) return;
+    const std::uint64_t before_first = bit(first) - 1;
+    if (!each_in(first / 64, ~before_first, ask)) return;
+    for (std::size_t i = 1; i < words_.size(); ++i)
+      if (!each_in((first / 64 + i) % words_.size(), ~std::uint64_t{0}, ask)) return;
+    each_in(first / 64, before_first, ask);
+  }
+
+ private:
+  static constexpr std::uint64_t bit(std::size_t number) { return std::uint64_t{1} << number % 64; }
+
+  template <class Ask>
+  bool each_in(std::size_t word, std::uint64_t mask, const Ask& ask) const {
+    for (std::uint64_t left = words_[word] & mask; left != 0; left &= left - 1)
+      if (!ask(word * 64 + static_cast<std::size_t>(std::countr_zero(left)))) return false;
+    return true;
+  }
+
+  std::vector<std::uint64_t> words_;
+};
+
 /// When which part acts next. A part sleeps while nothing but another part can let it go on. Most parts act again at
 /// the next edge: those of this edge and of the next are sets of bits, the others a heap.
 class Agenda {
@@ -69,11 +103,13 @@ class Agenda {
   /// The part that acts next, and when.
   std::pair<Time, std::size_t> next() {
     for (;;) {
-      while (here_.empty()) go_on();
-      const std::size_t part = here_.take();
-      if (due_[part] != now_) continue;
-      due_[part] = never;
-      return {now_, part};
+      const std::optional<std::size_t> part = here_.take();
+      if (!part) {
+        go_on();
+      } else if (due_[*part] == now_) {
+        due_[*part] = never;
+        return {now_, *part};
+      }
     }
   }
 
@@ -88,12 +124,15 @@ class Agenda {
       return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
     }
     void add(std::size_t part) { words_[part / 64] |= std::uint64_t{1} << part % 64; }
-    /// The least, which is no longer there then.
-    std::size_t take() {
-      const auto found = std::ranges::find_if(words_, [](std::uint64_t word) { return word != 0; });
-      const auto bit = static_cast<std::size_t>(std::countr_zero(*found));
-      *found &= *found - 1;
-      return static_cast<std::size_t>(found - words_.begin()) * 64 + bit;
+    /// The least, if there is any, which is no longer there then.
+    std::optional<std::size_t> take() {
+      for (std::size_t i = 0; i < words_.size(); ++i) {
+        const std::uint64_t word = words_[i];
+        if (word == 0) continue;
+        words_[i] = word & (word - 1);
+        return i * 64 + static_cast<std::size_t>(std::countr_zero(word));
+      }
+      return std::nullopt;
     }
 
    private:
@@ -131,14 +170,23 @@ class Fifo {
 
   [[nodiscard]] const Word& oldest() const { return words_.front().first; }
 
+  /// From now on keeps up `givers`, whose `number` it becomes: whether there is a word.
+  void show(Givers& givers, std::size_t number) {
+    givers_ = &givers;
+    number_ = number;
+  }
+
   void write(Time now, Word word) {
-    words_.emplace_back(std::move(word), now);
+    if (words_.full()) words_.set_capacity(std::max<std::size_t>(2 * words_.size(), 8));
+    words_.push_back({std::move(word), now});
+    if (givers_ != nullptr) givers_->add(number_);
     agenda_->wake(reader_, now + 1);
   }
 
   Word read(Time now) {
     const Word word = words_.front().first;
     words_.pop_front();
+    if (givers_ != nullptr && words_.empty()) givers_->remove(number_);
     read_ = now;
     agenda_->wake(writer_, now + 1);
     return word;
@@ -149,8 +197,10 @@ class Fifo {
   std::size_t writer_;
   std::size_t reader_;
   Agenda* agenda_;
-  std::deque<std::pair<Word, Time>> words_;  ///< with the edge at which each was written
-  Time read_ = 0;                            ///< edge of the last read
+  boost::circular_buffer<std::pair<Word, Time>> words_;  ///< with the edge at which each was written
+  Time read_ = 0;                                        ///< edge of the last read
+  Givers* givers_ = nullptr;
+  std::size_t number_ = 0;
 };
 
 /// The clocks of a part, accounted for in order.

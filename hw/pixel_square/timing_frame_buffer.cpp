@@ -16,7 +16,10 @@ FrameBufferTiming::FrameBufferTiming(const isa::Program& program, const machines
       ports_(std::move(ports)),
       agenda_(agenda),
       screen_(program, machine),
-      clears_(ports_.size() - renderers_) {}
+      giving_(ports_.size()),
+      clears_(ports_.size() - renderers_) {
+  for (std::size_t i = 0; i < ports_.size(); ++i) ports_[i]->show(giving_, i);
+}
 
 void FrameBufferTiming::store(Time now) {
   const std::size_t ports = ports_.size();
@@ -26,9 +29,7 @@ void FrameBufferTiming::store(Time now) {
   const std::size_t turns = banks_ - taken_.size();
   std::size_t served = 0;
   bool word_follows = false;
-  std::size_t port = turn_;
-  for (std::size_t i = 0; i < ports; ++i, port = next_in_turn(port, ports)) {
-    if (!clears_now(port) && !ports_[port]->word_follows()) continue;
+  giving_.each_from(turn_, [&](std::size_t port) {
     const std::optional<TimedPortWord> word = waiting(port, now);
     if (word && served < turns && take_bank(*word)) {
       take(port, *word, now);
@@ -36,7 +37,8 @@ void FrameBufferTiming::store(Time now) {
       turn_ = next_in_turn(port, ports);
     }
     word_follows = word_follows || word || ports_[port]->word_follows();
-  }
+    return true;
+  });
   if (served > 0) {
     clocks_.wait(SquareActivity::waiting_for_renderer, now);
     clocks_.work(1);
@@ -71,6 +73,7 @@ void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time n
     ports_[port]->read(now);
     if (port >= renderers_ && word.last) clears_[port - renderers_] = background_of(word.cleared);
   }
+  has_something(port) ? giving_.add(port) : giving_.remove(port);
   if (word.last && !clears_now(port) && ++stored_ == program_.segments.size()) end_ = now;
 }
 

@@ -30,6 +30,7 @@ class FrameBufferTiming {
     return port >= renderers_ && clears_[port - renderers_].words_left() > 0;
   }
   [[nodiscard]] std::optional<TimedPortWord> waiting(std::size_t port, Time now);
+  [[nodiscard]] bool has_something(std::size_t port) const { return clears_now(port) || ports_[port]->word_follows(); }
   [[nodiscard]] LeavingSquare background_of(std::size_t square) const;
   bool take_bank(const TimedPortWord& word);
   void take(std::size_t port, const TimedPortWord& word, Time now);
@@ -40,8 +41,9 @@ class FrameBufferTiming {
   const std::size_t renderers_;
   std::vector<Fifo<TimedPortWord>*> ports_;
   Agenda& agenda_;
-  const ScreenTiming screen_;
+  ScreenTiming screen_;
   PartClocks clocks_;
+  Givers giving_;                      ///< ports that have something to be stored
   std::size_t turn_ = 0;               ///< port that is asked first
   std::vector<LeavingSquare> clears_;  ///< squares that are being cleared, one a port behind the renderers'
   std::vector<std::uint32_t> taken_;   ///< banks, in the clock at hand

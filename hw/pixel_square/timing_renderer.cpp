@@ -131,8 +131,8 @@ void RendererTiming::leave(Time now) {
   if (squares_.empty() || (moving_ && squares_.size() == 1)) return;
   if (whole_at_ == now && squares_.size() == 1) return agenda_->put(output_, now + 1);
   LeavingSquare& square = squares_.front();
-  const std::optional<LeavingSquare::Rows> rows = square.rows();
-  if (latch_ && rows) {
+  const std::optional<LeavingSquare::Rows> rows = latch_ ? square.rows() : std::nullopt;
+  if (rows) {
     const Time there = latch_->there(rows->last);
     if (there > now) return agenda_->put(output_, there);
   }
@@ -141,7 +141,7 @@ void RendererTiming::leave(Time now) {
     return;
   }
   colours_.write(now, {.last = square.words_left() == 1, .row = square.picture_row()});
-  if (latch_ && rows) latch_->pass(now);
+  if (rows) latch_->pass(now);
   square.advance();
   if (square.words_left() > 0) return agenda_->put(output_, now + 1);
   squares_.pop_front();

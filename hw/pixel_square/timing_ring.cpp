@@ -12,13 +12,16 @@ RingTiming::RingTiming(const machines::Machine& machine, ProcessorsTiming& proce
       renderers_(renderers),
       agenda_(agenda),
       part_(PartNumbers{.renderers = renderers.size()}.ring()),
-      channels_(machines::own<Figures>(machine).ring_channels) {
+      channels_(machines::own<Figures>(machine).ring_channels),
+      sources_(renderers.size() + processors.count()) {
   const Figures& figures = machines::own<Figures>(machine);
   if (!has_ring(figures)) return;
   const std::size_t sources = renderers.size() + processors.count();
   if (channels_ == all_channels) channels_ = sources;
   const std::size_t frame_buffer = PartNumbers{.renderers = renderers.size()}.frame_buffer();
   for (std::size_t i = 0; i < sources; ++i) carried_.emplace_back(figures.port_fifo_depth, part_, frame_buffer, agenda);
+  for (std::size_t i = 0; i < processors.count(); ++i) processors.words(i).show(sources_, i);
+  for (std::size_t i = 0; i < renderers.size(); ++i) renderers[i].colours().show(sources_, processors.count() + i);
 }
 
 /// Sleeps while nothing but another part can let a word go.
@@ -28,14 +31,13 @@ void RingTiming::carry(Time now) {
   to_frame_buffer_ = 0;
   std::size_t carried = 0;
   bool look_again = false;
-  std::size_t source = turn_;
-  for (std::size_t i = 0; i < sources && carried < channels_; ++i, source = next_in_turn(source, sources)) {
+  sources_.each_from(turn_, [&](std::size_t source) {
     const Found found = carry_from(source, now);
-    look_again = look_again || found == Found::later || found == Found::carried;
-    if (found != Found::carried) continue;
-    ++carried;
+    look_again = look_again || found != Found::stuck;
+    if (found != Found::carried) return true;
     turn_ = next_in_turn(source, sources);
-  }
+    return ++carried < channels_;
+  });
   words_ += carried;
   if (carried > 0) {
     clocks_.wait(SquareActivity::waiting_for_divider, now + 1 - word_clocks_);
@@ -69,7 +71,6 @@ bool will_pass(const Fifo<From>& from, const Fifo<To>& to) {
 /// A renderer is kept by one processor, so that no two have words for it.
 RingTiming::Found RingTiming::carry_from_processor(std::size_t number, Time now) {
   Fifo<TimedRingWord>& words = processors_.words(number);
-  if (!words.word_follows()) return Found::nothing;
   const std::optional<std::size_t> renderer = words.oldest().renderer;
   const bool may_go = renderer || to_frame_buffer_ < banks_;
   const auto pass = [&](auto& to, const auto& word_of) {
@@ -87,7 +88,6 @@ RingTiming::Found RingTiming::carry_from_processor(std::size_t number, Time now)
 
 RingTiming::Found RingTiming::carry_from_renderer(std::size_t number, Time now) {
   Fifo<TimedPortWord>& words = renderers_[number].colours();
-  if (!words.word_follows()) return Found::stuck;
   Fifo<TimedPortWord>& to = carried_[number];
   if (to_frame_buffer_ == banks_ || !passes(words, to, now)) return will_pass(words, to) ? Found::later : Found::stuck;
   to.write(now, words.read(now));

@@ -27,7 +27,7 @@ class RingTiming {
 
  private:
   /// What became of a source at an edge.
-  enum class Found : std::uint8_t { nothing, stuck, later, carried };
+  enum class Found : std::uint8_t { stuck, later, carried };
 
   Found carry_from(std::size_t source, Time now);
   Found carry_from_processor(std::size_t number, Time now);
@@ -43,6 +43,7 @@ class RingTiming {
   std::size_t channels_;
   std::vector<Fifo<TimedPortWord>> carried_;
   PartClocks clocks_;
+  Givers sources_;                   ///< with words: processors, and behind them renderers
   std::size_t turn_ = 0;             ///< source that is asked first
   std::size_t to_frame_buffer_ = 0;  ///< words carried there at it
   std::uint64_t words_ = 0;

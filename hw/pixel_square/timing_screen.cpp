@@ -35,12 +35,18 @@ Time ScreenTiming::begin_of(std::uint64_t turn) const {
   return static_cast<Time>((Wide{turn} * clock_hz_ + turns_a_second_ - 1) / turns_a_second_);
 }
 
-std::optional<std::uint32_t> ScreenTiming::bank(Time now) const {
-  if (turns_a_second_ == 0) return std::nullopt;
-  const std::uint64_t turn = turns_until(now);
-  if (turn == 0 || now - begin_of(turn) >= turn_clocks_) return std::nullopt;
+void ScreenTiming::go_to(std::uint64_t turn) {
+  next_ = begin_of(turn + 1);
+  if (turn == 0) return;
+  end_ = begin_of(turn) + turn_clocks_;
   const std::uint64_t row = (turn - 1) % turns_a_picture_ * turn_bits_ / row_bits_;
-  return static_cast<std::uint32_t>(row % banks_);
+  bank_ = static_cast<std::uint32_t>(row % banks_);
+}
+
+std::optional<std::uint32_t> ScreenTiming::bank(Time now) {
+  if (turns_a_second_ == 0) return std::nullopt;
+  if (now >= next_) go_to(turns_until(now));
+  return now < end_ ? std::optional(bank_) : std::nullopt;
 }
 
 std::uint64_t ScreenTiming::clocks_until(Time end) const {
