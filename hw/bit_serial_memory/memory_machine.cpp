@@ -79,7 +79,7 @@ void MemoryMachine::collect(unsigned bit) {
 
 systemc::RunReport MemoryMachine::run(const isa::Program& program, systemc::RunListener& listener) {
   check(program);
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  systemc::elaborate();
   const isa::FrameHeader header = isa::frame_header(program);
   const bool shows = header.colour.width > 0;
   const bool drawn = is_drawn(program);
@@ -90,8 +90,7 @@ systemc::RunReport MemoryMachine::run(const isa::Program& program, systemc::RunL
   completion_.begin(program.segments);
   host_.load(link::frame_words(program, machine_.link.width));
   controller_.begin(shows && drawn, [this] { return pixels_.count_enabled() > 0; });
-  sc_core::sc_start();
-  systemc::back_on_main_stack();
+  systemc::run();
   if (!systemc::is_stopped()) retirement_.rethrow();
   return report();
 }

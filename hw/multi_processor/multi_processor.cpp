@@ -78,16 +78,12 @@ void MultiProcessor::bind_masters() {
 void MultiProcessor::on_done() { sc_core::sc_pause(); }
 
 systemc::RunReport MultiProcessor::run(const isa::Program& program, systemc::RunListener& listener) {
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) {
-    sc_core::sc_start(sc_core::SC_ZERO_TIME);
-    systemc::back_on_main_stack();
-  }
+  systemc::elaborate();
   division::check_division(program);
   const std::uint64_t begun = time_.now();
   const std::uint64_t before = frames_.read();
   begin(program, listener);
-  sc_core::sc_start();
-  systemc::back_on_main_stack();
+  systemc::run();
   retirement_.rethrow();
   if (frames_.read() == before && !systemc::is_stopped())
     throw std::logic_error("the multi-processor stands still in the middle of a frame");

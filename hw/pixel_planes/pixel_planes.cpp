@@ -120,10 +120,6 @@ PixelPlanes::PixelPlanes(sc_core::sc_module_name name, const machines::Machine& 
 /// Gives control back to who started the simulation, when all that belongs to this edge has happened.
 void PixelPlanes::on_done() { sc_core::sc_pause(); }
 
-void PixelPlanes::elaborate() {
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
-}
-
 /// Clock edges since the machine was built.
 std::uint64_t PixelPlanes::edges() const { return systemc::edges(clock_.period()); }
 
@@ -138,7 +134,7 @@ void PixelPlanes::collect() {
 
 void PixelPlanes::run_until_shown() {
   while (!showing_.empty() && !systemc::is_stopped()) {
-    sc_core::sc_start();
+    systemc::run();
     collect();
   }
 }
@@ -165,7 +161,7 @@ std::vector<systemc::RunReport> PixelPlanes::run_sequence(std::span<const isa::P
   std::vector<systemc::RunReport> reports(programs.size());
   if (programs.empty()) return reports;
   check(programs);
-  elaborate();
+  systemc::elaborate();
   for (std::size_t i = 0; i < programs.size(); ++i) {
     const std::uint64_t begun = begun_;
     draw(programs[i], *listeners[i], reports[i]);
@@ -182,7 +178,7 @@ void PixelPlanes::draw(const isa::Program& program, systemc::RunListener& listen
   completion_.begin(program.segments);
   start(program);
   while (drawn_ == programs_.read() && !systemc::is_stopped()) {
-    sc_core::sc_start();
+    systemc::run();
     collect();
   }
   drawn_ = programs_.read();

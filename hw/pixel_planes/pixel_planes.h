@@ -62,7 +62,6 @@ class PixelPlanes final : public sc_core::sc_module, public systemc::ClockedMach
     systemc::RunReport* report;
   };
 
-  void elaborate();
   void start(const isa::Program& program);
   void resume(const isa::Program& program, const Start& start);
   void check(std::span<const isa::Program> programs) const;

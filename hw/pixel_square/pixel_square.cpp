@@ -159,11 +159,11 @@ void PixelSquareMachine::begin_dividers(const machines::Size& picture) {
 void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 
 systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc::RunListener& listener) {
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  systemc::elaborate();
   check_division(program, machine_);
   const std::uint64_t begun = edges();
   begin(program, listener);
-  if (!program.segments.empty()) sc_core::sc_start();
+  if (!program.segments.empty()) systemc::run();
   retirement_.rethrow();
   const std::uint64_t clocks = edges() - begun;
   std::uint64_t skipped = 0;

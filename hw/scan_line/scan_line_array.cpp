@@ -142,7 +142,7 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
                                                             std::span<systemc::RunListener* const> listeners) {
   std::vector<systemc::RunReport> reports(programs.size());
   if (programs.empty()) return reports;
-  if (sc_core::sc_get_status() == sc_core::SC_ELABORATION) sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  systemc::elaborate();
   std::deque<systemc::GuardedListener> guarded;
   std::uint32_t pixels = 0;
   for (std::size_t i = 0; i < programs.size(); ++i) {
@@ -185,14 +185,14 @@ void ScanLineArray::begin(const PictureLines& frame, systemc::RunListener& liste
 
 void ScanLineArray::run_until_entered() {
   while (!all_through() && !systemc::is_stopped()) {
-    sc_core::sc_start();
+    systemc::run();
     collect();
   }
 }
 
 void ScanLineArray::run_until_shown() {
   while (!showing_.empty() && !systemc::is_stopped()) {
-    sc_core::sc_start();
+    systemc::run();
     collect();
   }
 }

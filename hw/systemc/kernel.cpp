@@ -20,6 +20,20 @@ void kill_threads(sc_core::sc_object& object) {
   for (sc_core::sc_object* const child : object.get_child_objects()) kill_threads(*child);
 }
 
+void back_on_main_stack() {
+#if CSGSIM_ADDRESS_SANITIZER
+  pthread_attr_t attributes;
+  void* bottom = nullptr;
+  std::size_t bytes = 0;
+  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return;
+  pthread_attr_getstack(&attributes, &bottom, &bytes);
+  pthread_attr_destroy(&attributes);
+  void* fake = nullptr;
+  __sanitizer_start_switch_fiber(&fake, bottom, bytes);
+  __sanitizer_finish_switch_fiber(fake, nullptr, nullptr);
+#endif
+}
+
 }  // namespace
 
 sc_core::sc_time period_of(const machines::Machine& machine) {
@@ -46,18 +60,15 @@ void stop() {
 
 bool is_stopped() { return sc_core::sc_get_status() == sc_core::SC_STOPPED; }
 
-void back_on_main_stack() {
-#if CSGSIM_ADDRESS_SANITIZER
-  pthread_attr_t attributes;
-  void* bottom = nullptr;
-  std::size_t bytes = 0;
-  if (pthread_getattr_np(pthread_self(), &attributes) != 0) return;
-  pthread_attr_getstack(&attributes, &bottom, &bytes);
-  pthread_attr_destroy(&attributes);
-  void* fake = nullptr;
-  __sanitizer_start_switch_fiber(&fake, bottom, bytes);
-  __sanitizer_finish_switch_fiber(fake, nullptr, nullptr);
-#endif
+void elaborate() {
+  if (sc_core::sc_get_status() != sc_core::SC_ELABORATION) return;
+  sc_core::sc_start(sc_core::SC_ZERO_TIME);
+  back_on_main_stack();
+}
+
+void run() {
+  sc_core::sc_start();
+  back_on_main_stack();
 }
 
 }  // namespace csgsim::systemc
