@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hw/base/filled.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::observe {
@@ -51,10 +52,9 @@ FrameObserver::FrameObserver(const isa::Program& program)
     : depth_(isa::field_of(program, isa::FieldRole::depth)),
       colour_(program.colour),
       candidate_colour_(isa::field_of(program, isa::FieldRole::candidate_colour)),
-      frame_{program.shape.width, program.shape.height,
-             std::vector<std::uint32_t>(pixel_count(program), program.background),
-             std::vector<std::uint32_t>(pixel_count(program), nothing_in(depth_)),
-             std::vector<std::uint32_t>(pixel_count(program), no_owner)} {
+      frame_{program.shape.width, program.shape.height, filled<std::uint32_t>(pixel_count(program), program.background),
+             filled<std::uint32_t>(pixel_count(program), nothing_in(depth_)),
+             filled<std::uint32_t>(pixel_count(program), no_owner)} {
   if (candidate_colour_.width > 0) candidate_owner_ = frame_.owner;
   find_panes(program);
   for (const isa::Segment& segment : program.segments) drawn_.push_back(!segment.instructions.empty());

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "hw/base/filled.h"
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
@@ -50,7 +51,7 @@ void check_depth_format(const std::filesystem::path& path) {
 }
 
 void write_picture(OutputFile& file, const Frame& frame, const isa::Program& program) {
-  std::vector<std::uint8_t> pixels(frame.colour.size() * 3);
+  auto pixels = filled<std::uint8_t>(frame.colour.size() * 3, 0);
   const unsigned bits = program.colour.width;
   std::uint32_t last = 0;  // of neighbours most are alike
   std::array<std::uint8_t, 3> channels = isa::unpack_colour(last, bits);

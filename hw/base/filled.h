@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace csgsim {
+
+/// Asks the system at once for all pages of memory that is about to be written, in large ones if it has them: page by
+/// page, as they are touched, takes some times as long. What cannot be had so comes as it is touched.
+void have_pages(void* memory, std::size_t bytes);
+
+/// So many elements of that value.
+template <class Element>
+std::vector<Element> filled(std::size_t count, const Element& value) {
+  std::vector<Element> elements;
+  elements.reserve(count);
+  have_pages(elements.data(), count * sizeof(Element));
+  elements.assign(count, value);
+  return elements;
+}
+
+}  // namespace csgsim

@@ -1,0 +1,27 @@
+#include "hw/base/filled.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+using namespace csgsim;
+
+TEST_CASE("a filled vector has so many elements of the value, in whatever pages they are") {
+  for (const std::size_t count : {0U, 1U, 1000U, 16383U, 16384U, 20000U, 262144U, 1048577U, 3000000U}) {
+    CAPTURE(count);
+    const auto words = filled<std::uint32_t>(count, 0xfedcba98U);
+    CHECK(words.size() == count);
+    CHECK(std::ranges::all_of(words, [](std::uint32_t word) { return word == 0xfedcba98U; }));
+    const auto bytes = filled<std::uint8_t>(count, 7);
+    CHECK(std::ranges::count(bytes, 7) == static_cast<std::ptrdiff_t>(count));
+  }
+}
+
+TEST_CASE("having pages leaves memory that is written already as it is") {
+  std::vector<std::uint64_t> words(1U << 20U);
+  for (std::size_t i = 0; i < words.size(); ++i) words[i] = i * i;
+  have_pages(words.data(), words.size() * sizeof words[0]);
+  for (std::size_t i = 0; i < words.size(); ++i) REQUIRE(words[i] == i * i);
+}
