@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <vector>
 
 #include "hw/bit_serial_memory/account.h"
 #include "hw/bit_serial_memory/figures.h"
+#include "hw/bit_serial_memory/rank_steps.h"
 #include "hw/bit_serial_memory/row_command.h"
 #include "hw/bit_serial_memory/slots.h"
 #include "hw/machines/machine.h"
@@ -37,27 +36,13 @@ class RankTiming {
   [[nodiscard]] std::uint64_t refreshes() const { return refreshes_; }
 
  private:
-  void start(std::uint64_t clock);
-  [[nodiscard]] std::uint64_t next_activation(std::uint64_t bank) const;
-  void activate(std::uint64_t clock);
-  void issue(const RowCommand& command, std::uint64_t slot);
-  void issue_to_all(const RowCommand& command);
-  void refresh_before(const RowCommand& command);
-  void shift(std::uint64_t clocks);
-  [[nodiscard]] std::uint64_t over() const;
+  void refresh_if_due();
 
-  const Figures& figures_;
-  const Slots slots_;
-  bool refreshes_come_ = false;
-  std::uint64_t due_ = 0;
+  const RankClocks& rank_;
+  RankSteps steps_;
+  std::uint64_t due_;
   std::uint64_t refreshing_ = 0;
   std::uint64_t refreshes_ = 0;
-  std::uint64_t start_ = 0;
-  std::vector<std::uint64_t> free_;         ///< each bank
-  std::array<std::uint64_t, 4> allowed_{};  ///< of the next four activations, in a ring, by the window
-  std::size_t next_ = 0;                    ///< in it
-  std::uint64_t last_ = 0;                  ///< the next activation is allowed by the one before
-  std::uint64_t bus_ = 0;                   ///< free
 };
 
 }  // namespace csgsim::bit_serial_memory
