@@ -1,7 +1,5 @@
 #include "hw/bit_serial_memory/triple_row_logic.h"
 
-#include <algorithm>
-
 namespace csgsim::bit_serial_memory {
 
 void TripleRowLogic::copy(const WordLines& from, const WordLines& to) {
@@ -145,16 +143,16 @@ void AndOrNotLogic::select_by_chain(bool inverted) {
   combine(inverted ? Two::and_not : Two::conjunction, map().select(), enable(), chain_bit());
 }
 
-/// (condition and yes) or (not condition and no).
+/// maj(either, maj(not condition, yes, either), 0), where either = condition or no. One copy of a 1 sets both
+/// constants.
 void MajorityLogic::choose(Row target, Row condition, Bit yes, Bit no) {
   load(Bit::of_row(condition), {negated(0), t(0)});
-  load(no, t(1));
-  load(yes, dual(1));
-  load(Bit::constant(false), {t(2), t(3)});
-  activate(first_dual());
-  activate(second_dual());
-  load(Bit::constant(true), t(2));
-  copy(lower(), target);
+  load(Bit::constant(true), {negated(1), t(1)});
+  load(no, t(2));
+  activate(lower());
+  load(yes, t(1));
+  copy(first_dual(), t(3));
+  copy(second_dual(), target);
 }
 
 void MajorityLogic::begin_chain(Chain chain, bool one) {
@@ -242,17 +240,19 @@ void MajorityLogic::assign_chain(Row target, bool inverted) {
   copy(inverted ? negated(place_) : dual(place_), target);
 }
 
-void MajorityLogic::narrow_not_greater(std::span<const Bit> a, std::span<const Bit> b) {
-  begin_chain(Chain::difference, true);
-  for (std::size_t i = 0; i < a.size(); ++i) carry(a[i], b[i]);
-  narrow_by_chain(false);
-}
-
+/// Two chains side by side, of a < b and of a > b, each with E where all bits so far are equal: both are 1 where E is
+/// and all are.
 void MajorityLogic::narrow_equal(std::span<const Bit> a, std::span<const Bit> b) {
-  const auto is_leaf = [](const Bit& bit) { return bit.kind == Bit::Kind::leaf; };
-  if (std::ranges::any_of(a, is_leaf) || std::ranges::any_of(b, is_leaf)) return ColumnLogic::narrow_equal(a, b);
-  narrow_not_greater(a, b);
-  narrow_not_greater(b, a);
+  if (a.empty()) return;
+  load(enable(), {t(2), t(3)});
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    load(a[i], {negated(0), t(0)});
+    load(b[i], {negated(1), t(1)});
+    activate(first_dual());
+    activate(second_dual());
+  }
+  load(Bit::constant(false), t(1));
+  copy(lower(), map().enable());
 }
 
 void MajorityLogic::and_enable_with_chain(Row target, bool inverted) {

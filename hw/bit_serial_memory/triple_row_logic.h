@@ -63,7 +63,7 @@ class AndOrNotLogic final : public TripleRowLogic {
 };
 
 /// Majorities of three, whose results stay where the next one needs them: a bit of a sum takes eight commands, one of a
-/// comparison three (Hajinazar et al. 2021).
+/// choice seven, of equality four, of a comparison three (Hajinazar et al. 2021).
 class MajorityLogic final : public TripleRowLogic {
  public:
   using TripleRowLogic::TripleRowLogic;
@@ -76,12 +76,10 @@ class MajorityLogic final : public TripleRowLogic {
   void assign_chain(Row target, bool inverted) override;
   void narrow_by_chain(bool inverted) override { and_enable_with_chain(map().enable(), inverted); }
   void select_by_chain(bool inverted) override { and_enable_with_chain(map().select(), inverted); }
-  /// Neither is greater, where rows can be looked at twice.
   void narrow_equal(std::span<const Bit> a, std::span<const Bit> b) override;
 
  private:
   void and_enable_with_chain(Row target, bool inverted);
-  void narrow_not_greater(std::span<const Bit> a, std::span<const Bit> b);
   void sum_first(Row target, Bit a, Bit b);
   void sum_second(Row target, Bit a, Bit b);
 

@@ -3,14 +3,17 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "hw/bit_serial_memory/column_logic.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// What the papers print, and what PIMeval has in its tables, of n bits each:
-//   Ambit    (Seshadri et al. 2017): AND and OR 4 AAP, NOT 2, XOR 5 AAP and 2 AP
-//   SIMDRAM  (Hajinazar et al. 2021): addition 8n + 1, greater 3n + 2, AAPs and APs
-//   PIMeval  (UVA-LavaLab/PIMeval-PIMbench, BitSIMD): reads, writes and logic commands
+// What others have of n bits each, and where it was read:
+//   Ambit    AND and OR 4 AAP, NOT 2, XOR 5 AAP and 2 AP: CMU-SAFARI/MIMDRAM, gem5/src/mem/dram_ctrl.cc
+//   SIMDRAM  sum 8n + 1, greater 3n + 2, equal 4n + 3, choice 7n, AAPs and APs: the programs *-plus.c in microworkloads
+//            of the same; that of a choice loads one operand where it is lost, ours has as many commands and does not
+//   PIMeval  reads, writes and logic commands: UVA-LavaLab/PIMeval-PIMbench, BITSIMD_V in pimPerfEnergyTables.cpp, with
+//            its programs in bit-serial/bitSerialBitsimd.cpp
 
 using namespace csgsim;
 using bit_serial_memory::Bit;
@@ -29,6 +32,7 @@ constexpr std::uint32_t memory_bits = 160;
 constexpr Row a = 0;
 constexpr Row b = 40;
 constexpr Row target = 80;
+constexpr Row condition = 150;
 
 RowCommands commands_of(Design design, const std::function<void(ColumnLogic&)>& make) {
   const RowMap map(memory_bits, 8, 8);
@@ -49,6 +53,21 @@ void compare(ColumnLogic& logic, unsigned n) {
   logic.begin_chain(Chain::difference, false);
   for (unsigned bit = 0; bit < n; ++bit) logic.carry(bit_of(a, bit), bit_of(b, bit));
   logic.assign_chain(target, false);
+}
+
+void choose(ColumnLogic& logic, unsigned n) {
+  for (unsigned bit = 0; bit < n; ++bit)
+    logic.choose(static_cast<Row>(target + bit), condition, bit_of(a, bit), bit_of(b, bit));
+}
+
+void narrow_equal(ColumnLogic& logic, unsigned n) {
+  std::vector<Bit> first;
+  std::vector<Bit> second;
+  for (unsigned bit = 0; bit < n; ++bit) {
+    first.push_back(bit_of(a, bit));
+    second.push_back(bit_of(b, bit));
+  }
+  logic.narrow_equal(first, second);
 }
 
 struct Reads {
@@ -96,13 +115,11 @@ TEST_CASE("sums and differences of n bits by majorities take 8n + 1 commands as 
   }
 }
 
-TEST_CASE("a selection of n bits by majorities takes 8n commands, n more than SIMDRAM prints") {
+TEST_CASE("a choice of n bits by majorities takes 7n commands, and one of equality 4n + 3, as SIMDRAM's") {
   for (const unsigned n : widths) {
-    const RowCommands commands = commands_of(Design::majority, [&](ColumnLogic& logic) {
-      for (unsigned bit = 0; bit < n; ++bit)
-        logic.choose(static_cast<Row>(target + bit), 150, bit_of(a, bit), bit_of(b, bit));
-    });
-    CHECK(commands.size() == 8 * n);
+    CAPTURE(n);
+    CHECK(commands_of(Design::majority, [&](ColumnLogic& logic) { choose(logic, n); }).size() == 7 * n);
+    CHECK(commands_of(Design::majority, [&](ColumnLogic& logic) { narrow_equal(logic, n); }).size() == 4 * n + 3);
   }
 }
 
@@ -111,6 +128,13 @@ TEST_CASE("of single operations a sum of n bits takes 26n + 1 commands, a differ
     CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { sum(logic, Chain::sum, n); }).size() == 26 * n + 1);
     CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { sum(logic, Chain::difference, n); }).size() ==
           30 * n + 1);
+  }
+}
+
+TEST_CASE("of single operations a comparison of n bits takes 18n + 2 commands, a choice 14n") {
+  for (const unsigned n : widths) {
+    CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { compare(logic, n); }).size() == 18 * n + 2);
+    CHECK(commands_of(Design::and_or_not, [&](ColumnLogic& logic) { choose(logic, n); }).size() == 14 * n);
   }
 }
 
@@ -133,11 +157,18 @@ TEST_CASE("sums, differences and operations bit by bit at the sense amplifiers t
   }
 }
 
-TEST_CASE(
-    "a comparison at the sense amplifiers takes 2n + 2 logic commands, fewer than the 3n + 1 of PIMeval's table") {
+TEST_CASE("a comparison at the sense amplifiers takes 2n + 2 logic commands, n fewer than PIMeval's table has") {
   for (const unsigned n : widths) {
     CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { compare(logic, n); })) ==
           Reads{2 * n, 1, 2 * n + 2});
+  }
+}
+
+TEST_CASE(
+    "a choice at the sense amplifiers takes what PIMeval's least of two does after it has compared, and reads E") {
+  for (const unsigned n : widths) {
+    CHECK(reads_of(commands_of(Design::latches, [&](ColumnLogic& logic) { choose(logic, n); })) ==
+          Reads{2 * n + 1, n, 2 * n + 1});
   }
 }
 
