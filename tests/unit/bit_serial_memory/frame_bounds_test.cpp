@@ -1,0 +1,114 @@
+#include <doctest/doctest.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hw/kinds/load.h"
+#include "hw/machines/timing.h"
+
+// The clocks of whole frames, from both sides: worked out from the counts that others print (counts_test.cpp) and from
+// a data sheet of DDR4-2400, without the compiler of row commands and without what the machines' files say.
+
+using namespace csgsim;
+
+namespace {
+
+// In clocks of 1.2 GHz.
+constexpr double ras = 39;
+constexpr double rp = 16;
+constexpr double faw = 26;
+constexpr double refi = 9364;
+constexpr double rfc = 420;
+constexpr double second_activation = 5;  // of Ambit: 4 ns after the first
+constexpr double gate = 4;               // of 300 MHz
+
+constexpr std::uint32_t side = 512;
+constexpr double slots = side * side / (8.0 * 8192);  // a row of eight chips each
+constexpr std::uint16_t memory_bits = 256;
+
+/// Clocks of a bank.
+struct Bounds {
+  double least = 0;
+  double most = 0;
+
+  Bounds& operator+=(const Bounds& more) {
+    least += more.least;
+    most += more.most;
+    return *this;
+  }
+};
+
+/// Of commands with one activation or two; the activations of all slots are over before the bank is closed again.
+Bounds of_rows(double fewest, double greatest) {
+  return {fewest * (ras + rp), greatest * (ras + rp + second_activation)};
+}
+
+/// Of reads, writes and gates.
+Bounds of_gates(double fewest_rows, double fewest_gates, double most_rows, double most_gates) {
+  return {fewest_rows * (ras + rp) + fewest_gates * gate, most_rows * (ras + rp) + most_gates * gate};
+}
+
+/// Of an instruction with fields of n bits; at most E is taken into account besides, by AND or by reading it.
+Bounds majority(isa::Opcode opcode, double n) {
+  switch (opcode) {
+    case isa::Opcode::field_lt: return of_rows(3 * n + 2, 3 * n + 2 + 4);
+    case isa::Opcode::field_eq: return of_rows(4 * n + 3, 4 * n + 3 + 4);
+    default: return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4);  // a sum in some columns
+  }
+}
+
+Bounds gates(isa::Opcode opcode, double n) {
+  switch (opcode) {
+    case isa::Opcode::field_lt: return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4);
+    case isa::Opcode::field_eq: return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4);
+    default: return of_gates(3 * n, 3 * n + 1, 3 * n + 2, 4 * n + 1 + 4);
+  }
+}
+
+/// With the last slots' activations, the clocks in which an instruction is taken and the refreshes.
+Bounds of_frame(const Bounds& work, double instructions) {
+  const double last_slots = 2 * slots / 4 * faw;
+  const double longest_refresh = rfc + ras + rp + second_activation + last_slots;
+  const double most = work.most + (instructions + 1) * (last_slots + 2) + 200;  // the first words come meanwhile
+  return {(work.least - rfc) / (1 - rfc / refi), (most + longest_refresh) / (1 - longest_refresh / refi)};
+}
+
+isa::Instruction instruction(isa::Opcode opcode, std::uint16_t a, std::uint16_t b, std::uint16_t width) {
+  return {.opcode = opcode, .fields = {{{a, width}, {b, width}}}};
+}
+
+double clocks_of(const std::string& machine, const std::vector<isa::Instruction>& instructions) {
+  isa::Program program;
+  program.shape = {side, side, memory_bits};
+  program.segments.push_back({.region = {0, 0, side, side}, .instructions = instructions});
+  return static_cast<double>(machines::time_frame(program, kinds::load(machine)).clocks);
+}
+
+}  // namespace
+
+TEST_CASE("a frame takes the clocks that counts of others and a data sheet give, from both sides") {
+  for (std::uint16_t n = 4; n <= 32; n += 7) {
+    const std::vector<isa::Instruction> instructions{
+        instruction(isa::Opcode::field_lt, 0, 40, n),  instruction(isa::Opcode::add, 80, 0, n),
+        instruction(isa::Opcode::field_eq, 80, 40, n), instruction(isa::Opcode::add, 40, 80, n),
+        instruction(isa::Opcode::field_lt, 80, 0, n),  instruction(isa::Opcode::field_eq, 0, 80, n)};
+    Bounds of_majorities = of_rows(memory_bits, memory_bits + 1);
+    Bounds of_latches = of_gates(memory_bits, 0, memory_bits + 1, memory_bits + 1);
+    for (const isa::Instruction& one : instructions) {
+      of_majorities += majority(one.opcode, n);
+      of_latches += gates(one.opcode, n);
+    }
+    const auto check = [&](const std::string& machine, const Bounds& work) {
+      CAPTURE(machine);
+      CAPTURE(n);
+      const Bounds bounds = of_frame(work, static_cast<double>(instructions.size()));
+      const double taken = clocks_of(machine, instructions);
+      CHECK(taken >= bounds.least);
+      CHECK(taken <= bounds.most);
+      CHECK(bounds.most < 1.5 * bounds.least);
+    };
+    check("simdram-ddr4", of_majorities);
+    check("digital-bit-serial-ddr4", of_latches);
+  }
+}
