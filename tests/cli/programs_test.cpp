@@ -172,3 +172,23 @@ TEST_CASE("of a Program that names no machine it is said which one is assumed") 
   CHECK(unknown.code == 1);
   CHECK(unknown.err.find("'no-such-machine'") != std::string::npos);
 }
+
+TEST_CASE("disasm --row-commands shows what a machine does to rows, and says of which Programs it cannot") {
+  const Folder folder;
+  const std::string rows = compiled(folder, "rows.csgt", "--machine simdram-ddr4");
+  const Outcome text = run("disasm " + rows + " --row-commands");
+  CHECK(text.code == 0);
+  CHECK(text.out.starts_with("# simdram-ddr4: 40 x 30 pixels"));
+  CHECK(text.out.find("\nAAP ") != std::string::npos);
+  REQUIRE(run("disasm " + rows + " --row-commands -o " + (folder / "rows.txt")).code == 0);
+  CHECK(content(folder / "rows.txt") == text.out);
+  const Outcome other = run("disasm " + compiled(folder, "other.csgt", "") + " --row-commands");
+  CHECK(other.code == 1);
+  CHECK(other.out.empty());
+  CHECK(other.err.find("pixel-planes-4, which has no row commands") != std::string::npos);
+  write(folder / "bad.csgt", "no Program\n");
+  const Outcome bad = run("disasm " + (folder / "bad.csgt") + " --row-commands");
+  CHECK(bad.code == 1);
+  CHECK(bad.out.empty());
+  CHECK(bad.err.find("bad.csgt:1:1") != std::string::npos);
+}
