@@ -144,12 +144,14 @@ void Controller::scan_out(isa::Field colour) {
   const std::uint64_t refreshing = account_.refreshing;
   settle();
   unsigned bit = 0;
-  for (const RowCommand& command : send_program(colour)) {
+  const RowCommands commands = send_program(colour);
+  for (const RowCommand& command : commands) {
     refresh_before(command);
     issue(command);
     on_sent_row_(bit++);
   }
   wait_until(std::max(all_closed(), guard_.idle()));
+  begun_.clear();
   account_.refreshing = refreshing;
   shown_clocks_ = edge();
 }
@@ -165,12 +167,11 @@ void Controller::carry_out(const RowCommands& commands) {
   wait(period_);
   settle();
   for (const RowCommand& command : commands) {
-    current_ = &command;
     refresh_before(command);
     issue(command);
   }
-  current_ = nullptr;
   wait_until(std::max(all_closed(), guard_.idle()));
+  begun_.clear();
 }
 
 sc_core::sc_time Controller::all_closed() const {
@@ -208,6 +209,7 @@ void Controller::refresh() {
 void Controller::issue(const RowCommand& command) {
   ++commands_[static_cast<std::size_t>(command.op)];
   const auto in_all = [&](std::uint64_t clocks) {
+    begun_.add(command, banks[0]->free());
     for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank)
       banks[static_cast<int>(bank)]->carry_out_in_all(command, time_of(clocks));
   };
@@ -238,9 +240,12 @@ void Controller::issue_to_slot(const RowCommand& command, std::uint64_t slot) {
   const std::uint64_t cycle = std::uint64_t{clocks.restore} + clocks.precharge;
   BankPort& bank = *banks[static_cast<int>(slots_.bank(slot))];
   activate_at(slot);
+  if (slot == 0) begun_.add(command, sc_core::sc_time_stamp());
   if (command.op == RowOp::receive || command.op == RowOp::send) return transfer(command, slot);
   if (command.op == RowOp::copy) {
-    wait_until(std::max(sc_core::sc_time_stamp() + time_of(clocks.second), guard_.allowed()));
+    const sc_core::sc_time second = std::max(sc_core::sc_time_stamp() + time_of(clocks.second), guard_.allowed());
+    bank.hold_until(second);
+    wait_until(second);
     guard_.activate();
   }
   const std::uint64_t taken = command.op == RowOp::leaf_copy ? std::max<std::uint64_t>(cycle, clocks.leaf) : cycle;

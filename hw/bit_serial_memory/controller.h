@@ -11,6 +11,7 @@
 #include "hw/bit_serial_memory/account.h"
 #include "hw/bit_serial_memory/activation_guard.h"
 #include "hw/bit_serial_memory/bank.h"
+#include "hw/bit_serial_memory/begun_commands.h"
 #include "hw/bit_serial_memory/command_queue.h"
 #include "hw/bit_serial_memory/figures.h"
 #include "hw/bit_serial_memory/micro_program.h"
@@ -57,7 +58,11 @@ class Controller final : public sc_core::sc_module {
   [[nodiscard]] std::string_view state() const { return state_; }
   [[nodiscard]] std::optional<std::uint64_t> ordinal() const { return ordinal_; }
   [[nodiscard]] bool cleared() const { return cleared_; }  ///< pixel memory has been, for the frame that is drawn
-  [[nodiscard]] std::string row_command() const { return current_ == nullptr ? "" : text_of(*current_); }
+  /// Of the first bank.
+  [[nodiscard]] std::string row_command() const {
+    const RowCommand* const current = begun_.current();
+    return current == nullptr ? "" : text_of(*current);
+  }
 
  private:
   void work();
@@ -111,7 +116,7 @@ class Controller final : public sc_core::sc_module {
   std::array<std::uint64_t, row_op_count> commands_{};
   std::string_view state_;
   std::optional<std::uint64_t> ordinal_;
-  const RowCommand* current_ = nullptr;
+  BegunCommands begun_;
 };
 
 }  // namespace csgsim::bit_serial_memory
