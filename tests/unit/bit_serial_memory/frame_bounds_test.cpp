@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/timing.h"
 
@@ -51,19 +53,14 @@ Bounds of_gates(double fewest_rows, double fewest_gates, double most_rows, doubl
 
 /// Of an instruction with fields of n bits; at most E is taken into account besides, by AND or by reading it.
 Bounds majority(isa::Opcode opcode, double n) {
-  switch (opcode) {
-    case isa::Opcode::field_lt: return of_rows(3 * n + 2, 3 * n + 2 + 4);
-    case isa::Opcode::field_eq: return of_rows(4 * n + 3, 4 * n + 3 + 4);
-    default: return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4);  // a sum in some columns
-  }
+  if (opcode == isa::Opcode::field_lt) return of_rows(3 * n + 2, 3 * n + 2 + 4);
+  if (opcode == isa::Opcode::field_eq) return of_rows(4 * n + 3, 4 * n + 3 + 4);
+  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4);  // a sum in some columns
 }
 
 Bounds gates(isa::Opcode opcode, double n) {
-  switch (opcode) {
-    case isa::Opcode::field_lt: return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4);
-    case isa::Opcode::field_eq: return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4);
-    default: return of_gates(3 * n, 3 * n + 1, 3 * n + 2, 4 * n + 1 + 4);
-  }
+  if (opcode == isa::Opcode::add) return of_gates(3 * n, 3 * n + 1, 3 * n + 2, 4 * n + 1 + 4);
+  return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4);
 }
 
 /// With the last slots' activations, the clocks in which an instruction is taken and the refreshes.
