@@ -6,6 +6,7 @@
 #include <systemc>
 
 #include "hw/bit_serial_memory/figures.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::bit_serial_memory {
 
@@ -20,7 +21,7 @@ class ActivationGuard final : public sc_core::sc_module {
   [[nodiscard]] sc_core::sc_time allowed() const { return std::max(apart_, four_[oldest_]); }
   /// There is one at this edge.
   void activate() {
-    const sc_core::sc_time now = sc_core::sc_time_stamp();
+    const sc_core::sc_time now = systemc::now();
     apart_ = now + gap_;
     four_[oldest_] = now + window_;
     oldest_ = (oldest_ + 1) % four_.size();

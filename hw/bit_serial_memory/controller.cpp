@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "hw/isa/operands.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::bit_serial_memory {
 
@@ -60,7 +61,7 @@ isa::Command Controller::next_command() {
   std::uint64_t& waiting = jumped_ ? account_.jumping : account_.starved;
   state_ = "waiting";
   while (true) {
-    const sc_core::sc_time now = sc_core::sc_time_stamp();
+    const sc_core::sc_time now = systemc::now();
     const std::uint64_t since = edge();
     if (figures_.rank.refresh_interval > 0 && due_ <= now) {
       refresh_idle();
@@ -158,7 +159,7 @@ void Controller::scan_out(isa::Field colour) {
 
 /// All banks are closed now, and begin together.
 void Controller::settle() {
-  const sc_core::sc_time now = sc_core::sc_time_stamp();
+  const sc_core::sc_time now = systemc::now();
   for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank) banks[static_cast<int>(bank)]->hold_until(now);
   bus_ = std::max(bus_, now);
 }
@@ -186,7 +187,7 @@ sc_core::sc_time Controller::all_closed() const {
 void Controller::refresh_before(const RowCommand& command) {
   if (figures_.rank.refresh_interval == 0 || !begins_closed(command.op)) return;
   wait_until(std::max(banks[0]->free(), guard_.allowed()));
-  const sc_core::sc_time begun = sc_core::sc_time_stamp();
+  const sc_core::sc_time begun = systemc::now();
   if (begun < due_) return;
   const std::string_view before = std::exchange(state_, "refreshing");
   wait_until(all_closed());
@@ -254,7 +255,7 @@ void Controller::issue_to_slot(const RowCommand& command, std::uint64_t slot) {
 
 void Controller::transfer(const RowCommand& command, std::uint64_t slot) {
   const CommandClocks& clocks = figures_.command;
-  const sc_core::sc_time now = sc_core::sc_time_stamp();
+  const sc_core::sc_time now = systemc::now();
   bus_ = std::max(bus_, now + time_of(clocks.column)) + time_of(transfer_clocks(slots_.columns(slot), figures_));
   const sc_core::sc_time closing = std::max(now + time_of(clocks.restore), bus_ + time_of(clocks.recovery));
   banks[static_cast<int>(slots_.bank(slot))]->carry_out(command, slot, closing + time_of(clocks.precharge));

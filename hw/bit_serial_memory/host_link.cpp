@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hw/isa/wire.h"
+#include "hw/systemc/kernel.h"
 
 namespace csgsim::bit_serial_memory {
 
@@ -60,7 +61,7 @@ void HostLink::send_from(std::uint64_t instruction) {
     state_ = "blocked";
     if (!await_room()) return;
     state_ = "sending";
-    const sc_core::sc_time begun = sc_core::sc_time_stamp();
+    const sc_core::sc_time begun = systemc::now();
     const bool whole = rest(commands_[i].size() * std::uint64_t{link_.word_clocks});
     sending_ += (sc_core::sc_time_stamp() - begun).value() / period_.value();
     if (!whole) return;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <vector>
 
 #include "hw/bit_serial_memory/figures.h"
@@ -19,7 +19,9 @@ struct RankState {
   std::array<std::int64_t, 4> allowed{};  ///< from when on the next four activations are, by the window
   std::int64_t bus = 0;                   ///< from when on it is free
 
-  auto operator<=>(const RankState&) const = default;
+  bool operator<(const RankState& other) const {
+    return std::tie(free, allowed, bus) < std::tie(other.free, other.allowed, other.bus);
+  }
 };
 
 /// A rank goes from command to command. It comes back to few states again and again, so that what a command makes of

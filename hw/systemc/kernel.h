@@ -11,6 +11,9 @@ namespace csgsim::systemc {
 /// The machine's clock period. Its first rising edge is one period after the start, not at time 0.
 sc_core::sc_time period_of(const machines::Machine& machine);
 
+/// The time as it is now; what sc_time_stamp() returns refers to one that goes on.
+inline sc_core::sc_time now() { return sc_core::sc_time_stamp(); }
+
 /// Rising edges of a clock of that period since the simulation began.
 std::uint64_t edges(const sc_core::sc_time& period);
 

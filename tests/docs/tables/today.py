@@ -6,7 +6,8 @@ DIGITAL = "digital-bit-serial-ddr4"
 TREES = f"{DIGITAL}+logic.expressions=trees"
 OLD = ("pixel-planes-4", "pixel-planes-5")
 MACHINES = (*OLD, DIGITAL, TREES, "simdram-ddr4", "ambit-ddr4")
-CORPUS = ("thesis_fig_2_3", "old_example002", "old_example003", "old_example011", "molecule", "crossing_cylinders", "sphere")
+CORPUS = (*(f"models/{name}" for name in ("thesis_fig_2_3", "old_example002", "old_example003", "old_example011", "molecule", "crossing_cylinders", "sphere")),
+          "corpus/assembly", "corpus/engraved_box", "corpus/gear")
 LACKING = (("as it is", ""),
            ("the expression trees", "+logic.expressions=trees"),
            ("a latch that enables writes", "+logic.enable=1"),
@@ -50,8 +51,8 @@ def models(figures):
 def corpus(figures):
     rows = []
     for model in CORPUS:
-        stats = [figures.render(f"tests/models/{model}.csg", f"--view-all --machine {machine}") for machine in MACHINES]
-        rows.append((model, *(f"{each.simulated_seconds * 1e3:,.3g}" for each in stats), joules(stats[2]), *(joules(each) for each in stats[4:])))
+        stats = [figures.render(f"tests/{model}.csg", f"--view-all --machine {machine}") for machine in MACHINES]
+        rows.append((model.split("/")[1], *(f"{each.simulated_seconds * 1e3:,.3g}" for each in stats), joules(stats[2]), *(joules(each) for each in stats[4:])))
     return ruled(("model", *(f"`{machine}`" for machine in MACHINES), "J, digital", "J, SIMDRAM", "J, Ambit"), rows)
 
 
