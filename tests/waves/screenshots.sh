@@ -35,6 +35,7 @@ photograph frame_buffer pixel-planes-4 256x256 128,120
 photograph scan_line scan-line 256x256 128,120
 photograph pixel_square pixel-square+divider.kind=host 256x256 128,120
 photograph multi_processor multi-processor 128x128 64,60
+photograph bit_serial_memory simdram-ddr4 64x48 32,24
 
 # docs/debugging.md
 csgsim wave tests/debugging/fig_2_3_fault.txt --pixel 60,48 --window i50 -o "$work/fault.vcd" > /dev/null
