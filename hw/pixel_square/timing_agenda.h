@@ -44,16 +44,30 @@ constexpr std::size_t next_in_turn(std::size_t number, std::size_t count) {
   return number + 1 == count ? 0 : number + 1;
 }
 
-/// Which of several that take turns have something to give.
-class Givers {
+/// Some of the numbers below a count.
+class Numbers {
  public:
-  explicit Givers(std::size_t count) : words_((count + 63) / 64) {}
+  explicit Numbers(std::size_t count) : words_((count + 63) / 64) {}
 
+  [[nodiscard]] bool empty() const {
+    return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
+  }
   void add(std::size_t number) { words_[number / 64] |= bit(number); }
   void remove(std::size_t number) { words_[number / 64] &= ~bit(number); }
 
-  /// Calls `ask` with each that has, once around from `first` on, as long as it returns true. Only the one that is
-  /// asked may change meanwhile.
+  /// The least, if there is any, which is no longer there then.
+  std::optional<std::size_t> take() {
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const std::uint64_t word = words_[i];
+      if (word == 0) continue;
+      words_[i] = word & (word - 1);
+      return i * 64 + static_cast<std::size_t>(std::countr_zero(word));
+    }
+    return std::nullopt;
+  }
+
+  /// Calls `ask` with each, once around from `first` on, as long as it returns true. Only the one that is asked may
+  /// change meanwhile.
   template <class Ask>
   void each_from(std::size_t first, const Ask& ask) const {
     if (words_.empty()) return;
@@ -116,29 +130,6 @@ class Agenda {
  private:
   static constexpr Time never = ~Time{0};
 
-  /// Numbers of parts.
-  class Parts {
-   public:
-    explicit Parts(std::size_t most) : words_(most / 64 + 1) {}
-    [[nodiscard]] bool empty() const {
-      return std::ranges::all_of(words_, [](std::uint64_t word) { return word == 0; });
-    }
-    void add(std::size_t part) { words_[part / 64] |= std::uint64_t{1} << part % 64; }
-    /// The least, if there is any, which is no longer there then.
-    std::optional<std::size_t> take() {
-      for (std::size_t i = 0; i < words_.size(); ++i) {
-        const std::uint64_t word = words_[i];
-        if (word == 0) continue;
-        words_[i] = word & (word - 1);
-        return i * 64 + static_cast<std::size_t>(std::countr_zero(word));
-      }
-      return std::nullopt;
-    }
-
-   private:
-    std::vector<std::uint64_t> words_;
-  };
-
   /// To the next edge at which a part acts.
   void go_on() {
     now_ = next_.empty() ? later_.top().first : now_ + 1;
@@ -149,8 +140,8 @@ class Agenda {
   using Entry = std::pair<Time, std::size_t>;
   Time now_ = 0;
   std::vector<Time> due_;  ///< of each part, or never
-  Parts here_;
-  Parts next_;
+  Numbers here_;
+  Numbers next_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> later_;
 };
 
@@ -170,23 +161,23 @@ class Fifo {
 
   [[nodiscard]] const Word& oldest() const { return words_.front().first; }
 
-  /// From now on keeps up `givers`, whose `number` it becomes: whether there is a word.
-  void show(Givers& givers, std::size_t number) {
-    givers_ = &givers;
+  /// From now on `number` is among those as long as there is a word.
+  void show(Numbers& with_words, std::size_t number) {
+    with_words_ = &with_words;
     number_ = number;
   }
 
   void write(Time now, Word word) {
     if (words_.full()) words_.set_capacity(std::max<std::size_t>(2 * words_.size(), 8));
     words_.push_back({std::move(word), now});
-    if (givers_ != nullptr) givers_->add(number_);
+    if (with_words_ != nullptr) with_words_->add(number_);
     agenda_->wake(reader_, now + 1);
   }
 
   Word read(Time now) {
     const Word word = words_.front().first;
     words_.pop_front();
-    if (givers_ != nullptr && words_.empty()) givers_->remove(number_);
+    if (with_words_ != nullptr && words_.empty()) with_words_->remove(number_);
     read_ = now;
     agenda_->wake(writer_, now + 1);
     return word;
@@ -199,7 +190,7 @@ class Fifo {
   Agenda* agenda_;
   boost::circular_buffer<std::pair<Word, Time>> words_;  ///< with the edge at which each was written
   Time read_ = 0;                                        ///< edge of the last read
-  Givers* givers_ = nullptr;
+  Numbers* with_words_ = nullptr;
   std::size_t number_ = 0;
 };
 

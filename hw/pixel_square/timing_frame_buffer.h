@@ -43,7 +43,7 @@ class FrameBufferTiming {
   Agenda& agenda_;
   ScreenTiming screen_;
   PartClocks clocks_;
-  Givers giving_;                      ///< ports that have something to be stored
+  Numbers giving_;                     ///< ports that have something to be stored
   std::size_t turn_ = 0;               ///< port that is asked first
   std::vector<LeavingSquare> clears_;  ///< squares that are being cleared, one a port behind the renderers'
   std::vector<std::uint32_t> taken_;   ///< banks, in the clock at hand

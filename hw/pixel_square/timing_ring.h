@@ -43,7 +43,7 @@ class RingTiming {
   std::size_t channels_;
   std::vector<Fifo<TimedPortWord>> carried_;
   PartClocks clocks_;
-  Givers sources_;                   ///< with words: processors, and behind them renderers
+  Numbers sources_;                  ///< with words: processors, and behind them renderers
   std::size_t turn_ = 0;             ///< source that is asked first
   std::size_t to_frame_buffer_ = 0;  ///< words carried there at it
   std::uint64_t words_ = 0;
