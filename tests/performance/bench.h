@@ -110,13 +110,14 @@ struct Whole {
 struct Results {
   Build build;
   Settings settings;
-  std::vector<Speed> speeds;
-  std::vector<DensePair> dense;
-  std::vector<Rival> rivals;
-  std::vector<Growth> growths;
-  std::vector<Count> counts;
-  std::vector<Schedule> schedules;
-  std::vector<Whole> works;
+  std::string other{};  ///< what is beside this build, by name_of_build(); empty if nothing is
+  std::vector<Speed> speeds{};
+  std::vector<DensePair> dense{};
+  std::vector<Rival> rivals{};
+  std::vector<Growth> growths{};
+  std::vector<Count> counts{};
+  std::vector<Schedule> schedules{};
+  std::vector<Whole> works{};
 };
 
 /// Parts of the measurement. Each writes what it draws into the folder, and throws InputError for what cannot be drawn.

@@ -1,9 +1,15 @@
 #include "tests/performance/build.h"
 
+#include <fmt/format.h>
 #include <hwy/highway.h>
 
+#include <array>
 #include <fstream>
+#include <sstream>
 #include <thread>
+
+#include "hw/base/text.h"
+#include "tests/performance/process.h"
 
 namespace csgsim::bench {
 
@@ -28,6 +34,15 @@ std::string best_vectors() {
 Build this_build() {
   return {CSGSIM_COMMIT, CSGSIM_COMPILER, CSGSIM_FLAGS, cpu_model(), std::thread::hardware_concurrency(),
           best_vectors()};
+}
+
+std::string name_of_build(const std::filesystem::path& csgsim) {
+  const std::array<std::string, 2> words{csgsim.native(), "--version"};
+  std::istringstream lines(output_of(words));
+  for (std::string word; lines >> word;) {
+    if (word == "commit" && lines >> word) return "commit " + word.substr(0, word.find(','));
+  }
+  return fmt::format("`{}`", printable(csgsim.filename().native()));
 }
 
 }  // namespace csgsim::bench

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 namespace csgsim::bench {
@@ -15,5 +16,9 @@ struct Build {
 };
 
 Build this_build();
+
+/// The commit that another csgsim tells of itself, or its file's name if it tells of none. Throws InputError if it is
+/// no program, or one that fails.
+std::string name_of_build(const std::filesystem::path& csgsim);
 
 }  // namespace csgsim::bench

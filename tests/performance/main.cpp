@@ -87,7 +87,8 @@ Settings settings_of(const Options& options, const std::filesystem::path& folder
 }
 
 Results measure(const Settings& settings, const std::string& asked) {
-  Results results{this_build(), settings, {}, {}, {}, {}, {}, {}, {}};
+  Results results{.build = this_build(), .settings = settings};
+  if (!settings.beside.empty()) results.other = name_of_build(settings.beside);
   for (const std::string& name : parts_of(asked))
     std::ranges::find(parts, name, &Part::name)->measure(settings, results);
   return results;

@@ -20,6 +20,9 @@ std::optional<Took> run_process(std::span<const std::string> words);
 /// The same, but a program that takes more seconds than that is ended, which is an InputError too.
 std::optional<Took> run_process_within(unsigned seconds, std::span<const std::string> words);
 
+/// What it prints, without errors; InputError, too, if there is no such program.
+std::string output_of(std::span<const std::string> words);
+
 /// The words as a shell reads them, the program without its folder.
 std::string command_text(std::span<const std::string> words);
 

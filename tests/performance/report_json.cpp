@@ -124,6 +124,7 @@ Json to_json(const Results& results) {
   const Build& build = results.build;
   return {{"machine", {{"cpu", build.cpu}, {"cores", build.cores}, {"vectors", build.vectors}}},
           {"build", {{"commit", build.commit}, {"compiler", build.compiler}, {"flags", build.flags}}},
+          {"other_build", results.other},
           {"size", results.settings.size},
           {"rounds", {{"most", results.settings.rounds.most}, {"seconds", results.settings.rounds.seconds}}},
           {"speed", list(results.speeds)},

@@ -174,10 +174,7 @@ std::string works(const Results& results) {
 
 std::string to_tables(const Results& results) {
   const Build& build = results.build;
-  const std::string beside =
-      results.settings.beside.empty()
-          ? ""
-          : fmt::format("; the *other* is `{}`", printable(results.settings.beside.filename().native()));
+  const std::string beside = results.other.empty() ? "" : fmt::format("; the *other* is {}", results.other);
   return fmt::format("{}, {} cores, {}; {}, `{}`{}{}{}. Medians of up to {} rounds.\n\n", build.cpu, build.cores,
                      build.vectors, build.compiler, build.flags, build.commit.empty() ? "" : "; commit ", build.commit,
                      beside, results.settings.rounds.most) +
