@@ -82,7 +82,7 @@ void Carver::clip(facet::Halfspace halfspace) {
 }
 
 void Carver::drop_vertex(std::uint32_t vertex) {
-  at_[vertex] = {};
+  at_[vertex] = FacesAt();
   is_alive_[vertex] = false;
   index_.remove(vertex, polytope_.vertices[vertex]);
 }
@@ -90,7 +90,10 @@ void Carver::drop_vertex(std::uint32_t vertex) {
 void Carver::drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful) {
   std::vector<std::uint32_t> corners;
   std::swap(corners, polytope_.faces[face].corners);
-  for (const std::uint32_t corner : corners) std::erase(at_[corner], face);
+  for (const std::uint32_t corner : corners) {
+    const auto gone = std::ranges::remove(at_[corner], face);
+    at_[corner].erase(gone.begin(), gone.end());
+  }
   doubtful.insert(doubtful.end(), corners.begin(), corners.end());
   --faces_;
 }
@@ -131,7 +134,7 @@ void Carver::drop_flat(std::vector<std::uint32_t> doubtful) {
     const std::uint32_t vertex = doubtful.back();
     doubtful.pop_back();
     if (!is_alive_[vertex] || at_[vertex].size() >= 3) continue;
-    const std::vector<std::uint32_t> faces = at_[vertex];
+    const FacesAt faces = at_[vertex];
     drop_vertex(vertex);
     for (const std::uint32_t face : faces) {
       std::vector<std::uint32_t>& corners = polytope_.faces[face].corners;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <vector>
 
@@ -41,12 +42,14 @@ class Carver {
   void drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful);
   void clear();
 
+  using FacesAt = boost::container::small_vector<std::uint32_t, 4>;
+
   const facet::PlaneTable& planes_;
   Polytope polytope_;  ///< with vertices that no face has, and faces without corners
   std::uint32_t faces_ = 0;
-  std::vector<std::vector<std::uint32_t>> at_;  ///< of each vertex the faces that have it
-  std::vector<bool> is_alive_;                  ///< of each vertex, whether a face has it
-  std::vector<VertexSide> sides_;               ///< of the half-space; in, but of those found
+  std::vector<FacesAt> at_;        ///< of each vertex the faces that have it
+  std::vector<bool> is_alive_;     ///< of each vertex, whether a face has it
+  std::vector<VertexSide> sides_;  ///< of the half-space; in, but of those found
   VertexIndex index_;
   std::vector<std::uint32_t> found_;
   std::uint32_t deep_ = 0;         ///< a vertex that was in last

@@ -20,6 +20,7 @@
 #include "host/emit/preparation.h"
 #include "host/emit/quadric_depths.h"
 #include "hw/base/error.h"
+#include "hw/base/pages.h"
 #include "hw/isa/extents.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/pieces.h"
@@ -307,6 +308,7 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
   const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called});
+  if (geometry.halfspaces() >= many_halfspaces) give_back_memory();  // of solids that were cut to shape
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());

@@ -24,6 +24,7 @@ constexpr std::array<std::uint8_t, 4> magic{'C', 'S', 'G', 'T'};
 constexpr std::uint8_t version = 4;
 constexpr std::uint8_t first_version = 2;  ///< that can be read: it does not name its machine
 constexpr std::size_t checksum_size = 4;
+constexpr std::size_t usual_bytes = 32;  ///< that an instruction takes at most, but for the widest
 constexpr std::uint8_t same_origin = 0x80;
 constexpr std::uint8_t has_effect = 0x80;  ///< in a purpose's byte: an effect's index follows
 static_assert(purpose_table.size() <= has_effect);
@@ -166,6 +167,7 @@ bool is_binary(std::span<const std::byte> bytes) {
 
 std::vector<std::byte> encode(const Program& program) {
   ByteWriter out;
+  out.reserve(usual_bytes * instructions_in(program));
   out.block(magic);
   out.byte(version);
   const std::vector<std::uint8_t> metadata = encode_metadata(program);

@@ -26,6 +26,9 @@ constexpr std::int64_t unzigzag(std::uint64_t code) {
 /// Appends bytes to a vector.
 class ByteWriter {
  public:
+  /// Room for so many: what is never written takes no memory but addresses.
+  void reserve(std::size_t count) { bytes_.reserve(count); }
+
   void byte(std::uint8_t value) { bytes_.push_back(std::byte{value}); }
 
   void block(std::span<const std::uint8_t> values) {

@@ -255,6 +255,9 @@ struct FrameHeader {
 
 FrameHeader frame_header(const Program& program);
 
+/// How many all its segments have.
+std::size_t instructions_in(const Program& program);
+
 /// The field that people are told has that role, or one of width 0 if there is none.
 Field field_of(const Program& program, FieldRole role);
 

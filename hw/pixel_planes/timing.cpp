@@ -37,6 +37,7 @@ struct Task {
 std::vector<Task> tasks_of(const isa::Program& program, const machines::Machine& machine,
                            std::span<const machines::Skip> skips) {
   std::vector<Task> tasks;
+  tasks.reserve(program.segments.size() + isa::instructions_in(program) + 1);
   const auto words = [&](const isa::Command& command) { return isa::wire_words(command, machine.link.width); };
   for (std::uint32_t s = 0; s < program.segments.size(); ++s) {
     const isa::Segment& segment = program.segments[s];

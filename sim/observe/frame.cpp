@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "hw/base/filled.h"
+#include "hw/base/pages.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::observe {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "hw/base/filled.h"
+#include "hw/base/pages.h"
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"

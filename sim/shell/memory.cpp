@@ -29,7 +29,7 @@ std::string short_of_memory(std::span<const isa::Program> programs, const isa::A
   std::uint64_t instructions = 0;
   std::uint64_t halfspaces = 0;
   for (const isa::Program& program : programs) {
-    for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
+    instructions += isa::instructions_in(program);
     halfspaces = std::max(halfspaces, program.facts.model.halfspaces);
   }
   const std::uint64_t pixels = std::uint64_t{array.width} * array.height;

@@ -9,6 +9,7 @@
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
 #include "hw/isa/binary.h"
+#include "hw/isa/program.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
@@ -42,10 +43,8 @@ void add_compile(CommandLine& line) {
     const std::vector<std::byte> bytes = isa::encode(program);
     file.write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     file.commit();
-    std::size_t instructions = 0;
-    for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();
-    fmt::print("{}: {} for {} x {} pixels\n", printable(options->output), counted(instructions, "instruction"),
-               program.shape.width, program.shape.height);
+    fmt::print("{}: {} for {} x {} pixels\n", printable(options->output),
+               counted(isa::instructions_in(program), "instruction"), program.shape.width, program.shape.height);
   });
 }
 

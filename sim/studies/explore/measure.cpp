@@ -4,6 +4,7 @@
 #include <array>
 
 #include "hw/base/error.h"
+#include "hw/isa/program.h"
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
 #include "hw/process/price.h"
@@ -36,7 +37,7 @@ void count(const Fitted& fitted, ExploreRow& row) {
   const isa::Program& program = fitted.program;
   const machines::Machine& machine = fitted.machine;
   row.halfspaces = program.facts.model.halfspaces;
-  for (const isa::Segment& segment : program.segments) row.instructions += segment.instructions.size();
+  row.instructions = isa::instructions_in(program);
   row.used_bits = observe::used_memory_bits(program);
   const machines::Resources resources = resources_of(fitted);
   row.processors = resources.processors;

@@ -5,6 +5,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/isa/program.h"
 #include "hw/machines/area.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
@@ -35,7 +36,7 @@ void count(const isa::Program& program, const machines::Machine& machine, SweepR
   row.colouring_used = program.facts.compile.colouring;
   row.primitives = program.facts.model.primitives;
   row.halfspaces = program.facts.model.halfspaces;
-  for (const isa::Segment& segment : program.segments) row.instructions += segment.instructions.size();
+  row.instructions = isa::instructions_in(program);
   row.rendered = program.facts.compile.rendered;
   row.classified = program.facts.compile.classified;
   row.depth_tests = program.facts.compile.depth_tests;

@@ -1,4 +1,4 @@
-#include "hw/base/filled.h"
+#include "hw/base/pages.h"
 
 #include <doctest/doctest.h>
 

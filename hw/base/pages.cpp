@@ -1,9 +1,12 @@
-#include "hw/base/filled.h"
+#include "hw/base/pages.h"
 
 #include <cstdint>
 
 #ifdef __linux__
 #include <sys/mman.h>
+#endif
+#ifdef __GLIBC__
+#include <malloc.h>
 #endif
 
 namespace csgsim {
@@ -35,5 +38,11 @@ void have_pages(void* memory, std::size_t bytes) {
 void have_pages(void* /*memory*/, std::size_t /*bytes*/) {}
 
 #endif
+
+void give_back_memory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
 
 }  // namespace csgsim
