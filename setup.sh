@@ -14,8 +14,9 @@ Usage: ./setup.sh COMMAND
   install-test
          install that package in a bare Debian 12, which is downloaded into a chroot, and draw there; the log is
          build/install-test.log
-  asan   build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
-         suite
+  asan [core]
+         build everything with clang, warnings as errors, with address and undefined-behaviour sanitizers, and run the
+         suite; with core, only what reads users' files, compiles and simulates
   fuzz MINUTES [RUNS]
          build the fuzzers and run them for so long in all, each for RUNS cases at most
   tsan   run under the thread sanitizer what works on several threads
@@ -305,9 +306,17 @@ case "${1:-}" in
     ctest --preset release -j "$(nproc)"
     ;;
   asan)
+    case "${2:-}" in
+      '') core=OFF ;;
+      core) core=ON ;;
+      *)
+        usage
+        exit 2
+        ;;
+    esac
     # shellcheck disable=SC2086
     need $build_packages $test_packages $clang_packages
-    build asan -DCSGSIM_BUILD_TESTS=ON
+    build asan -DCSGSIM_BUILD_TESTS=ON "-DCSGSIM_CORE_TESTS=$core"
     ctest --preset asan -j "$(nproc)"
     ;;
   flags)
