@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <string_view>
 
 #include "places.h"
@@ -34,6 +33,13 @@ std::string source(std::string_view path) {
   return std::filesystem::proximate(std::filesystem::path(CSGSIM_SOURCE_DIR) / path).native();
 }
 
+/// A command of a row.
+struct Step {
+  Words words;
+  std::filesystem::path folder{};  ///< of a study: gone before it begins, which else goes on from what it finds there
+};
+using Steps = std::vector<Step>;
+
 /// `csgsim COMMAND MODEL` of a stand-in.
 Words of_stand_in(const Settings& settings, const std::string& command, const StandIn& model) {
   return {settings.csgsim.native(), command, source(fmt::format("tests/models/{}.csg", model.name)), "--camera",
@@ -45,13 +51,14 @@ Words with(Words words, const Words& more) {
   return words;
 }
 
-/// A study of each of the stand-ins, into a new folder.
-std::vector<Words> studies(const Settings& settings, const std::string& study) {
-  std::vector<Words> all;
+/// A study of each of the stand-ins.
+Steps studies(const Settings& settings, const std::string& study) {
+  Steps all;
   for (const StandIn& model : stand_ins) {
     const std::filesystem::path folder = settings.folder / fmt::format("{}-{}", study, model.name);
     all.push_back(
-        with(of_stand_in(settings, study, model), {"--no-plots", "--progress", "none", "-o", folder.native()}));
+        {with(of_stand_in(settings, study, model), {"--no-plots", "--progress", "none", "-o", folder.native()}),
+         folder});
   }
   return all;
 }
@@ -64,49 +71,49 @@ Words shadowed(const Settings& settings, const Words& more) {
       with({"--scene", source("tests/scenes/shadows.toml"), "-o", (settings.folder / "shadows.png").native()}, more));
 }
 
-/// A row of the table: the commands, in order, of one build.
+/// A row of the table: the steps, in order, of one build.
 struct WorkRow {
   std::string_view name;
   std::string_view what;
-  std::vector<Words> (*commands)(const Settings& settings);
+  Steps (*steps)(const Settings& settings);
   double halfspaces = 0;  ///< of the model, where memory is told for these
 };
 
-std::vector<Words> picture(const Settings& settings) {
-  return {{settings.csgsim.native(), "render", source("tests/models/thesis_fig_2_3.csg"), "--size", settings.size, "-o",
-           (settings.folder / "picture.png").native()}};
+Steps picture(const Settings& settings) {
+  return {{{settings.csgsim.native(), "render", source("tests/models/thesis_fig_2_3.csg"), "--size", settings.size,
+            "-o", (settings.folder / "picture.png").native()}}};
 }
 
-std::vector<Words> reference(const Settings& settings) {
+Steps reference(const Settings& settings) {
   const Compiled compiled = compile(settings, source("tests/models/carburettor.csg"), machine, settings.size);
-  return {run_words(settings, compiled, "reference")};
+  return {{run_words(settings, compiled, "reference")}};
 }
 
 /// Writes the Program that million_run needs.
-std::vector<Words> million_compile(const Settings& settings) {
+Steps million_compile(const Settings& settings) {
   const auto model = put_model(settings, "million", drilled_sphere(million_fragments));
-  return {compile_words(settings, model, million(settings), settings.size)};
+  return {{compile_words(settings, model, million(settings), settings.size)}};
 }
 
-std::vector<Words> million_run(const Settings& settings) {
-  if (!std::filesystem::exists(million(settings).program)) whole_process(million_compile(settings).front());
-  return {run_words(settings, million(settings), "functional")};
+Steps million_run(const Settings& settings) {
+  if (!std::filesystem::exists(million(settings).program)) whole_process(million_compile(settings).front().words);
+  return {{run_words(settings, million(settings), "functional")}};
 }
 
-std::vector<Words> plate(const Settings& settings) {
+Steps plate(const Settings& settings) {
   const auto model = put_model(settings, "plate", drilled_plate(holes, hole_facets, 1));
-  return {compile_words(settings, model, {settings.folder / "plate.csgt", machine}, settings.size)};
+  return {{compile_words(settings, model, {settings.folder / "plate.csgt", machine}, settings.size)}};
 }
 
-std::vector<Words> shadows(const Settings& settings) { return {shadowed(settings, {"--memory-bits", "96"})}; }
+Steps shadows(const Settings& settings) { return {{shadowed(settings, {"--memory-bits", "96"})}}; }
 
-std::vector<Words> shadows_four(const Settings& settings) {
-  return {shadowed(settings, {"--memory-bits", "208", "--set", "effects.antialias.samples=4"})};
+Steps shadows_four(const Settings& settings) {
+  return {{shadowed(settings, {"--memory-bits", "208", "--set", "effects.antialias.samples=4"})}};
 }
 
-std::vector<Words> sweep(const Settings& settings) { return studies(settings, "sweep"); }
-std::vector<Words> accuracy(const Settings& settings) { return studies(settings, "accuracy"); }
-std::vector<Words> compare(const Settings& settings) { return studies(settings, "compare"); }
+Steps sweep(const Settings& settings) { return studies(settings, "sweep"); }
+Steps accuracy(const Settings& settings) { return studies(settings, "accuracy"); }
+Steps compare(const Settings& settings) { return studies(settings, "compare"); }
 
 const std::array rows{
     WorkRow{"picture", "a small picture, from start to PNG", picture},
@@ -123,10 +130,11 @@ const std::array rows{
 };
 
 /// Of all commands of a row: the sum of their seconds. `memory` becomes the most that one of them took.
-double run_all(const std::vector<Words>& commands, double& memory) {
+double run_all(const Steps& steps, double& memory) {
   double seconds = 0;
-  for (const Words& words : commands) {
-    const Took took = took_by(words);
+  for (const Step& step : steps) {
+    if (!step.folder.empty()) std::filesystem::remove_all(step.folder);
+    const Took took = took_by(step.words);
     seconds += took.wall;
     memory = std::max(memory, took.memory);
   }
@@ -139,9 +147,10 @@ Whole measure(const Settings& settings, const WorkRow& row) {
   std::array<double*, 2> memories{&whole.memory, &whole.other_memory};
   const std::vector<Settings> sides = sides_of(settings);
   for (std::size_t side = 0; side < sides.size(); ++side) {
-    const std::vector<Words> commands = row.commands(sides[side]);
-    if (side == 0) std::ranges::transform(commands, std::back_inserter(whole.commands), command_text);
-    timed.at(side).emplace_back([commands, &memory = *memories.at(side)] { return run_all(commands, memory); });
+    const Steps steps = row.steps(sides[side]);
+    if (side == 0)
+      for (const Step& step : steps) whole.commands.push_back(command_text(step.words));
+    timed.at(side).emplace_back([steps, &memory = *memories.at(side)] { return run_all(steps, memory); });
   }
   whole.wall = compare_in_turn(timed[0], timed[1], settings.rounds).front();
   return whole;
