@@ -91,8 +91,8 @@ void Carver::drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful)
   std::vector<std::uint32_t> corners;
   std::swap(corners, polytope_.faces[face].corners);
   for (const std::uint32_t corner : corners) {
-    const auto gone = std::ranges::remove(at_[corner], face);
-    at_[corner].erase(gone.begin(), gone.end());
+    FacesAt& faces = at_[corner];
+    faces.erase(std::remove(faces.begin(), faces.end(), face), faces.end());
   }
   doubtful.insert(doubtful.end(), corners.begin(), corners.end());
   --faces_;
