@@ -197,11 +197,12 @@ AnalyticPictures::AnalyticPictures(const model::Tree& tree, const facet::Facetin
 const Truth& AnalyticPictures::truth(const isa::DepthScale& depth) {
   if (tree_.root == model::no_index) return truth_;
   const long double near = depth.near;
-  const bool is_first = !near_;
   const bool has_changed = near_ && *near_ != near && camera_.projection == view::Projection::perspective;
-  if (is_first || has_changed) {
+  if (!near_ || has_changed) {
     RayPainter painter(tree_, solids_, camera_, near, truth_, nearest_);
-    painter.paint(is_first ? infinitely_far : std::max(*near_, near));
+    long double before = infinitely_far;
+    if (near_) before = std::max(*near_, near);
+    painter.paint(before);
   }
   near_ = near;
   return truth_;

@@ -22,6 +22,8 @@ def filled(template, values):
     text = (TOP / template).read_text()
     for name, value in values.items():
         text = text.replace(f"@{name}@", value)
+    if lacking := re.search(r"@(CSGSIM_\w+)@", text):
+        raise SystemExit(f"{template} asks for {lacking.group(1)}, which sim/web/rooms.py does not give")
     return text
 
 
@@ -33,11 +35,13 @@ def embedded(folder, names):
 
 def make_sources(made):
     """Into made/ROOM/, what CMake writes into the build folder."""
-    kinds = words_of("hw/kinds/CMakeLists.txt", "kinds")
+    kinds, machines, costly = (words_of("hw/kinds/CMakeLists.txt", name)
+                               for name in ("kinds", "machines", "costly_machines"))
     write(made / "kinds/rows.cpp", filled("hw/kinds/rows.cpp.in", {
         "CSGSIM_KIND_INCLUDES": "".join(f'#include "hw/{kind}/kind.h"\n' for kind in kinds),
         "CSGSIM_KIND_ROWS": "".join(f"    &{kind}::kind,\n" for kind in kinds),
-        "CSGSIM_BUILT_IN_MACHINES": embedded("hw/machines", words_of("hw/kinds/CMakeLists.txt", "machines"))}))
+        "CSGSIM_BUILT_IN_MACHINES": embedded("hw/machines", machines),
+        "CSGSIM_COSTLY_MACHINES": ", ".join(f'"{name}"' for name in costly)}))
     processors = words_of("hw/processors/CMakeLists.txt", "processors")
     write(made / "processors/built_in.cpp", filled("hw/processors/built_in.cpp.in", {
         "CSGSIM_BUILT_IN_PROCESSORS": embedded("hw/processors", processors)}))
