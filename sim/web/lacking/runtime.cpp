@@ -9,6 +9,9 @@ std::uintptr_t __stack_chk_guard = 0x595e9fbd;
 [[noreturn]] void __stack_chk_fail() { std::abort(); }
 }
 
+// The page has one thread, which does not end: what belongs to it stays.
+extern "C" int __cxa_thread_atexit(void (* /*destroy*/)(void*), void* /*object*/, void* /*library*/) { return 0; }
+
 namespace {
 
 void* allocated(std::size_t bytes) {
