@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 #include <hwy/highway.h>
 
-#include <array>
 #include <fstream>
 #include <sstream>
 #include <thread>
 
 #include "hw/base/text.h"
-#include "tests/performance/process.h"
+#include "tests/performance/runs.h"
 
 namespace csgsim::bench {
 
@@ -37,8 +36,7 @@ Build this_build() {
 }
 
 std::string name_of_build(const std::filesystem::path& csgsim) {
-  const std::array<std::string, 2> words{csgsim.native(), "--version"};
-  std::istringstream lines(output_of(words));
+  std::istringstream lines(took_by({csgsim.native(), "--version"}).output);
   for (std::string word; lines >> word;) {
     if (word == "commit" && lines >> word) return "commit " + word.substr(0, word.find(','));
   }

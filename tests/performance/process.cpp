@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <filesystem>
+#include <utility>
 
 #include "hw/base/child_process.h"
 #include "hw/base/error.h"
@@ -32,22 +33,18 @@ ChildLimits limits_of(std::chrono::seconds longest) {
   return {.time = longest, .output = std::size_t{64} << 20U, .errors = std::size_t{64} << 20U};
 }
 
-void check(const std::string& program, const ChildEnd& ended, const ChildLimits& limits) {
-  if (ended.exceeded == Exceeded::time)
-    throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
-  if (!is_done(ended)) throw InputError(program + ": fails: " + printable(why_failed(ended, limits)));
-}
-
 std::optional<Took> run(std::span<const std::string> words, const ChildLimits& limits) {
   const std::string& program = words.front();
   const MemoryFile input(program);
   const double before = children_seconds();
   const auto begin = std::chrono::steady_clock::now();
-  const std::optional<ChildEnd> ended = run_child(words, input, limits);
+  std::optional<ChildEnd> ended = run_child(words, input, limits);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (!ended) return std::nullopt;
-  check(program, *ended, limits);
-  return Took{wall.count(), children_seconds() - before, static_cast<double>(ended->memory)};
+  if (ended->exceeded == Exceeded::time)
+    throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
+  if (!is_done(*ended)) throw InputError(program + ": fails: " + printable(why_failed(*ended, limits)));
+  return Took{wall.count(), children_seconds() - before, static_cast<double>(ended->memory), std::move(ended->output)};
 }
 
 }  // namespace
@@ -58,15 +55,6 @@ std::optional<Took> run_process(std::span<const std::string> words) {
 
 std::optional<Took> run_process_within(unsigned seconds, std::span<const std::string> words) {
   return run(words, limits_of(std::chrono::seconds(seconds)));
-}
-
-std::string output_of(std::span<const std::string> words) {
-  const std::string& program = words.front();
-  const ChildLimits limits = limits_of(std::chrono::minutes(1));
-  const std::optional<ChildEnd> ended = run_child(words, MemoryFile(program), limits);
-  if (!ended) throw InputError(program + ": there is no such program");
-  check(program, *ended, limits);
-  return ended->output;
 }
 
 std::string command_text(std::span<const std::string> words) {
