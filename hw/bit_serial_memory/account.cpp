@@ -13,6 +13,7 @@ void add(const RowCommand& command, std::uint64_t slots, std::uint64_t pixels, W
   if (command.from.count > 1) work.further_rows += (command.from.count - 1U) * slots;
   if (command.to.count > 1) work.further_rows += (command.to.count - 1U) * slots;
   if (command.op == RowOp::logic) work.logic += slots;
+  if (command.op == RowOp::leaf || command.op == RowOp::leaf_copy) work.leaves += slots;
   if (command.op == RowOp::receive || command.op == RowOp::send) work.transferred_bits += pixels;
 }
 
@@ -27,11 +28,13 @@ FrameEnergy energy_of(const Work& work, std::uint64_t clocks, const machines::Ma
   const auto number = [](std::uint64_t of) { return static_cast<double>(of); };
   const double activation = number(figures.energy.activation_fj) * figures.chips;
   const double seconds = number(clocks) / number(machine.clock_hz);
+  const double columns = number(figures.row_bits) * figures.chips;
   constexpr double fj_per_uj = 1e9;
   return {
       .activation = picojoules(activation * (number(work.activations) +
                                              number(work.further_rows) * figures.energy.further_row_permille / 1000)),
-      .logic = picojoules(number(figures.energy.logic_fj) * figures.chips * figures.row_bits * number(work.logic)),
+      .logic = picojoules(number(figures.energy.logic_fj) * columns * number(work.logic)),
+      .leaf = picojoules(number(figures.energy.leaf_fj) * columns * number(work.leaves)),
       .transfer = picojoules(number(figures.energy.transfer_fj) * number(work.transferred_bits)),
       .refresh = picojoules(number(figures.energy.refresh_fj) * figures.chips * number(work.refreshes)),
       .background = picojoules(number(figures.energy.background_uw) * figures.chips * seconds * fj_per_uj)};
@@ -48,11 +51,13 @@ machines::Account account(const FrameAccount& account, std::uint64_t clocks, std
                  {"activations", work.activations},
                  {"further_rows", work.further_rows},
                  {"logic_commands", work.logic},
+                 {"leaf_commands", work.leaves},
                  {"transferred_bits", work.transferred_bits},
                  {"refreshes", work.refreshes},
                  {"scan_out_clocks", account.scan_out_clocks},
                  {"activation_picojoules", energy.activation},
                  {"logic_picojoules", energy.logic},
+                 {"leaf_picojoules", energy.leaf},
                  {"transfer_picojoules", energy.transfer},
                  {"refresh_picojoules", energy.refresh},
                  {"background_picojoules", energy.background},

@@ -15,6 +15,7 @@ struct Work {
   std::uint64_t activations = 0;                       ///< of rows, in all chips of a slot at once
   std::uint64_t further_rows = 0;                      ///< that were activated with them
   std::uint64_t logic = 0;                             ///< commands to the gates of a slot
+  std::uint64_t leaves = 0;                            ///< commands that bring a slot a bit from the trees
   std::uint64_t transferred_bits = 0;
   std::uint64_t refreshes = 0;  ///< of all chips
 
@@ -49,11 +50,14 @@ struct FrameAccount {
 struct FrameEnergy {
   std::uint64_t activation = 0;
   std::uint64_t logic = 0;
+  std::uint64_t leaf = 0;
   std::uint64_t transfer = 0;
   std::uint64_t refresh = 0;
   std::uint64_t background = 0;
 
-  [[nodiscard]] constexpr std::uint64_t sum() const { return activation + logic + transfer + refresh + background; }
+  [[nodiscard]] constexpr std::uint64_t sum() const {
+    return activation + logic + leaf + transfer + refresh + background;
+  }
 };
 
 /// Of all chips. `clocks`: until the frame has been shown.

@@ -44,6 +44,7 @@ void Bank::carry_out(const RowCommand& command, std::uint64_t slot, const sc_cor
   };
   if (command.from.count > 0) raise(command.from);
   if (command.to.count > 0) raise(command.to);
+  if (command.op == RowOp::leaf_copy) ++work_.leaves;
   if (command.op == RowOp::receive || command.op == RowOp::send) work_.transferred_bits += slots_.columns(slot);
 }
 
@@ -51,6 +52,7 @@ void Bank::carry_out_in_all(const RowCommand& command, const sc_core::sc_time& d
   for (std::size_t i = 0; i < subarrays_.size(); ++i) execute(command, number_ + i * slots_.banks);
   free_ += duration;
   if (command.op == RowOp::logic) work_.logic += subarrays_.size();
+  if (command.op == RowOp::leaf) work_.leaves += subarrays_.size();
 }
 
 }  // namespace csgsim::bit_serial_memory

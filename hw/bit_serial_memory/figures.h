@@ -53,6 +53,7 @@ struct Energies {
   std::uint64_t activation_fj = 0;         ///< of a row, with its precharge
   std::uint32_t further_row_permille = 0;  ///< of that, for each further row that is activated with it
   std::uint64_t logic_fj = 0;              ///< of the gates below a column, in a logic command
+  std::uint64_t leaf_fj = 0;               ///< of a column's part of the trees, in a command that brings a bit
   std::uint64_t transfer_fj = 0;           ///< of a bit between a row and the host
   std::uint64_t refresh_fj = 0;            ///< of a refresh
   std::uint64_t background_uw = 0;         ///< power whatever it does, µW

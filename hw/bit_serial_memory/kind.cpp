@@ -82,6 +82,8 @@ constexpr auto schema = std::to_array<machines::FigureSchema>({
         "energy.further_row", "permille", 0, 10'000, "of that, for each row that is activated with it"),
     own_figure<Figures, &Figures::energy, &Energies::logic_fj>("energy.logic", "fJ", 0, most_fj,
                                                                "of a column's gates in a logic command"),
+    own_figure<Figures, &Figures::energy, &Energies::leaf_fj>(
+        "energy.leaf", "fJ", 0, most_fj, "of a column's part of the trees, in a command that brings a bit"),
     own_figure<Figures, &Figures::energy, &Energies::transfer_fj>("energy.transfer", "fJ", 0, most_fj,
                                                                   "of a bit between a row and the host"),
     own_figure<Figures, &Figures::energy, &Energies::refresh_fj>("energy.refresh", "fJ", 0, most_fj,

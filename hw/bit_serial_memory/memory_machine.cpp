@@ -103,6 +103,7 @@ Work MemoryMachine::work() const {
     all.activations += bank.work().activations;
     all.further_rows += bank.work().further_rows;
     all.logic += bank.work().logic;
+    all.leaves += bank.work().leaves;
     all.transferred_bits += bank.work().transferred_bits;
   }
   return all;

@@ -4,26 +4,40 @@
 #include <string>
 #include <vector>
 
+#include "hw/bit_serial_memory/figures.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/timing.h"
 
-// The clocks of whole frames, from both sides: worked out from the counts that others print (counts_test.cpp) and from
-// a data sheet of DDR4-2400, without the compiler of row commands and without what the machines' files say.
+// The clocks of whole frames, from both sides: worked out from the counts that others print (counts_test.cpp) and the
+// timing that the machine's file has (figures_test.cpp holds it against its source), without the compiler of row
+// commands.
 
 using namespace csgsim;
 
 namespace {
 
-// In clocks of 1.2 GHz.
-constexpr double ras = 39;
-constexpr double rp = 16;
-constexpr double faw = 26;
-constexpr double refi = 9364;
-constexpr double rfc = 420;
-constexpr double second_activation = 5;  // of Ambit: 4 ns after the first
-constexpr double gate = 4;               // of 300 MHz
+/// Clocks of the machine, as these sums use them.
+struct Timing {
+  double row = 0;                ///< tRAS and tRP: from an activation until the bank's next
+  double second_activation = 0;  ///< of a copy, after the first
+  double gate = 0;
+  double faw = 0;
+  double refi = 0;
+  double rfc = 0;
+};
+
+Timing timing_of(const std::string& machine) {
+  const auto& figures = machines::own<bit_serial_memory::Figures>(kinds::load(machine));
+  const auto number = [](std::uint32_t figure) { return static_cast<double>(figure); };
+  return {.row = number(figures.command.restore + figures.command.precharge),
+          .second_activation = number(figures.command.second),
+          .gate = number(figures.command.logic),
+          .faw = number(figures.rank.window),
+          .refi = number(figures.rank.refresh_interval),
+          .rfc = number(figures.rank.refresh)};
+}
 
 constexpr std::uint32_t side = 512;
 constexpr double slots = side * side / (8.0 * 8192);  // a row of eight chips each
@@ -42,33 +56,34 @@ struct Bounds {
 };
 
 /// Of commands with one activation or two; the activations of all slots are over before the bank is closed again.
-Bounds of_rows(double fewest, double greatest) {
-  return {fewest * (ras + rp), greatest * (ras + rp + second_activation)};
+Bounds of_rows(double fewest, double greatest, const Timing& timing) {
+  return {fewest * timing.row, greatest * (timing.row + timing.second_activation)};
 }
 
 /// Of reads, writes and gates.
-Bounds of_gates(double fewest_rows, double fewest_gates, double most_rows, double most_gates) {
-  return {fewest_rows * (ras + rp) + fewest_gates * gate, most_rows * (ras + rp) + most_gates * gate};
+Bounds of_gates(double fewest_rows, double fewest_gates, double most_rows, double most_gates, const Timing& timing) {
+  return {fewest_rows * timing.row + fewest_gates * timing.gate, most_rows * timing.row + most_gates * timing.gate};
 }
 
 /// Of an instruction with fields of n bits; at most E is taken into account besides, by AND or by reading it.
-Bounds majority(isa::Opcode opcode, double n) {
-  if (opcode == isa::Opcode::field_lt) return of_rows(3 * n + 2, 3 * n + 2 + 4);
-  if (opcode == isa::Opcode::field_eq) return of_rows(4 * n + 3, 4 * n + 3 + 4);
-  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4);  // a sum in some columns
+Bounds majority(isa::Opcode opcode, double n, const Timing& timing) {
+  if (opcode == isa::Opcode::field_lt) return of_rows(3 * n + 2, 3 * n + 2 + 4, timing);
+  if (opcode == isa::Opcode::field_eq) return of_rows(4 * n + 3, 4 * n + 3 + 4, timing);
+  return of_rows(8 * n + 1, 8 * n + 1 + 4 * n + 4, timing);  // a sum in some columns
 }
 
-Bounds gates(isa::Opcode opcode, double n) {
-  if (opcode == isa::Opcode::add) return of_gates(3 * n, 3 * n + 1, 3 * n + 2, 4 * n + 1 + 4);
-  return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4);
+Bounds gates(isa::Opcode opcode, double n, const Timing& timing) {
+  if (opcode == isa::Opcode::add) return of_gates(3 * n, 3 * n + 1, 3 * n + 2, 4 * n + 1 + 4, timing);
+  return of_gates(2 * n + 1, 2 * n, 2 * n + 3, 3 * n + 2 + 4, timing);
 }
 
 /// With the last slots' activations, the clocks in which an instruction is taken and the refreshes.
-Bounds of_frame(const Bounds& work, double instructions) {
-  const double last_slots = 2 * slots / 4 * faw;
-  const double longest_refresh = rfc + ras + rp + second_activation + last_slots;
+Bounds of_frame(const Bounds& work, double instructions, const Timing& timing) {
+  const double last_slots = 2 * slots / 4 * timing.faw;
+  const double longest_refresh = timing.rfc + timing.row + timing.second_activation + last_slots;
   const double most = work.most + (instructions + 1) * (last_slots + 2) + 200;  // the first words come meanwhile
-  return {(work.least - rfc) / (1 - rfc / refi), (most + longest_refresh) / (1 - longest_refresh / refi)};
+  return {(work.least - timing.rfc) / (1 - timing.rfc / timing.refi),
+          (most + longest_refresh) / (1 - longest_refresh / timing.refi)};
 }
 
 isa::Instruction instruction(isa::Opcode opcode, std::uint16_t a, std::uint16_t b, std::uint16_t width) {
@@ -84,28 +99,30 @@ double clocks_of(const std::string& machine, const std::vector<isa::Instruction>
 
 }  // namespace
 
-TEST_CASE("a frame takes the clocks that counts of others and a data sheet give, from both sides") {
+TEST_CASE("a frame takes the clocks that counts of others and the machine's timing give, from both sides") {
+  const Timing simdram = timing_of("simdram-ddr4");
+  const Timing digital = timing_of("digital-bit-serial-ddr4");
   for (std::uint16_t n = 4; n <= 32; n += 7) {
     const std::vector<isa::Instruction> instructions{
         instruction(isa::Opcode::field_lt, 0, 40, n),  instruction(isa::Opcode::add, 80, 0, n),
         instruction(isa::Opcode::field_eq, 80, 40, n), instruction(isa::Opcode::add, 40, 80, n),
         instruction(isa::Opcode::field_lt, 80, 0, n),  instruction(isa::Opcode::field_eq, 0, 80, n)};
-    Bounds of_majorities = of_rows(memory_bits, memory_bits + 1);
-    Bounds of_latches = of_gates(memory_bits, 0, memory_bits + 1, memory_bits + 1);
+    Bounds of_majorities = of_rows(memory_bits, memory_bits + 1, simdram);
+    Bounds of_latches = of_gates(memory_bits, 0, memory_bits + 1, memory_bits + 1, digital);
     for (const isa::Instruction& one : instructions) {
-      of_majorities += majority(one.opcode, n);
-      of_latches += gates(one.opcode, n);
+      of_majorities += majority(one.opcode, n, simdram);
+      of_latches += gates(one.opcode, n, digital);
     }
-    const auto check = [&](const std::string& machine, const Bounds& work) {
+    const auto check = [&](const std::string& machine, const Bounds& work, const Timing& timing) {
       CAPTURE(machine);
       CAPTURE(n);
-      const Bounds bounds = of_frame(work, static_cast<double>(instructions.size()));
+      const Bounds bounds = of_frame(work, static_cast<double>(instructions.size()), timing);
       const double taken = clocks_of(machine, instructions);
       CHECK(taken >= bounds.least);
       CHECK(taken <= bounds.most);
       CHECK(bounds.most < 1.5 * bounds.least);
     };
-    check("simdram-ddr4", of_majorities);
-    check("digital-bit-serial-ddr4", of_latches);
+    check("simdram-ddr4", of_majorities, simdram);
+    check("digital-bit-serial-ddr4", of_latches, digital);
   }
 }

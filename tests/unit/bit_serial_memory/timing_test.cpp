@@ -17,7 +17,7 @@ using bit_serial_memory::WordLines;
 
 namespace {
 
-/// DDR4-2400.
+/// About DDR4-2400; the sums below are of these figures, and figures_test.cpp has those of the machines.
 Figures ddr4() {
   Figures figures;
   figures.chips = 1;

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tests/support/error_of.h"
+
+namespace csgsim::testing {
+
+/// What a figure of a description may be.
+struct FigureRange {
+  std::string_view key;
+  std::int64_t least;
+  std::int64_t most;
+  std::string_view others = "";  ///< changes of other figures, +KEY=VALUE, with which this one's extremes fit the rest
+};
+
+/// Each figure is taken at its least and its most, and refused one beyond. `load` reads a description by its name, with
+/// changes behind it.
+template <class Load>
+void check_figure_ranges(const std::string& name, std::span<const FigureRange> ranges, const Load& load) {
+  for (const FigureRange& range : ranges) {
+    CAPTURE(std::string(range.key));
+    const auto refusal = [&](std::int64_t value) {
+      return error_of([&] { load(fmt::format("{}{}+{}={}", name, range.others, range.key, value)); });
+    };
+    CHECK(refusal(range.least) == "");
+    CHECK(refusal(range.most) == "");
+    for (const std::int64_t beyond : {range.least - 1, range.most + 1})
+      CHECK(refusal(beyond).find(fmt::format("{} is {};", range.key, beyond)) != std::string::npos);
+  }
+}
+
+}  // namespace csgsim::testing

@@ -1,0 +1,182 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+#include "hw/bit_serial_memory/expression_sum.h"
+#include "hw/bit_serial_memory/micro_program.h"
+#include "hw/isa/opcodes.h"
+#include "tests/unit/bit_serial_memory/columns.h"
+
+// The terms of a product of coefficient and coordinate, and the bits of an expression that the trees bring, worked out
+// by hand: both levels run the same compiled commands, so that lockstep cannot notice an error in them.
+
+using namespace csgsim;
+using bit_serial_memory::Expressions;
+using bit_serial_memory::MicroDesign;
+using bit_serial_memory::Row;
+using bit_serial_memory::RowCommand;
+using bit_serial_memory::RowCommands;
+using bit_serial_memory::RowMap;
+using bit_serial_memory::RowOp;
+using bit_serial_memory::Term;
+using bit_serial_memory::terms_of;
+
+namespace {
+
+const std::vector<Row> three{100, 101, 102};
+const std::vector<Row> one{100};
+
+Term plus(unsigned place, const std::vector<Row>& rows) { return {place, false, rows, 0, 0}; }
+Term minus(unsigned place, const std::vector<Row>& rows) { return {place, true, rows, 0, 0}; }
+Term where(Row coordinate, unsigned first, std::uint64_t multiple) { return {first, false, {}, coordinate, multiple}; }
+
+constexpr isa::Linear expression{.a = 3, .b = -5, .c = 7, .width = 10, .shift = 2};
+constexpr isa::Field field{8, 5};
+
+std::vector<unsigned> leaf_bits(const MicroDesign& design, isa::Opcode opcode, isa::Field operand = field) {
+  const isa::Instruction instruction{.opcode = opcode, .fields = {{operand}}, .linear = expression};
+  std::vector<unsigned> bits;
+  for (const RowCommand& command : micro_program(instruction, RowMap(40, 9, 7), design)) {
+    if (command.op != RowOp::leaf && command.op != RowOp::leaf_copy) continue;
+    // The trees hold a bit until the next: one that is copied again is not brought again.
+    if (bits.empty() || bits.back() != command.bit) bits.push_back(command.bit);
+  }
+  return bits;
+}
+
+std::vector<unsigned> up_to(unsigned last) {
+  std::vector<unsigned> bits(last + 1);
+  std::iota(bits.begin(), bits.end(), 0U);
+  return bits;
+}
+
+std::vector<unsigned> twice(std::vector<unsigned> bits) {
+  const std::vector<unsigned> once = bits;
+  bits.insert(bits.end(), once.begin(), once.end());
+  return bits;
+}
+
+std::vector<MicroDesign> designs_with(Expressions expressions) {
+  std::vector<MicroDesign> designs;
+  for (const MicroDesign& design : testing::all_designs())
+    if (design.expressions == expressions) designs.push_back(design);
+  return designs;
+}
+
+}  // namespace
+
+TEST_CASE("a product is the coordinate once for each digit 1 or -1 of its coefficient, where that adds fewer bits") {
+  // 5 = 4 + 1: 8 + 6 bits; three bits of the coordinate would add 8 + 7 + 6.
+  CHECK(terms_of(5, three, 8) == std::vector{plus(0, three), plus(2, three)});
+  // 7 = 8 - 1: 8 + 5 bits.
+  CHECK(terms_of(7, three, 8) == std::vector{minus(0, three), plus(3, three)});
+  CHECK(terms_of(1, three, 8) == std::vector{plus(0, three)});
+  CHECK(terms_of(-1, three, 8) == std::vector{minus(0, three)});
+  // 11 = 16 - 4 - 1.
+  CHECK(terms_of(11, {std::vector<Row>(9, 5)}, 8).size() == 3);
+  // Modulo 8, 6 is -2; 4 is the place of the sign.
+  CHECK(terms_of(6, three, 3) == std::vector{minus(1, three)});
+  CHECK(terms_of(4, one, 3) == std::vector{plus(2, one)});
+}
+
+TEST_CASE("a product is the coefficient once for each bit of the coordinate, where that adds fewer bits") {
+  // The two digits of 5 add 8 + 6 bits, the one bit of the coordinate 8.
+  CHECK(terms_of(5, one, 8) == std::vector{where(100, 0, 5)});
+  // 341 has five digits, 20 + 18 + 16 + 14 + 12 bits; three bits of the coordinate are 20 + 19 + 18.
+  CHECK(terms_of(341, three, 20) == std::vector{where(100, 0, 341), where(101, 1, 682), where(102, 2, 1364)});
+  // A tie is decided for the digits.
+  CHECK(terms_of(1, one, 8) == std::vector{plus(0, one)});
+  // Modulo 2^6 the third multiple of 20 is 16, the fourth 32, and the fifth nothing: 4 + 3 + 2 + 1 bits, of two digits
+  // 4 + 2.
+  CHECK(terms_of(20, {std::vector<Row>(5, 9)}, 6).size() == 2);
+  // A digit at the sign's place adds one bit.
+  CHECK(terms_of(2, three, 2) == std::vector{plus(1, three)});
+}
+
+TEST_CASE("a product of nothing has no terms") {
+  CHECK(terms_of(0, three, 8).empty());
+  CHECK(terms_of(256, three, 8).empty());
+  CHECK(terms_of(5, {}, 8).empty());
+}
+
+TEST_CASE("the trees bring the fraction and all bits that an instruction looks at, in their order") {
+  using isa::Opcode;
+  for (const MicroDesign& design : designs_with(Expressions::trees)) {
+    CAPTURE(fmt::format("{} {}", static_cast<int>(design.design), design.enable_latch));
+    for (const Opcode opcode :
+         {Opcode::edge_negative, Opcode::edge_not_negative, Opcode::stripe, Opcode::linear_ge, Opcode::linear_gt,
+          Opcode::linear_le, Opcode::linear_lt, Opcode::linear_eq, Opcode::load_linear}) {
+      CAPTURE(std::string(isa::name_of(opcode)));
+      CHECK(leaf_bits(design, opcode) == up_to(9));
+    }
+    // The bits above the field make no difference to a sum in it.
+    CHECK(leaf_bits(design, Opcode::linear_plus) == up_to(2 + 5 - 1));
+    CHECK(leaf_bits(design, Opcode::linear_minus) == up_to(2 + 5 - 1));
+    // Compared, and then stored: brought twice.
+    CHECK(leaf_bits(design, Opcode::keep_max) == twice(up_to(9)));
+    CHECK(leaf_bits(design, Opcode::keep_min) == twice(up_to(9)));
+    CHECK(leaf_bits(design, Opcode::copy).empty());
+  }
+}
+
+TEST_CASE("rows and planes of the host take no leaf, and the host sends no bit of the fraction") {
+  for (const Expressions expressions : {Expressions::rows, Expressions::planes}) {
+    for (const MicroDesign& design : designs_with(expressions)) {
+      CHECK(leaf_bits(design, isa::Opcode::keep_max).empty());
+      std::vector<unsigned> received;
+      const isa::Instruction load{.opcode = isa::Opcode::load_linear, .fields = {{field}}, .linear = expression};
+      for (const RowCommand& command : micro_program(load, RowMap(40, 9, 7), design))
+        if (command.op == RowOp::receive) received.push_back(command.bit);
+      CHECK(received == (expressions == Expressions::planes ? std::vector<unsigned>{2, 3, 4, 5, 6, 7, 8, 9}
+                                                            : std::vector<unsigned>{}));
+    }
+  }
+}
+
+TEST_CASE("an edge of rows keeps of the last addition the sign alone") {
+  // x in 4 rows, A = 1, B = 0: one addition of F's ten bits; of the first nine the carry alone is found, in PIMeval's
+  // gates by 4 or 2 of them, and the tenth is stored.
+  const isa::Instruction edge{.opcode = isa::Opcode::edge_negative,
+                              .linear = {.a = 1, .b = 0, .c = 0, .width = 10, .shift = 2}};
+  const RowCommands commands = micro_program(edge, RowMap(40, 9, 7), {.design = bit_serial_memory::Design::latches});
+  std::size_t writes = 0;
+  for (const RowCommand& command : commands) writes += command.op == RowOp::write ? 1U : 0U;
+  CHECK(writes == 2);  // the sign, and E
+}
+
+TEST_CASE("a clear writes each row of pixel memory once, and E") {
+  for (const bit_serial_memory::Design design :
+       {bit_serial_memory::Design::and_or_not, bit_serial_memory::Design::majority}) {
+    const RowCommands commands = clear_program(RowMap(40, 9, 7), {.design = design});
+    CHECK(commands.size() == 41);
+    CHECK(testing::count_of(RowOp::copy, commands) == 41);
+  }
+  const RowCommands commands = clear_program(RowMap(40, 9, 7), {.design = bit_serial_memory::Design::latches});
+  CHECK(testing::count_of(RowOp::write, commands) == 41);
+  CHECK(testing::count_of(RowOp::logic, commands) == 42);
+}
+
+TEST_CASE("a field goes to the host row by row, the lowest bit first") {
+  const RowCommands commands = bit_serial_memory::send_program({17, 3});
+  REQUIRE(commands.size() == 3);
+  for (unsigned bit = 0; bit < 3; ++bit) {
+    CHECK(commands[bit].op == RowOp::send);
+    CHECK(commands[bit].from == bit_serial_memory::WordLines(static_cast<Row>(17 + bit)));
+  }
+}
+
+TEST_CASE("rows that instructions need lie behind pixel memory and do not overlap") {
+  const RowMap map(256, 512, 300);
+  CHECK(map.zero() == 256);
+  CHECK(map.one() == 257);
+  CHECK(map.enable() == 258);
+  CHECK(map.sum(0) == 256 + 15);
+  CHECK(map.spare(0) == 256 + 15 + 62);
+  CHECK(map.x(0) == 256 + 15 + 62 + 40);
+  CHECK(map.y(0) == map.x(0) + 9);
+  CHECK(map.rows() == 256 + 15 + 62 + 40 + 9 + 9);
+  CHECK(RowMap(256, 513, 1).rows() == 256 + 15 + 62 + 40 + 10);
+}

@@ -1,0 +1,301 @@
+#include "hw/bit_serial_memory/figures.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hw/bit_serial_memory/account.h"
+#include "hw/bit_serial_memory/slots.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "hw/machines/timing.h"
+
+// Absolute figures of the memories, worked out by hand: the clocked level and the working-out of clocks share what is
+// checked here, so that lockstep cannot notice an error in it.
+
+using namespace csgsim;
+using bit_serial_memory::Figures;
+using bit_serial_memory::FrameEnergy;
+using bit_serial_memory::RowCommand;
+using bit_serial_memory::RowOp;
+using bit_serial_memory::Slots;
+using bit_serial_memory::WordLine;
+using bit_serial_memory::WordLines;
+using bit_serial_memory::Work;
+
+namespace {
+
+/// configs/DDR4_8Gb_x8_2400.ini of umd-memsys/DRAMsim3, commit 2981759 (timing and currents since 0ee9f69): clocks,
+/// V and mA.
+struct Sheet {
+  static constexpr std::uint32_t cl = 17;
+  static constexpr std::uint32_t rcd = 17;
+  static constexpr std::uint32_t rp = 17;
+  static constexpr std::uint32_t ras = 39;
+  static constexpr std::uint32_t rfc = 420;
+  static constexpr std::uint32_t refi = 9360;
+  static constexpr std::uint32_t rrd_s = 4;
+  static constexpr std::uint32_t faw = 26;
+  static constexpr std::uint32_t wr = 18;
+  static constexpr std::uint32_t ccd_s = 4;
+  static constexpr std::uint32_t bank_groups = 4;
+  static constexpr std::uint32_t banks_per_group = 4;
+  static constexpr std::uint32_t columns = 1024;
+  static constexpr std::uint32_t device_width = 8;
+  static constexpr double vdd = 1.2;
+  static constexpr double idd0 = 48;
+  static constexpr double idd2n = 34;
+  static constexpr double idd3n = 43;
+  static constexpr double idd4r = 135;
+  static constexpr double idd5ab = 250;
+};
+
+constexpr double clocks_a_ns = 1.2;  // of DDR4-2400
+constexpr double fj_a_pj = 1000;
+
+const std::array<std::string, 3> names{"ambit-ddr4", "simdram-ddr4", "digital-bit-serial-ddr4"};
+
+const Figures& figures_of(const machines::Machine& machine) { return machines::own<Figures>(machine); }
+
+RowCommand reading(RowOp op, WordLines from) { return {.op = op, .from = from}; }
+RowCommand writing(RowOp op, WordLines to) { return {.op = op, .to = to}; }
+
+/// What one command adds in 4 slots with 250 pixels.
+Work work_of(const RowCommand& command) {
+  Work work;
+  bit_serial_memory::add(command, 4, 250, work);
+  CHECK(work.commands[static_cast<std::size_t>(command.op)] == 1);
+  work.commands = {};
+  return work;
+}
+
+isa::Instruction instruction(isa::Opcode opcode) { return {.opcode = opcode}; }
+
+std::uint64_t clocks_of(const std::string& machine, isa::Opcode opcode) {
+  const machines::Machine one = kinds::load(machine);
+  return one.kind->clocks(instruction(opcode), one);
+}
+
+}  // namespace
+
+TEST_CASE("the memories have the timing of one file of DRAMsim3, and the shape of the chip that it describes") {
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const machines::Machine machine = kinds::load(name);
+    const Figures& figures = figures_of(machine);
+    CHECK(machine.clock_hz == 1'200'000'000);
+    CHECK(figures.banks == Sheet::bank_groups * Sheet::banks_per_group);
+    CHECK(figures.row_bits == Sheet::columns * Sheet::device_width);
+    CHECK(figures.command.restore == Sheet::ras);
+    CHECK(figures.command.precharge == Sheet::rp);
+    CHECK(figures.command.column == Sheet::rcd + Sheet::cl);
+    CHECK(figures.command.recovery == Sheet::wr);
+    CHECK(figures.command.logic == Sheet::ccd_s);
+    CHECK(figures.rank.activation_gap == Sheet::rrd_s);
+    CHECK(figures.rank.window == Sheet::faw);
+    CHECK(figures.rank.refresh_interval == Sheet::refi);
+    CHECK(figures.rank.refresh == Sheet::rfc);
+  }
+}
+
+TEST_CASE("energies of the memories follow from the currents of that file at their clock, to the femtojoule") {
+  const double tras = Sheet::ras / clocks_a_ns;  // ns
+  const double trp = Sheet::rp / clocks_a_ns;
+  const double activation =
+      Sheet::vdd * (Sheet::idd0 * (tras + trp) - Sheet::idd3n * tras - Sheet::idd2n * trp);  // mW ns, pJ
+  const double burst = Sheet::vdd * (Sheet::idd4r - Sheet::idd3n) * Sheet::ccd_s / clocks_a_ns;
+  const double refresh = Sheet::vdd * (Sheet::idd5ab - Sheet::idd2n) * Sheet::rfc / clocks_a_ns;
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const bit_serial_memory::Energies energy = figures_of(kinds::load(name)).energy;
+    CHECK(static_cast<double>(energy.activation_fj) == doctest::Approx(activation * fj_a_pj).epsilon(1e-9));
+    CHECK(static_cast<double>(energy.transfer_fj) == doctest::Approx(burst * fj_a_pj / 64).epsilon(1e-9));
+    CHECK(static_cast<double>(energy.refresh_fj) == doctest::Approx(refresh * fj_a_pj).epsilon(1e-9));
+    CHECK(static_cast<double>(energy.background_uw) == doctest::Approx(Sheet::vdd * Sheet::idd3n * 1000).epsilon(1e-9));
+    // 22 % more for each further row. 7 uW a column for four clocks of 0.83 ns, of gates where there are any.
+    CHECK(energy.further_row_permille == 220);
+    CHECK(energy.logic_fj == (name == "digital-bit-serial-ddr4" ? 23 : 0));
+    CHECK(energy.leaf_fj == 23);
+  }
+}
+
+TEST_CASE("the other figures of the memories are those of their designs and of their files") {
+  for (const std::string& name : names) {
+    CAPTURE(name);
+    const machines::Machine machine = kinds::load(name);
+    const Figures& figures = figures_of(machine);
+    CHECK(figures.chips == 8);
+    CHECK(figures.subarrays == 128);
+    CHECK(figures.subarray_rows == 512);
+    CHECK(figures.bus_bits == 16);
+    CHECK(figures.plane_bits == 128);
+    CHECK(figures.queue == 16);
+    CHECK(figures.command.second == 5);
+    CHECK(figures.command.leaf == 4);
+    CHECK(figures.command.global_or == 20);
+    CHECK_FALSE(figures.enable_latch);
+    CHECK_FALSE(figures.has_wired_or);
+    CHECK(figures.expressions == bit_serial_memory::Expressions::rows);
+    CHECK(machine.array.memory_bits == 256);
+    CHECK(machine.link.width == 64);
+    CHECK(machine.link.word_clocks == 1);
+    CHECK(machine.link.latency == 40);
+    CHECK(machine.host.processor == machines::ideal_processor);
+  }
+  CHECK(figures_of(kinds::load("ambit-ddr4")).design == bit_serial_memory::Design::and_or_not);
+  CHECK(figures_of(kinds::load("simdram-ddr4")).design == bit_serial_memory::Design::majority);
+  CHECK(figures_of(kinds::load("digital-bit-serial-ddr4")).design == bit_serial_memory::Design::latches);
+}
+
+TEST_CASE("a command is charged its activations, the rows with them, its gates, leaves and bits, at each slot") {
+  const WordLine row{3, false};
+  CHECK(work_of({.op = RowOp::copy, .from = WordLines(row), .to = WordLines(row)}) == Work{.activations = 8});
+  CHECK(work_of({.op = RowOp::copy, .from = WordLines(row, row, row), .to = WordLines(row, row)}) ==
+        Work{.activations = 8, .further_rows = 12});
+  CHECK(work_of(reading(RowOp::activate, WordLines(row, row, row))) == Work{.activations = 4, .further_rows = 8});
+  CHECK(work_of(reading(RowOp::latch, row)) == Work{.activations = 4});
+  CHECK(work_of(reading(RowOp::read, row)) == Work{.activations = 4});
+  CHECK(work_of(writing(RowOp::write, row)) == Work{.activations = 4});
+  CHECK(work_of({.op = RowOp::logic}) == Work{.logic = 4});
+  CHECK(work_of({.op = RowOp::leaf}) == Work{.leaves = 4});
+  CHECK(work_of(writing(RowOp::leaf_copy, WordLines(row, row))) ==
+        Work{.activations = 4, .further_rows = 4, .leaves = 4});
+  CHECK(work_of(writing(RowOp::receive, row)) == Work{.activations = 4, .transferred_bits = 250});
+  CHECK(work_of(reading(RowOp::send, row)) == Work{.activations = 4, .transferred_bits = 250});
+  CHECK(work_of({.op = RowOp::wired_or}) == Work{});
+}
+
+TEST_CASE("a frame's energy is the sum of what its work takes, of all chips and columns") {
+  const Work work{
+      .activations = 1000, .further_rows = 500, .logic = 300, .leaves = 200, .transferred_bits = 4096, .refreshes = 3};
+  // 1.2 million clocks are a millisecond.
+  const FrameEnergy energy = bit_serial_memory::energy_of(work, 1'200'000, kinds::load("digital-bit-serial-ddr4"));
+  CHECK(energy.activation == 3'845'040);    // 433 pJ, of 8 chips, 1000 times and 0.22 of it 500 times
+  CHECK(energy.logic == 452'198);           // 23 fJ, of 65,536 columns, 300 times: 452,198.4
+  CHECK(energy.leaf == 301'466);            // 200 times: 301,465.6
+  CHECK(energy.transfer == 23'552);         // 5750 fJ, 4096 bits
+  CHECK(energy.refresh == 2'177'280);       // 90,720 pJ, of 8 chips, three times
+  CHECK(energy.background == 412'800'000);  // 51.6 mW, of 8 chips, a millisecond
+  CHECK(energy.sum() == 419'599'536);
+  // Half of the chips have half of the columns.
+  const FrameEnergy half =
+      bit_serial_memory::energy_of(work, 1'200'000, kinds::load("digital-bit-serial-ddr4+chips.count=4"));
+  CHECK(half.activation == 1'922'520);
+  CHECK(half.logic == 226'099);
+  CHECK(half.leaf == 150'733);
+  CHECK(half.transfer == 23'552);
+  CHECK(half.refresh == 1'088'640);
+  CHECK(half.background == 206'400'000);
+}
+
+TEST_CASE("an account reports the work of the frame and its energies") {
+  bit_serial_memory::FrameAccount frame;
+  frame.controller = {.issuing = 10, .answering = 5, .clearing = 3, .refreshing = 2, .starved = 1, .jumping = 4};
+  frame.sending = 7;
+  frame.scan_out_clocks = 11;
+  frame.work = {.activations = 2, .further_rows = 1, .logic = 4, .leaves = 5, .transferred_bits = 6, .refreshes = 1};
+  frame.work.commands[0] = 8;
+  frame.work.commands[5] = 9;
+  const machines::Machine machine = kinds::load("digital-bit-serial-ddr4");
+  const machines::Account told = bit_serial_memory::account(frame, 25, 36, machine);
+  const auto count = [&](std::string_view name) {
+    const auto found = std::ranges::find(told.counts, name, &machines::Count::name);
+    REQUIRE(found != told.counts.end());
+    return found->value;
+  };
+  CHECK(count("row_commands") == 17);
+  CHECK(count("activations") == 2);
+  CHECK(count("further_rows") == 1);
+  CHECK(count("logic_commands") == 4);
+  CHECK(count("leaf_commands") == 5);
+  CHECK(count("transferred_bits") == 6);
+  CHECK(count("refreshes") == 1);
+  CHECK(count("scan_out_clocks") == 11);
+  CHECK(count("activation_picojoules") == 7690);  // 3464 pJ twice, and 762.08
+  CHECK(count("logic_picojoules") == 6029);       // 1507.328 four times
+  CHECK(count("leaf_picojoules") == 7537);        // five times: 7536.64
+  CHECK(count("transfer_picojoules") == 35);      // 34.5
+  CHECK(count("refresh_picojoules") == 725'760);
+  CHECK(count("background_picojoules") == 12'384);  // 412.8 mW for 30 ns
+  CHECK(count("frame_picojoules") == 7690 + 6029 + 7537 + 35 + 725'760 + 12'384);
+  REQUIRE(told.shares.size() == 2);
+  CHECK(told.shares[0].part == 18);
+  CHECK(told.shares[0].whole == 25);
+  CHECK(told.shares[1].part == 7);
+}
+
+TEST_CASE("the transfer of a row takes the clocks of the narrower of the bus of all chips and the host's unit") {
+  Figures figures;
+  figures.bus_bits = 16;
+  figures.chips = 8;
+  figures.plane_bits = 1U << 30U;
+  CHECK(bit_serial_memory::transfer_clocks(65'536, figures) == 512);
+  CHECK(bit_serial_memory::transfer_clocks(65'537, figures) == 513);
+  CHECK(bit_serial_memory::transfer_clocks(128, figures) == 1);
+  CHECK(bit_serial_memory::transfer_clocks(129, figures) == 2);
+  CHECK(bit_serial_memory::transfer_clocks(1, figures) == 1);
+  CHECK(bit_serial_memory::transfer_clocks(0, figures) == 0);
+  figures.plane_bits = 64;
+  CHECK(bit_serial_memory::transfer_clocks(65'536, figures) == 1024);
+  figures.plane_bits = 128;
+  figures.chips = 1;
+  CHECK(bit_serial_memory::transfer_clocks(65'536, figures) == 4096);
+}
+
+TEST_CASE("pixels lie in slots of all chips' columns, which go to the banks in turn") {
+  const Slots slots{.pixels = 250, .row_columns = 64, .banks = 3};
+  CHECK(slots.count() == 4);
+  CHECK(slots.columns(0) == 64);
+  CHECK(slots.columns(3) == 58);
+  CHECK(slots.bank(2) == 2);
+  CHECK(slots.bank(3) == 0);
+  CHECK(slots.used_banks() == 3);
+  CHECK(Slots{.pixels = 128, .row_columns = 64, .banks = 3}.count() == 2);
+  CHECK(Slots{.pixels = 128, .row_columns = 64, .banks = 3}.used_banks() == 2);
+  const Slots of_machine = bit_serial_memory::slots_of(kinds::load("simdram-ddr4+picture.width=300"));
+  CHECK(of_machine.pixels == 300 * 512);
+  CHECK(of_machine.row_columns == 65'536);
+  CHECK(of_machine.banks == 16);
+}
+
+// 512 x 512 pixels are 4 slots, in a bank each: commands begin at 0, 4, 8 and 12 (tRRD). One clock to take the
+// instruction comes before all.
+TEST_CASE("single instructions take the clocks that their commands add up to by hand") {
+  // LOGIC, LOGIC, and WRITE from clock 8 on, in the last bank from 20 on: 39 and 17 until it is closed.
+  CHECK(clocks_of("digital-bit-serial-ddr4", isa::Opcode::enable_all) == 1 + 20 + 39 + 17);
+  // AAP activates twice, at 0 and 5, 9 and 14; four in 26 clocks: then at 26 and 31, 35 and 40.
+  CHECK(clocks_of("simdram-ddr4", isa::Opcode::enable_all) == 1 + 40 + 39 + 17);
+  CHECK(clocks_of("ambit-ddr4", isa::Opcode::enable_all) == 1 + 40 + 39 + 17);
+  // SEND: the bus begins 34 clocks after the first activation, carries four rows of 512 clocks, and the last bank is
+  // closed 18 and 17 clocks later.
+  CHECK(clocks_of("digital-bit-serial-ddr4", isa::Opcode::global_or) == 1 + 34 + 4 * 512 + 18 + 17);
+  // The wired OR takes a READ of E, in the last bank from 12 on, and then the line's 20 clocks.
+  CHECK(clocks_of("digital-bit-serial-ddr4+global_or.present=1", isa::Opcode::global_or) == 1 + 12 + 39 + 17 + 20);
+  // A latch for E changes in one LOGIC.
+  CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_all) == 1 + 4);
+  CHECK(clocks_of("digital-bit-serial-ddr4+logic.enable=1", isa::Opcode::enable_invert) == 1 + 4);
+}
+
+TEST_CASE("a frame of one instruction takes the link's latency and words, a clear, a refresh and the instruction") {
+  isa::Program program;
+  program.shape = {512, 512, 256};
+  program.segments.push_back({.region = {0, 0, 512, 512}, .instructions = {instruction(isa::Opcode::enable_all)}});
+  const auto clocks = [&](const std::string& change) {
+    return machines::time_frame(program, kinds::load("digital-bit-serial-ddr4" + change)).clocks;
+  };
+  // After 40 clocks come two words of 64 bits, an opcode of 6 bits and a region of four times 16, which are taken a
+  // clock later. The instruction's word comes meanwhile.
+  constexpr std::uint64_t link = 40 + 2 + 1;
+  // The first bank does SET0 and WRITE for each of 256 bits, then SET0, MOVE and WRITE for E. A bit takes it 4 and 56
+  // clocks; the last bank ends 12 clocks later.
+  constexpr std::uint64_t clear = 1 + 256 * (4 + 56) + 2 * 4 + 56 + 12;
+  constexpr std::uint64_t enable = 1 + 2 * 4 + 12 + 56;
+  CHECK(clocks("+timing.refresh_interval=ideal") == link + clear + enable);
+  // The refresh of clock 9360 waits for the end of the clear, as no command of that finds the sense amplifiers free.
+  CHECK(clocks("") == link + clear + 420 + enable);
+}

@@ -1,0 +1,143 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "hw/base/error.h"
+#include "hw/kinds/load.h"
+#include "hw/machines/kind.h"
+#include "tests/support/figure_ranges.h"
+
+// What the file of a memory may say: each figure at its least and its most, and one beyond; and figures that do not
+// fit each other, one refusal for each of them.
+
+using namespace csgsim;
+
+namespace {
+
+constexpr std::int64_t million = 1'000'000;
+constexpr std::int64_t most_energy = million * million;
+
+// Of 512 x 512 pixels with 256 bits each, 391 rows of a subarray are needed, and 4 subarrays of a bank's 128.
+constexpr auto ranges = std::to_array<testing::FigureRange>({
+    {"picture.width", 1, 16'384},
+    {"picture.height", 1, 16'384},
+    {"array.memory_bits", 1, 4096, "+chips.rows=65536"},
+    {"clock.frequency", 1, 10'000 * million},
+    {"logic.enable", 0, 1},
+    {"global_or.present", 0, 1},
+    {"evaluator.degree", 1, 2, "+logic.expressions=trees"},
+    {"chips.count", 1, 64},
+    {"chips.banks", 1, 64},
+    {"chips.subarrays", 1, 4096},
+    {"chips.columns", 1, 65'536, "+chips.subarrays=4096"},
+    {"bus.bits", 1, 65'536},
+    {"host.plane_bits", 1, 1 << 30},
+    {"timing.restore", 1, million},
+    {"timing.precharge", 1, million},
+    {"timing.second", 1, million},
+    {"timing.logic", 1, million},
+    {"timing.column", 1, million},
+    {"timing.recovery", 0, million},
+    {"timing.leaf", 1, million},
+    {"timing.global_or", 1, million},
+    {"timing.activation_gap", 1, million},
+    {"timing.window", 0, million},
+    {"timing.refresh_interval", 0, million},
+    {"timing.refresh", 0, million, "+timing.refresh_interval=0"},
+    {"energy.activation", 0, most_energy},
+    {"energy.further_row", 0, 10'000},
+    {"energy.logic", 0, most_energy},
+    {"energy.leaf", 0, most_energy},
+    {"energy.transfer", 0, most_energy},
+    {"energy.refresh", 0, most_energy},
+    {"energy.background", 0, most_energy},
+    {"link.width", 1, 256},
+    {"link.word_clocks", 1, million},
+    {"link.latency", 0, million},
+    {"controller.queue", 1, 65'536},
+    {"host.count", 1, 4096},
+});
+
+/// What is wrong with the memory with these changes; empty if nothing.
+std::string refusal(const std::string& changes) {
+  return testing::error_of([&] { kinds::load("digital-bit-serial-ddr4" + changes); });
+}
+
+}  // namespace
+
+TEST_CASE("each figure of a memory is taken at its least and its most, and refused one beyond") {
+  testing::check_figure_ranges("digital-bit-serial-ddr4", ranges,
+                               [](const std::string& machine) { return kinds::load(machine); });
+  CHECK(refusal("+chips.rows=65536") == "");
+  CHECK(refusal("+chips.rows=65537").find("chips.rows is 65537;") != std::string::npos);
+  CHECK(refusal("+chips.rows=1").find("take 391 rows") != std::string::npos);
+  CHECK(refusal("+chips.rows=0").find("chips.rows is 0;") != std::string::npos);
+  // All of the kind, with three whose values are names.
+  CHECK(kinds::load("digital-bit-serial-ddr4").kind->schema.size() == ranges.size() + 1 + 3);
+}
+
+TEST_CASE("figures that may be ideal are no limit then, and others may not") {
+  for (const std::string key : {"host.plane_bits", "timing.window", "timing.refresh_interval", "controller.queue",
+                                "link.width", "link.latency", "host.processor"}) {
+    CAPTURE(key);
+    CHECK(refusal("+" + key + "=ideal") == "");
+  }
+  for (const std::string key : {"timing.restore", "timing.activation_gap", "timing.refresh", "energy.leaf"}) {
+    CAPTURE(key);
+    CHECK_FALSE(refusal("+" + key + "=ideal").empty());
+  }
+}
+
+TEST_CASE("refreshes leave more than half of the time") {
+  CHECK(refusal("+timing.refresh_interval=841") == "");  // tRFC 420
+  CHECK(refusal("+timing.refresh_interval=840").find("timing.refresh_interval") != std::string::npos);
+  CHECK(refusal("+timing.refresh=4679") == "");  // tREFI 9360
+  CHECK(refusal("+timing.refresh=4680").find("take more than twice timing.refresh") != std::string::npos);
+  CHECK(refusal("+timing.refresh=4680+timing.refresh_interval=ideal") == "");
+}
+
+TEST_CASE("rows of x and y are for expressions of degree 1 alone") {
+  CHECK(refusal("+evaluator.degree=2").find("take degree 1, or logic.expressions trees") != std::string::npos);
+  CHECK(refusal("+evaluator.degree=2+logic.expressions=planes") == "");
+  CHECK(refusal("+evaluator.degree=2+logic.expressions=trees") == "");
+}
+
+TEST_CASE("pixel memory has to fit a subarray with the rows that instructions need") {
+  // 256, 15 and 62 and 40, and 9 each for x and y.
+  CHECK(refusal("+chips.rows=391") == "");
+  CHECK(refusal("+chips.rows=390")
+            .find("take 391 rows with those that instructions need; take less "
+                  "array.memory_bits, or chips.rows 391") != std::string::npos);
+  CHECK(refusal("+array.memory_bits=377") == "");
+  CHECK(refusal("+array.memory_bits=378").find("take 513 rows") != std::string::npos);
+  CHECK(refusal("+chips.rows=391+picture.width=513").find("take 392 rows") != std::string::npos);
+  CHECK(refusal("+chips.rows=391+picture.height=513").find("take 392 rows") != std::string::npos);
+}
+
+TEST_CASE("a picture has to fit the subarrays of all banks") {
+  // 262,144 pixels in rows of 8,192 are 32 subarrays.
+  CHECK(refusal("+chips.count=1+chips.banks=1+chips.subarrays=32") == "");
+  CHECK(refusal("+chips.count=1+chips.banks=1+chips.subarrays=31")
+            .ends_with("a picture of 512x512 takes 32 subarrays of each chip, digital-bit-serial-ddr4 has 31; take a "
+                       "smaller picture, or a machine file with more chips.subarrays"));
+  CHECK(refusal("+chips.count=1+chips.banks=2+chips.subarrays=16") == "");
+  CHECK_FALSE(refusal("+chips.count=1+chips.banks=2+chips.subarrays=15").empty());
+  CHECK(refusal("+chips.count=2+chips.banks=1+chips.subarrays=16") == "");
+  machines::Machine full = kinds::load("digital-bit-serial-ddr4+chips.count=1+chips.banks=1+chips.subarrays=32");
+  CHECK_NOTHROW(machines::set_picture_size(full, {256, 1024}));
+  CHECK(full.array.width == 256);
+  CHECK(full.array.height == 1024);
+  CHECK_THROWS_WITH_AS(machines::set_picture_size(full, {512, 513}), doctest::Contains("a picture of 512x513 takes 33"),
+                       InputError);
+}
+
+TEST_CASE("a memory has a processor a pixel, with its bits of pixel memory") {
+  const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+picture.width=300+array.memory_bits=100");
+  const machines::Resources resources = machine.kind->resources(machine, {});
+  CHECK(resources.processors == 300 * 512);
+  CHECK(resources.memory_bits == 300 * 512 * 100);
+  CHECK(machine.kind->regions(machine) == std::vector<isa::Region>{{0, 0, 300, 512}});
+}
