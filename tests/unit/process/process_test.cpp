@@ -163,6 +163,32 @@ TEST_CASE("the paths of a clock are as their gates add up by hand") {
   CHECK(clock->hz == static_cast<std::uint64_t>(std::llround(1e12 / 1190)));
 }
 
+TEST_CASE("the longest wire is half of the longer side of the array, and the global OR combines all pixels") {
+  const Process one = round_process();
+  machines::Machine machine = small_machine();
+  for (const bool is_high : {false, true}) {
+    machine.array.width = is_high ? 16 : 64;
+    machine.array.height = is_high ? 64 : 16;
+    CHECK(path(machine, one, "wire") == doctest::Approx(100 + 300 * 32 * std::sqrt(1060e-6)));
+  }
+  // Lines of all 16 pixels where the gates take 64: two levels of four.
+  machine.array.width = 4;
+  machine.array.height = 4;
+  CHECK(path(machine, one, "global OR") == doctest::Approx(100 + 20));
+}
+
+TEST_CASE("a buffer's bits are read at one port, however many a pixel's memory has") {
+  const Process one = round_process();
+  const double shared = (machines::controller_transistors + double{machines::fifo_transistors}) * 2e-6;
+  const machines::Machine two_reads = small_machine("+memory.reads=2");
+  // 298 and 90 of logic, and five transistors a bit of the pixels; three a bit of the buffer.
+  const double pixels = 4096 * (388 * 2e-6 + 64 * 5e-6);
+  CHECK(process::machine_mm2(two_reads, {4096, 4096 * 64 + 1000}, one) ==
+        doctest::Approx(pixels + shared + 1000 * 3e-6));
+  CHECK(process::machine_mm2(two_reads, {4096, 4096 * 64}, one) == doctest::Approx(pixels + shared));
+  CHECK(process::machine_mm2(two_reads, {4096, 0}, one) == doctest::Approx(pixels + shared));
+}
+
 TEST_CASE("silicon is that of pixels, buffers, controllers and FIFOs") {
   const Process one = round_process();
   const machines::Machine machine = small_machine();
