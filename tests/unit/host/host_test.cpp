@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/host/recipes.h"
+#include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "hw/processors/processor.h"
@@ -122,4 +123,48 @@ TEST_CASE("a Program that says it took more than any clock can tell is refused")
   isa::Program program = drawn_on(machine);
   program.preparation.planes = 1'000'000'000'000;
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than can be told"), InputError);
+}
+
+TEST_CASE("a host's operations are those of a Program's numbers, of its segments and of what is written") {
+  const machines::Machine machine = machine_named("pixel-planes-4");
+  isa::Program program;
+  program.shape = machine.array;
+  program.preparation = {.planes = 2, .points = 3};
+  program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
+  program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
+  program.segments[0].preparation.boxes = 5;
+  program.segments[1].preparation.boxes = 7;
+  processors::Operations sum = 2 * host::operations_of(program.segments[0].instructions[0], machine.link.width);
+  for (const host::Recipe& recipe : host::recipes()) {
+    if (recipe.name == "planes") sum += 2 * recipe.each;
+    if (recipe.name == "points") sum += 3 * recipe.each;
+    if (recipe.name == "boxes") sum += 12 * recipe.each;
+  }
+  CHECK(host::operations_of(program, machine) == sum);
+  // A machine that divides the model has its host make that, in longs of four bytes, and write no instruction.
+  const machines::Machine dividing = machine_named("pixel-square");
+  for (const std::size_t bytes : {0U, 1U, 4U, 5U, 8U}) {
+    program.display_model.resize(bytes);
+    processors::Operations made = (bytes + 3) / 4 * host::of_model_long();
+    for (const host::Recipe& recipe : host::recipes()) {
+      if (recipe.name == "planes") made += 2 * recipe.each;
+      if (recipe.name == "points") made += 3 * recipe.each;
+    }
+    CHECK(host::operations_of(program, dividing) == made);
+  }
+}
+
+TEST_CASE("the largest work whose clocks a double holds is accepted, and more is refused") {
+  const machines::Machine machine = machine_named("pixel-planes-4");
+  isa::Program program;
+  program.shape = machine.array;
+  program.preparation.planes = 1'000'000;
+  const auto of_million = static_cast<double>(host::compile_clocks(program, machine));
+  // The limit is 9e15 clocks.
+  const double most = 9e15 / of_million * 1e6;
+  program.preparation.planes = static_cast<std::uint64_t>(most * 0.9999);
+  CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(9e15).epsilon(0.001));
+  program.preparation.planes = static_cast<std::uint64_t>(most * 1.0001);
+  CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine),
+                       doctest::Contains("take a faster one, by host.processor"), InputError);
 }

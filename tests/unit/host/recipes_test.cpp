@@ -2,6 +2,11 @@
 
 #include <doctest/doctest.h>
 
+#include <initializer_list>
+#include <map>
+#include <string>
+#include <utility>
+
 #include "hw/isa/instruction.h"
 #include "hw/isa/opcodes.h"
 #include "hw/processors/processor.h"
@@ -13,6 +18,129 @@ namespace {
 /// Clocks of an MC68000 that is programmed by hand, by its manual's tables.
 double clocks_of(const processors::Operations& operations) {
   return processors::clocks(operations, processors::load_processor("mc68000+compiler.factor=1000"));
+}
+
+using processors::Operation;
+
+using Counts = std::map<Operation, std::uint64_t>;
+
+/// The kinds that occur.
+Counts counts_of(const processors::Operations& operations) {
+  Counts counts;
+  for (std::size_t kind = 0; kind < processors::operation_kinds; ++kind)
+    if (operations.counts[kind] > 0) counts[static_cast<Operation>(kind)] = operations.counts[kind];
+  return counts;
+}
+
+/// The sum of counts, each times its factor.
+Counts sum_of(std::initializer_list<std::pair<std::uint64_t, const Counts*>> parts) {
+  Counts sum;
+  for (const auto& [times, counts] : parts)
+    for (const auto& [kind, count] : *counts) sum[kind] += times * count;
+  std::erase_if(sum, [](const auto& entry) { return entry.second == 0; });
+  return sum;
+}
+
+// What docs/host.md says of each, in operations.
+const std::map<std::string, Counts> expected_recipes{
+    // Four rows of the matrix, of four longs each, and the plane's four; three quotients brought to their places.
+    {"planes",
+     {{Operation::load_long, 16 + 4},
+      {Operation::multiply_long, 16},
+      {Operation::add_long, 12},
+      {Operation::divide_long, 3},
+      {Operation::shift_long, 3},
+      {Operation::shifted_bit, 3 * 12},
+      {Operation::compare_long, 2},
+      {Operation::branch, 2},
+      {Operation::store_long, 3}}},
+    // Three rows of four, and the point's three; two quotients; its part in a box of six sides.
+    {"points",
+     {{Operation::load_long, 12 + 3},
+      {Operation::multiply_long, 9},
+      {Operation::add_long, 9},
+      {Operation::divide_long, 2},
+      {Operation::compare_long, 6},
+      {Operation::branch, 6},
+      {Operation::store_long, 2}}},
+    // A normal and a colour; three channels clamped and packed.
+    {"colours",
+     {{Operation::load_long, 3 + 3},
+      {Operation::multiply_long, 6},
+      {Operation::add_long, 5},
+      {Operation::compare_long, 3},
+      {Operation::branch, 3},
+      {Operation::shift_long, 2},
+      {Operation::shifted_bit, 8 + 16},
+      {Operation::logic_long, 2},
+      {Operation::store_long, 1}}},
+    // Four sides in words, two depths in longs.
+    {"boxes",
+     {{Operation::load, 4},
+      {Operation::load_long, 2},
+      {Operation::compare, 4},
+      {Operation::compare_long, 2},
+      {Operation::branch, 6},
+      {Operation::add_long, 1},
+      {Operation::branch_taken, 1}}},
+    // Three coefficients and four sides; two products of long and word for a corner and two for the steps to the
+    // others.
+    {"tests",
+     {{Operation::load_long, 3},
+      {Operation::load, 4},
+      {Operation::multiply, 4 * 2},
+      {Operation::add_long, 10},
+      {Operation::compare_long, 6},
+      {Operation::branch, 6},
+      {Operation::branch_taken, 1}}},
+    {"values",
+     {{Operation::load_long, 1},
+      {Operation::add_long, 2},
+      {Operation::compare_long, 1},
+      {Operation::branch, 1},
+      {Operation::branch_taken, 1}}},
+    {"supports",
+     {{Operation::load_long, 3},
+      {Operation::multiply_long, 3},
+      {Operation::add_long, 3},
+      {Operation::compare_long, 1},
+      {Operation::branch, 1},
+      {Operation::branch_taken, 1}}},
+    {"nodes",
+     {{Operation::load, 2},
+      {Operation::load_long, 1},
+      {Operation::add_long, 2},
+      {Operation::compare, 2},
+      {Operation::branch, 2},
+      {Operation::store_long, 1},
+      {Operation::call, 1},
+      {Operation::come_back, 1}}},
+};
+
+// Parts of writing an instruction.
+const Counts counts_called{{Operation::load, 2},   {Operation::move, 2}, {Operation::compare, 2},
+                           {Operation::branch, 2}, {Operation::call, 1}, {Operation::come_back, 1}};
+const Counts counts_number{{Operation::load_long, 1},
+                           {Operation::shift_long, 1},
+                           {Operation::shifted_bit, 16},
+                           {Operation::logic_long, 2},
+                           {Operation::add, 1}};
+const Counts counts_moved{
+    {Operation::load_long, 3}, {Operation::load, 2}, {Operation::multiply, 4}, {Operation::add_long, 4}};
+const Counts counts_fitted{{Operation::logic_long, 6},
+                           {Operation::compare_long, 5},
+                           {Operation::branch, 10},
+                           {Operation::shift_long, 3},
+                           {Operation::shifted_bit, 24}};
+const Counts counts_squares{
+    {Operation::load_long, 6}, {Operation::load, 2}, {Operation::multiply, 16}, {Operation::add_long, 16}};
+const Counts counts_stored{
+    {Operation::store_long, 1}, {Operation::add_long, 1}, {Operation::compare_long, 1}, {Operation::branch_taken, 1}};
+
+host::Written written_of(const isa::Instruction& instruction, unsigned link_width) {
+  host::Written written;
+  written.add(instruction, link_width);
+  return written;
 }
 
 constexpr double called = 2 * 12 + 2 * 4 + 2 * 4 + 2 * 8 + 18 + 16;  // MOVE.W, MOVE, CMP, Bcc, BSR, RTS
@@ -54,4 +182,66 @@ TEST_CASE("what is counted has a recipe each, that takes time") {
     CHECK(clocks_of(recipe.each) > 0);
   }
   CHECK(all == isa::Preparation{1, 1, 1, 1, 1, 1, 1, 1});
+}
+
+TEST_CASE("each recipe is of the operations that the page of the host tells") {
+  REQUIRE(host::recipes().size() == expected_recipes.size());
+  for (const host::Recipe& recipe : host::recipes()) {
+    const std::string name(recipe.name);
+    CAPTURE(name);
+    REQUIRE(expected_recipes.contains(name));
+    CHECK(counts_of(recipe.each) == expected_recipes.at(name));
+  }
+}
+
+TEST_CASE("each recipe is counted by the number of a Program that has its name") {
+  isa::Preparation preparation{
+      .planes = 1, .points = 2, .colours = 3, .boxes = 4, .halfspaces = 5, .values = 6, .supports = 7, .nodes = 8};
+  std::map<std::string, std::uint64_t> counted;
+  for (const host::Recipe& recipe : host::recipes()) counted[std::string(recipe.name)] = preparation.*recipe.count;
+  CHECK(counted == std::map<std::string, std::uint64_t>{{"planes", 1},
+                                                        {"points", 2},
+                                                        {"colours", 3},
+                                                        {"boxes", 4},
+                                                        {"tests", 5},
+                                                        {"values", 6},
+                                                        {"supports", 7},
+                                                        {"nodes", 8}});
+}
+
+TEST_CASE("what is written takes a call and its own number for each instruction, and the rest by what it has") {
+  const Counts tested = expected_recipes.at("tests");
+  const host::Written written{.instructions = 3, .numbers = 10, .linear = 2, .squares = 1, .longs = 7};
+  CHECK(counts_of(host::operations_of(written)) == sum_of({{3, &counts_called},
+                                                           {3 + 10, &counts_number},
+                                                           {2, &counts_moved},
+                                                           {2, &tested},
+                                                           {2, &counts_fitted},
+                                                           {1, &counts_squares},
+                                                           {7, &counts_stored}}));
+  CHECK(counts_of(host::of_model_long()) == sum_of({{2, &counts_number}, {1, &counts_stored}}));
+}
+
+TEST_CASE("an operand counts the numbers that the page gives it, and a coefficient a long for each 32 bits") {
+  using isa::Opcode;
+  const isa::Linear narrow{.a = 1, .b = 2, .c = 3, .width = 32};
+  const isa::Linear wide{.a = 1, .b = 2, .c = 3, .width = 33};
+  const isa::Field field{0, 8};
+  const auto numbers = [](const isa::Instruction& instruction) { return written_of(instruction, 32).numbers; };
+  CHECK(numbers({.opcode = Opcode::enable_all}) == 0);
+  CHECK(numbers({.opcode = Opcode::enable_load, .fields = {field}}) == 2);
+  CHECK(numbers({.opcode = Opcode::bit_and, .fields = {field, field, field}}) == 6);
+  CHECK(numbers({.opcode = Opcode::set_constant, .fields = {field}, .constant = 5}) == 2 + 1);
+  CHECK(numbers({.opcode = Opcode::skip_if_none, .constant = 5}) == 1);
+  CHECK(numbers({.opcode = Opcode::edge_negative, .linear = narrow}) == 2 + 3);
+  CHECK(numbers({.opcode = Opcode::edge_negative, .linear = wide}) == 2 + 6);
+  CHECK(numbers({.opcode = Opcode::keep_max, .fields = {field}, .linear = narrow}) == 2 + 2 + 3);
+  CHECK(numbers({.opcode = Opcode::squares, .linear = narrow}) == 1 + 3);
+  CHECK(numbers({.opcode = Opcode::squares, .linear = wide}) == 1 + 6);
+  const host::Written squares = written_of({.opcode = Opcode::squares, .linear = narrow}, 32);
+  CHECK(squares.squares == 1);
+  CHECK(squares.linear == 0);
+  const host::Written edge = written_of({.opcode = Opcode::edge_negative, .linear = narrow}, 32);
+  CHECK(edge.squares == 0);
+  CHECK(edge.linear == 1);
 }
