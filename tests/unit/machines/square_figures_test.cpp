@@ -1,0 +1,303 @@
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hw/division/model_sizes.h"
+#include "hw/kinds/load.h"
+#include "hw/pixel_square/storage_check.h"
+#include "hw/pixel_square/timing_division.h"
+#include "tests/support/error_of.h"
+#include "tests/support/figure_ranges.h"
+#include "tests/unit/machines/square_timing.h"
+
+// Figures of machines of squares, by hand: what tests of a divider take, what is refused, one operand after the other
+// and at its limit, and the memory of a machine.
+
+using namespace csgsim;
+using namespace csgsim::testing::squares;
+using pixel_square::DivisionClocks;
+using testing::error_of;
+
+namespace {
+
+/// Through a port of 16 bits a primitive of the model is read in 5 clocks, a half-space and its plane in one each.
+Figures hand_figures() {
+  Figures figures = dividing();
+  figures.levels = 2;
+  figures.list_entries = 100;
+  figures.record_bits = 16;
+  figures.box_clocks = 2;
+  figures.halfspace_clocks = 3;
+  figures.cell_clocks = 5;
+  figures.node_clocks = 7;
+  figures.linear_clocks = 4;
+  return figures;
+}
+
+isa::Program with_model(std::vector<isa::Segment> segments = {square(2, {})}) {
+  isa::Program program = program_of(3, std::move(segments));
+  program.display_model = model_bytes();
+  return program;
+}
+
+constexpr isa::DivisionStep step{.boxes = 3, .lists = 2, .halfspaces = 5, .cells = 7, .nodes = 4};
+
+std::uint64_t tests_with(const Figures& figures, bool from_list = false) {
+  const isa::Program program = with_model();
+  const Machine machine = machine_of(2, figures);
+  return DivisionClocks(program, machine).of_tests(step, from_list);
+}
+
+std::uint64_t group_with(const Figures& figures) {
+  const isa::DivisionCounts first{
+      .steps = {}, .group_boxes = 3, .group_lists = 2, .group_halfspaces = 5, .group_cells = 7, .group_entries = 11};
+  const isa::Program program = with_model();
+  const Machine machine = machine_of(2, figures);
+  return DivisionClocks(program, machine).of_group(first);
+}
+
+}  // namespace
+
+TEST_CASE("a divider's tests of a surface take what each of them takes, and what it spills") {
+  const Figures figures = hand_figures();
+  // Boxes are read in 5 and held in 2. Each half-space is read in 2 while the one before is tested in 3, and the first
+  // of a list is waited for.
+  constexpr std::uint64_t boxes = 3 * (5 + 2);
+  constexpr std::uint64_t lists = 5 * 3 + 2 * 2;
+  constexpr std::uint64_t cells = 7 * 5;
+  constexpr std::uint64_t nodes = 4 * 7;
+  CHECK(tests_with(figures) == boxes + lists + cells + nodes);
+  // A number of the list is read in a clock more, and now reading takes as long as testing.
+  CHECK(tests_with(figures, true) == 3 * (5 + 1 + 2) + 5 * 3 + 2 * 3 + cells + nodes);
+  Figures small = figures;
+  small.halfspaces = 5;
+  small.nodes = 4;
+  CHECK(tests_with(small) == tests_with(figures));
+  // One more: an entry of 251 bits and 15 places among 4, 281 bits, is written in 18 clocks, and read for each cell.
+  small.halfspaces = 4;
+  CHECK(tests_with(small) == tests_with(figures) + 18 + 7 * 18);
+  small.halfspaces = 5;
+  // A node of 98 bits is written and read in 7 clocks each.
+  small.nodes = 3;
+  CHECK(tests_with(small) == tests_with(figures) + 2 * 7);
+  Figures quick = figures;
+  quick.halfspace_clocks = 1;
+  CHECK(tests_with(quick) == boxes + 5 * 2 + 2 * 1 + cells + nodes);
+}
+
+TEST_CASE("a divider's tests of a group read half-spaces again for its cells, and list what is left, if it fits") {
+  Figures figures = hand_figures();
+  constexpr std::uint64_t tests = 3 * (5 + 2) + (5 * 3 + 2 * 2) + 7 * (5 + 3);
+  CHECK(group_with(figures) == tests + 11);
+  figures.list_entries = 4;
+  CHECK(group_with(figures) == tests + 4);
+  figures.list_entries = 100;
+  figures.halfspace_clocks = 1;
+  CHECK(group_with(figures) == 3 * (5 + 2) + (5 * 2 + 2 * 1) + 7 * (5 + 2) + 11);
+}
+
+TEST_CASE("a divider looks at the tree first, works linear instructions out, and divides groups whose list fits") {
+  const isa::Program program = with_model();
+  Machine machine = machine_of(2, hand_figures());
+  const DivisionClocks clocks(program, machine);
+  CHECK(clocks.of_tree() == 3 * 7);
+  CHECK(clocks.of_instruction(enable) == 0);
+  CHECK(clocks.of_instruction({.opcode = Opcode::edge_negative}) == 4);
+  CHECK(clocks.is_listed(100));
+  CHECK_FALSE(clocks.is_listed(101));
+  machines::own<Figures>(machine).levels = 1;
+  CHECK_FALSE(DivisionClocks(program, machine).is_listed(0));
+}
+
+TEST_CASE("dividers take groups in turn, or squares where there is one level") {
+  isa::Program program = with_model(std::vector<isa::Segment>(6, square(2, {})));
+  const std::array<isa::Region, 6> regions{
+      isa::Region{0, 0, 2, 2}, {2, 0, 2, 2}, {4, 0, 2, 2}, {6, 0, 2, 2}, {0, 4, 2, 2}, {0, 6, 2, 2}};
+  for (std::size_t i = 0; i < regions.size(); ++i) program.segments[i].region = regions[i];
+  Machine machine = machine_of(2, hand_figures());
+  auto& figures = machines::own<Figures>(machine);
+  figures.group_side = 2;
+  figures.dividers = 2;
+  CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 0, 1, 1, 0, 0});
+  figures.levels = 1;
+  CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 0, 1, 0, 1});
+  figures.dividers = 3;
+  CHECK(pixel_square::dividers_of(program, machine) == std::vector<std::size_t>{0, 1, 2, 0, 1, 2});
+}
+
+TEST_CASE("each number of a divider's tests is taken up to 2^36, and refused one above") {
+  constexpr std::uint64_t most = std::uint64_t{1} << 36U;
+  using Counts = isa::DivisionCounts;
+  const std::vector<std::function<void(Counts&, std::uint64_t)>> operands{
+      [](Counts& counts, std::uint64_t number) { counts.group_boxes = number; },
+      [](Counts& counts, std::uint64_t number) { counts.group_lists = number; },
+      [](Counts& counts, std::uint64_t number) { counts.group_halfspaces = number; },
+      [](Counts& counts, std::uint64_t number) { counts.group_cells = number; },
+      [](Counts& counts, std::uint64_t number) { counts.steps.back().boxes = number; },
+      [](Counts& counts, std::uint64_t number) { counts.steps.back().lists = number; },
+      [](Counts& counts, std::uint64_t number) { counts.steps.back().halfspaces = number; },
+      [](Counts& counts, std::uint64_t number) { counts.steps.back().cells = number; },
+      [](Counts& counts, std::uint64_t number) { counts.steps.back().nodes = number; },
+  };
+  for (std::size_t operand = 0; operand < operands.size(); ++operand) {
+    CAPTURE(operand);
+    // The last step of the last square has the number.
+    isa::Program program = with_model({square(2, {}), square(2, {})});
+    isa::DivisionCounts& counts = program.segments.back().division;
+    counts.steps.resize(2);
+    operands[operand](counts, most);
+    CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(2, dividing())));
+    operands[operand](counts, most + 1);
+    CHECK(error_of([&] {
+            pixel_square::check_countable(program, machine_of(2, dividing()));
+          }).starts_with("the divider would test for more than 1152921504606846976 clocks; give it a smaller model"));
+  }
+}
+
+TEST_CASE("a frame's tests may take 2^60 clocks, its groups, surfaces and tree together") {
+  constexpr std::uint64_t many = std::uint64_t{1} << 36U;
+  Figures figures = dividing();
+  figures.cell_clocks = 1'000'000;
+  // 2^36 cells of a million clocks: 16 of them are less than 2^60, 17 are more.
+  const auto check = [&](std::size_t steps, std::size_t groups) {
+    isa::Program program = with_model(std::vector<isa::Segment>(steps + groups, square(2, {})));
+    for (std::size_t i = 0; i < steps; ++i) program.segments[i].division.steps = {{.cells = many}};
+    for (std::size_t i = steps; i < steps + groups; ++i) program.segments[i].division.group_cells = many;
+    return error_of([&] { pixel_square::check_countable(program, machine_of(2, figures)); });
+  };
+  CHECK(check(16, 0) == "");
+  CHECK_FALSE(check(17, 0).empty());
+  CHECK(check(0, 16) == "");
+  CHECK_FALSE(check(0, 17).empty());
+  CHECK_FALSE(check(9, 8).empty());
+}
+
+TEST_CASE("a model and what surfaces spill have to fit the divider's memory, to the bit") {
+  isa::Program program = with_model();
+  const std::uint64_t model_bits = 8 * program.display_model.size();
+  const std::uint64_t planes = division::sizes_of(program.display_model).planes;
+  REQUIRE(planes > 0);
+  Figures figures = dividing();
+  figures.halfspaces = 2;
+  figures.nodes = 5;
+  const auto refusal = [&](std::uint64_t bits) {
+    figures.model_bits = static_cast<std::uint32_t>(bits);
+    return error_of([&] { pixel_square::check_storage(program, machine_of(2, figures)); });
+  };
+  CHECK(refusal(model_bits) == "");
+  // One bit less, and its planes of 8 bits stay with the host.
+  CHECK(refusal(model_bits - 1) == "");
+  CHECK(refusal(model_bits - 8 * planes) == "");
+  CHECK(refusal(model_bits - 8 * planes - 1).starts_with("the display model has "));
+  // A half-space beyond the two has 251 bits and 15 places among two; a node beyond the five 98.
+  const auto spilling = [&](std::uint64_t halfspaces, std::uint64_t nodes, std::uint64_t bits) {
+    program.segments[0].division.steps = {{.halfspaces = halfspaces, .nodes = nodes}};
+    CHECK(refusal(model_bits + bits) == "");
+    if (bits > 0) CHECK(refusal(model_bits + bits - 1).starts_with("the square at 0,0 has ") == (bits > 8 * planes));
+  };
+  spilling(2, 5, 0);
+  spilling(3, 5, 266);
+  spilling(2, 6, 98);
+  spilling(4, 7, 2 * 266 + 2 * 98);
+}
+
+TEST_CASE("a machine's memory is that of its pixels, pictures, squares that wait and dividers") {
+  Figures figures = dividing();
+  figures.renderers = 3;
+  figures.backing_bits = 5;
+  figures.pictures = 2;
+  figures.dividers = 2;
+  figures.levels = 2;
+  figures.list_entries = 10;
+  figures.model_bits = 1000;
+  figures.halfspaces = 4;
+  figures.nodes = 6;
+  figures.store_words = 7;
+  Machine machine = machine_of(2, figures);
+  isa::FrameHeader header;
+  header.shape = {4, 4, 16};
+  header.colour = {0, 3};
+  const auto resources = [&] { return machine.kind->resources(machine, header); };
+  // 12 pixels of 16 and 5 bits; two pictures of 16 pixels; for each divider the model, 10 entries of 32 bits, 4
+  // half-spaces of 281 bits, 6 nodes of 98, 7 words of 256.
+  constexpr std::uint64_t of_pixels = 12 * (16 + 5) + 2 * 16 * 3;
+  constexpr std::uint64_t of_divider = 1000 + 10 * 32 + 4 * 281 + 6 * 98 + 7 * 256;
+  CHECK(resources().processors == 12);
+  CHECK(resources().memory_bits == of_pixels + 2 * of_divider);
+  machines::own<Figures>(machine).levels = 1;
+  CHECK(resources().memory_bits == of_pixels + 2 * (of_divider - 320));
+  machines::own<Figures>(machine).divider = pixel_square::DividerKind::host;
+  CHECK(resources().memory_bits == of_pixels);
+}
+
+TEST_CASE("squares wait in a second buffer or in memory behind the renderer, as many as fit") {
+  CHECK(pixel_square::squares_waiting({.buffers = 1}, 24) == 0);
+  CHECK(pixel_square::squares_waiting({.buffers = 2}, 24) == 1);
+  CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 48}, 24) == 2);
+  CHECK(pixel_square::squares_waiting({.buffers = 1, .backing_bits = 47}, 24) == 1);
+  CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 23}, 24) == 0);
+  CHECK(pixel_square::squares_waiting({.buffers = 2, .backing_bits = 5}, 0) == 5);
+}
+
+TEST_CASE("questions take a clock for each level of a renderer's OR") {
+  Figures figures = dividing();
+  figures.divider = pixel_square::DividerKind::host;
+  figures.has_global_or = true;
+  Machine machine = machine_of(8, figures);
+  const isa::Instruction question{.opcode = Opcode::skip_if_none, .constant = 1};
+  const auto clocks = [&](std::uint32_t fan_in) {
+    machines::own<Figures>(machine).or_fan_in = fan_in;
+    return machine.kind->clocks(question, machine);
+  };
+  const std::uint64_t at_once = clocks(0);
+  CHECK(clocks(64) == at_once + 1);  // of 64 pixels
+  CHECK(clocks(63) == at_once + 2);
+  CHECK(clocks(8) == at_once + 2);
+  CHECK(clocks(7) == at_once + 3);
+  CHECK(clocks(2) == at_once + 6);
+  CHECK(machine.kind->clocks(enable, machine) == 1);
+}
+
+TEST_CASE("each figure of a machine of squares is taken at its least and its most, and refused one beyond") {
+  constexpr std::int64_t million = 1'000'000;
+  constexpr auto ranges = std::to_array<testing::FigureRange>({
+      {"global_or.present", 0, 1},
+      {"global_or.fan_in", 2, 65'536},
+      {"renderers.count", 1, 1024},
+      {"renderers.buffers", 1, 2},
+      {"renderers.move_bits", 1, 32},
+      {"renderers.latch_bits", 1, 32},
+      {"backing.bits", 0, 1 << 20},
+      {"backing.width", 1, 1 << 20},
+      {"port.width", 1, 65'536},
+      {"port.fifo_depth", 1, million},
+      {"frame_buffer.banks", 1, 1024},
+      {"frame_buffer.pictures", 1, 2},
+      {"refresh.rate", 1, 1000},
+      {"refresh.bits", 1, 1 << 24},
+      {"refresh.clocks", 1, 1000},
+      {"processors.count", 1, 1024},
+      {"ring.channels", 1, 4096},
+      {"ring.width", 1, 256},
+      {"ring.word_clocks", 1, million},
+      {"divider.count", 1, 64},
+      {"divider.levels", 1, 2},
+      {"divider.group", 1, 1024},
+      {"divider.list", 0, 1000 * million},
+      {"divider.memory", 1, 4000 * million},
+      {"divider.port", 1, 256},
+      {"divider.halfspaces", 1, 1000 * million},
+      {"divider.nodes", 1, 1000 * million},
+      {"divider.store", 1, 1000 * million},
+      {"divider.box_clocks", 0, million},
+      {"divider.halfspace_clocks", 0, million},
+      {"divider.cell_clocks", 0, million},
+      {"divider.node_clocks", 0, million},
+      {"divider.linear_clocks", 0, million},
+  });
+  testing::check_figure_ranges("pixel-square", ranges, [](const std::string& machine) { return kinds::load(machine); });
+}
