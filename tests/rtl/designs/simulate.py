@@ -36,6 +36,8 @@ class Row:
 
 ROWS = {
     "small": Row("thesis_fig_2_3", "8x8"),
+    # A scan-out wider than the array, and channels of 2, 3 and 2 bits.
+    "corners": Row("thesis_fig_2_3", "8x6", options=("--set", "scan_out.pixels=16", "--colour-bits", "7")),
     "16": Row("thesis_fig_2_3", "16x16"),
     "odd": Row("thesis_fig_2_3", "13x10", options=("--set", "scan_out.pixels=3", "--colour-bits", "16", "--set", "link.width=10")),
     "buffers": Row("thesis_fig_2_3", "16x16", options=("--set", "scan_out.buffers=2", "--memory-bits", "96"), frames=4),
