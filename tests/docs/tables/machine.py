@@ -22,9 +22,17 @@ def value_of(figure):
     return f"{text} {unit}".strip()
 
 
+def in_words_of_pages(source):
+    """The source as pages cite: Jansen 1987 is the thesis, or `thesis` before the number of a section, figure or table, without the
+    comma of an apposition behind it. An x between numbers is a times sign."""
+    source = re.sub(r"(?<!as in )(Jansen 1987, section [\d.]+\d), (?=[a-z])", r"\1 ", source)
+    source = re.sub(r"Jansen 1987, (?:sections? (?=\d)|(?=fig|table))", "thesis ", source)
+    return re.sub(r"(?<=\d) x (?=\d)", " × ", re.sub(r"Jansen 1987", "the thesis", source))
+
+
 def shortened(source):
     """The first clauses of the source, as many as a cell has room for."""
-    source = re.sub(r"Jansen 1987(, sections?(?= )|,(?= (fig|table)))?", "thesis", source).replace(" x ", " × ")
+    source = in_words_of_pages(source)
     clauses = re.split(r"(?<=[;:,])\s", source)
     text = clauses[0]
     for clause in clauses[1:]:
