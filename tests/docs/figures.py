@@ -1,5 +1,7 @@
 """What the manifest's expressions and tables may ask for: the commands of csgsim on the models of the pages."""
 
+import tomllib
+
 from runs import ROOT
 
 MODELS = {
@@ -117,6 +119,17 @@ class Figures:
 
         return one_instruction.said(self)
 
+    def times_of_today(self):
+        """Seconds of a frame on the machines of docs/machines/today.md, by model and machine."""
+        from tables import today  # pylint: disable=import-outside-toplevel
+
+        return today.times(self)
+
+    def machine_file(self, name):
+        """The values of a machine's file, by figure."""
+        tables = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))
+        return {f"{table}.{key}": figure["value"] for table, keys in tables.items() if isinstance(keys, dict) for key, figure in keys.items()}
+
     def one_seam(self):
         """Where the seam of docs/one-seam.md opens."""
         from tables import one_seam  # pylint: disable=import-outside-toplevel
@@ -126,7 +139,7 @@ class Figures:
     def names(self):
         """The names of expressions."""
         own = ("render", "clocks", "compare", "classify", "display", "trace", "sweep", "accuracy", "subdivide", "explore", "mesh", "effects", "shown", "advise", "curved", "examples", "one_pixel",
-               "one_seam", "one_instruction")
+               "one_seam", "one_instruction", "times_of_today", "machine_file")
         return {"perspective": PERSPECTIVE, "models": THESIS_MODELS, "run": self.runs.run, "per_cent": per_cent, "point": point,
                 "division_reports": self.division_reports, **{name: getattr(self, name) for name in own}}
 

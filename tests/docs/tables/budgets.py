@@ -9,7 +9,7 @@ WIDTHS = ((20, 24), (14, 24), (14, 12), (12, 12))
 
 def drawn(figures, z_bits=20, colour_bits=24):
     """The stats with one read port, and with two."""
-    return [figures.render(SPHERE, f"--machine {machine} --z-bits {z_bits} --colour-bits {colour_bits}") for machine in MACHINES]
+    return [figures.render(SPHERE, f"--machine {machine} --curves exact --z-bits {z_bits} --colour-bits {colour_bits}") for machine in MACHINES]
 
 
 def own(stats):

@@ -17,29 +17,43 @@ def four_digits(value):
     return f"{value:,.0f}" if value >= 1000 else f"{value:.4g}"
 
 
-def on_one(figures, model, processor):
-    """The points on machines whose host is one such processor, by machine."""
-    hosts = {machine: f"{machine}+host.processor={processor}+host.count=1" for machine in MACHINES}
-    # What a machine has already is not named as a change of it.
-    points = figures.compare(model, f"--machines {','.join(hosts.values())}")
-    whole = [each for each in points if each.width == 512 and each.fragments == 0]
-    return dict(zip(MACHINES, whole, strict=True))
+def hosted(machine, processor):
+    """The machine with one such processor as its host."""
+    return f"{machine}+host.processor={processor}+host.count=1"
+
+
+def on_hosts(figures, model, options=""):
+    """The points of all machines with each host, by both: all of one call, so that all are of the same picture."""
+    pairs = [(machine, processor) for machine in MACHINES for processor in PROCESSORS]
+    points = figures.compare(model, f"{options}--machines {','.join(hosted(*pair) for pair in pairs)} --fragments none --sides none")
+    return dict(zip(pairs, points, strict=True))
 
 
 def hosts(figures):
     head = ("", "machine, ms", *(f"`{name}`, ms | to keep up" for name in PROCESSORS))
     lines = [row(*head), "|---" + "|--:" * (1 + 2 * len(PROCESSORS)) + "|"]
     for model in THESIS_MODELS:
-        each = [on_one(figures, model, processor) for processor in PROCESSORS]
+        points = on_hosts(figures, model)
         lines.append(row(f"**{model}**", *[""] * (1 + 2 * len(PROCESSORS))))
         for machine in MACHINES:
-            own = each[0][machine]
+            own = points[machine, PROCESSORS[0]]
             cells = [four_digits(milliseconds(own.interval_clocks, own))]
-            for points in each:
-                one = points[machine]
+            for processor in PROCESSORS:
+                one = points[machine, processor]
                 cells += [four_digits(milliseconds(one.host_clocks, one)), f"{math.ceil(one.host_clocks / one.interval_clocks):,}"]
             lines.append(row(f"`{machine}`", *cells))
     return "\n".join(lines)
+
+
+EXACT = ("old_example011", "thesis_fig_2_3")
+
+
+def exact(figures):
+    """Every clock of the machine that its host takes, of models that take no time."""
+    of_models = [on_hosts(figures, f"tests/models/{model}.csg", "--view-all ") for model in EXACT]
+    rows = [(f"`{machine}`", f"`{processor}`", *(f"{points[machine, processor].host_clocks:,}" for points in of_models))
+            for machine in MACHINES for processor in PROCESSORS]
+    return ruled(("machine", "host", *EXACT), rows, numbers_from=2)
 
 
 PRUNINGS = ("all", "no-space", "no-separation", "no-halfspaces", "no-hidden", "no-sets", "none")
@@ -52,7 +66,7 @@ def prunings(figures):
         for pruning in PRUNINGS:
             cells = []
             for model in THESIS_MODELS:
-                stats = figures.render(model, f"--machine {machine} --pruning {pruning}")
+                stats = figures.render(model, f"--machine {machine} --curves facets --pruning {pruning}")
                 cells += [f"{stats.clocks:,}", four_digits(1e3 * stats.host_clocks / stats.machine.clock_hz)]
             rows.append((f"`{machine}`", f"`{pruning}`", *cells))
     head = ("machine", "`--pruning`", *(cell for model in THESIS_MODELS for cell in (f"{model}: clocks", "host, ms")))

@@ -196,7 +196,7 @@ MACHINES = {
 def machines(figures):
     rows, drawn = [], set()
     for name, (strategy, words) in MACHINES.items():
-        run = figures.runs.run(f"csgsim render {MODEL} {VIEW} --z-bits 8 --strategy {strategy} --machine {name} --progress none "
+        run = figures.runs.run(f"csgsim render {MODEL} {VIEW} --z-bits 8 --strategy {strategy} --machine {name} --curves facets --progress none "
                                "-o $OUT/step.png --stats $OUT/stats.json")
         stats = run.json("stats.json")
         drawn.add((run.folder / "step.png").read_bytes())

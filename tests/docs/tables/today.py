@@ -1,76 +1,89 @@
-"""docs/machines/today.md and bit-serial-memory.md: Pixel-planes beside the memories of today."""
+"""docs/machines/today.md: Pixel-planes beside the memories of today. All rows of a table that are of one model come from one call
+of `csgsim compare`, so that every machine draws the same facets, and a picture that differs is an error."""
 
 from figures import THESIS_MODELS, row, ruled
 
 DIGITAL = "digital-bit-serial-ddr4"
-TREES = f"{DIGITAL}+logic.expressions=trees"
+TREES = "+logic.expressions=trees"
+LATCH = "+logic.enable=1"
+LINE = "+global_or.present=1"
 OLD = ("pixel-planes-4", "pixel-planes-5")
-MACHINES = (*OLD, DIGITAL, TREES, "simdram-ddr4", "ambit-ddr4")
+MACHINES = (*OLD, DIGITAL, DIGITAL + TREES, "simdram-ddr4", "ambit-ddr4")
 CORPUS = (*(f"models/{name}" for name in ("thesis_fig_2_3", "old_example002", "old_example003", "old_example011", "molecule", "crossing_cylinders", "sphere")),
           "corpus/assembly", "corpus/engraved_box", "corpus/gear")
-LACKING = (("as it is", ""),
-           ("the expression trees", "+logic.expressions=trees"),
-           ("a latch that enables writes", "+logic.enable=1"),
-           ("the global OR", "+global_or.present=1"),
-           ("trees and latch", "+logic.expressions=trees+logic.enable=1"),
-           ("all three", "+logic.expressions=trees+logic.enable=1+global_or.present=1"))
-WAYS = (("rows of x and y", ""), ("planes of the host", "+logic.expressions=planes"), ("trees", "+logic.expressions=trees"))
+LACKING = (("as it is", ""), ("the expression trees", TREES), ("a latch that enables writes", LATCH), ("the global OR", LINE),
+           ("trees and latch", TREES + LATCH), ("all three", TREES + LATCH + LINE))
+WAYS = (("rows of x and y", ""), ("planes of the host", "+logic.expressions=planes"), ("trees", TREES))
 LIMITS = (("as it is", ""), ("one chip", "+chips.count=1"), ("without tFAW", "+timing.window=ideal"),
           ("without refresh", "+timing.refresh_interval=ideal"))
+CHANGED = tuple(dict.fromkeys(DIGITAL + change for choices in (LACKING, WAYS, LIMITS) for _, change in choices))
+EXACT = ("models/old_example011", "models/thesis_fig_2_3")
 
 
-def joules(stats):
-    return f"{stats.frame_joules:.3g}"
+def compared(figures, model, machines=tuple(dict.fromkeys((*MACHINES, *CHANGED))), options=""):
+    """What each machine takes for the same picture of the model."""
+    points = figures.compare(model, f"{options}--machines {','.join(machines)} --fragments none --sides none")
+    return dict(zip(machines, points, strict=True))
 
 
-def modelled(figures, model):
-    """What the model of a process gives for the old machines, set off from what figures of a machine give."""
-    points = figures.compare(model, f"--machines {','.join(OLD)}")
-    return {machine: f"*{next(point.frame_joules for point in points if point.machine == machine):.3g}*" for machine in OLD}
+def times(figures):
+    """Seconds of a frame, by model and machine."""
+    return {(model, machine): point.simulated_seconds for model in THESIS_MODELS for machine, point in compared(figures, model).items()}
 
 
-def frame(figures, model, machine):
-    return figures.render(model, f"--machine {machine}")
-
-
-def frame_row(name, stats, energy):
-    return (name, f"{stats.clocks:,}", f"{stats.simulated_seconds * 1e3:,.3g}", f"{stats.frames_per_second:.3g}", energy)
+def joules(machine, point):
+    """Set off where the model of a process gives them, and not figures of the machine."""
+    return f"*{point.frame_joules:.3g}*" if machine in OLD else f"{point.frame_joules:.3g}"
 
 
 def models(figures):
     lines = [row("", "clocks", "ms", "frames/s", "J a frame"), "|---" + "|--:" * 4 + "|"]
     for model in THESIS_MODELS:
         lines.append(row(f"**{model}**", *[""] * 4))
-        energy = modelled(figures, model)
+        points = compared(figures, model)
         for machine in MACHINES:
-            stats = frame(figures, model, machine)
-            lines.append(row(*frame_row(f"`{machine}`", stats, energy[machine] if machine in OLD else joules(stats))))
+            point = points[machine]
+            lines.append(row(f"`{machine}`", f"{point.clocks:,}", f"{point.simulated_seconds * 1e3:,.3g}", f"{point.frames_per_second:.3g}", joules(machine, point)))
     return "\n".join(lines)
 
 
 def corpus(figures):
     rows = []
     for model in CORPUS:
-        stats = [figures.render(f"tests/{model}.csg", f"--view-all --machine {machine}") for machine in MACHINES]
-        rows.append((model.split("/")[1], *(f"{each.simulated_seconds * 1e3:,.3g}" for each in stats), joules(stats[2]), *(joules(each) for each in stats[4:])))
+        points = compared(figures, f"tests/{model}.csg", MACHINES, "--view-all ")
+        energies = (DIGITAL, "simdram-ddr4", "ambit-ddr4")
+        rows.append((model.split("/")[1], *(f"{points[machine].simulated_seconds * 1e3:,.3g}" for machine in MACHINES),
+                     *(joules(machine, points[machine]) for machine in energies)))
     return ruled(("model", *(f"`{machine}`" for machine in MACHINES), "J, digital", "J, SIMDRAM", "J, Ambit"), rows)
 
 
-def worth(figures, kind, choices):
+def worth(figures, choices):
+    of_models = [compared(figures, model) for model in THESIS_MODELS]
     rows = []
     for name, change in choices:
-        stats = [frame(figures, model, kind + change) for model in THESIS_MODELS]
-        rows.append((name, *(f"{each.simulated_seconds * 1e3:.3g}" for each in stats), *(joules(each) for each in stats)))
+        points = [points[DIGITAL + change] for points in of_models]
+        rows.append((name, *(f"{point.simulated_seconds * 1e3:.3g}" for point in points), *(joules(DIGITAL, point) for point in points)))
     return ruled(("", *(f"{model}, ms" for model in THESIS_MODELS), *("J" for _ in THESIS_MODELS)), rows)
 
 
 def lacking(figures):
-    return worth(figures, DIGITAL, LACKING)
+    return worth(figures, LACKING)
 
 
 def ways(figures):
-    return worth(figures, DIGITAL, WAYS)
+    return worth(figures, WAYS)
 
 
 def limits(figures):
-    return worth(figures, DIGITAL, LIMITS)
+    return worth(figures, LIMITS)
+
+
+def exact(figures):
+    """Every digit, of models that take no time."""
+    machines = (*CHANGED, "simdram-ddr4", "simdram-ddr4" + TREES, "ambit-ddr4")
+    of_models = [compared(figures, f"tests/{model}.csg", machines, "--view-all ") for model in EXACT]
+    rows = []
+    for machine in machines:
+        cells = [cell for points in of_models for cell in (f"{points[machine].clocks:,}", f"{points[machine].frame_joules * 1e9:,.3f}")]
+        rows.append((f"`{machine}`", *cells))
+    return ruled(("", *(head for model in EXACT for head in (f"{model.split('/')[1]}, clocks", "nJ"))), rows)
