@@ -88,7 +88,9 @@ class Pairing {
   }
 
   void find_angles(std::span<HalfEdge> edges) const {
-    const glm::dvec3 along = glm::normalize(outlines_.points[edges.front().high] - outlines_.points[edges.front().low]);
+    const glm::dvec3 way = outlines_.points[edges.front().high] - outlines_.points[edges.front().low];
+    if (way == glm::dvec3(0)) return;  // any pairing is as good
+    const glm::dvec3 along = glm::normalize(way);
     glm::dvec3 across(0);
     for (HalfEdge& edge : edges) {
       const glm::dvec3 outward = outlines_.outlines[surface_.outlines[edge.number / 3]].outward;
@@ -124,6 +126,37 @@ void part_points(Surface& surface, const std::vector<std::uint32_t>& others) {
   surface.points = std::move(points);
 }
 
+/// Takes out triangles that stand back to back on the same three points, with nothing between them.
+void cancel_triangles(Surface& surface) {
+  using Corners = std::array<std::uint32_t, 3>;
+  std::map<Corners, std::vector<std::size_t>> known;
+  const auto turned = [](Triangle triangle) {
+    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    return triangle;
+  };
+  std::vector<bool> is_out(surface.triangles.size(), false);
+  bool any = false;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const Triangle triangle = turned(surface.triangles[i]);
+    const auto back = known.find({triangle[0], triangle[2], triangle[1]});
+    if (back != known.end() && !back->second.empty()) {
+      is_out[i] = is_out[back->second.back()] = any = true;
+      back->second.pop_back();
+    } else {
+      known[triangle].push_back(i);
+    }
+  }
+  if (!any) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    if (is_out[i]) continue;
+    surface.triangles[kept] = surface.triangles[i];
+    surface.outlines[kept++] = surface.outlines[i];
+  }
+  surface.triangles.resize(kept);
+  surface.outlines.resize(kept);
+}
+
 Surface surface_of(const Outlines& outlines) {
   Surface surface{outlines.points, {}, {}};
   for (std::uint32_t i = 0; i < outlines.outlines.size(); ++i) {
@@ -131,6 +164,7 @@ Surface surface_of(const Outlines& outlines) {
     surface.triangles.insert(surface.triangles.end(), triangles.begin(), triangles.end());
     surface.outlines.resize(surface.triangles.size(), i);
   }
+  cancel_triangles(surface);
   part_points(surface, Pairing(surface, outlines)());
   return surface;
 }

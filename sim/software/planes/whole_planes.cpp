@@ -8,13 +8,16 @@ namespace csgsim::software {
 
 namespace {
 
-constexpr double steps_per_unit = 0x1p53;
+constexpr double normal_steps = 0x1p62;
+constexpr int offset_bits = 110;  ///< steps of an offset in a unit, as a power of two
+/// What a coordinate is to be multiplied by, where it is the quotient of determinants of rows.
+constexpr double place_scale = normal_steps / 0x1p110;
 
-/// In steps. Planes farther from the middle meet nothing of the model, whose points are within half a unit.
-constexpr double farthest_plane = 0x1p62;
+/// In units. Planes farther away meet nothing of the model.
+constexpr double farthest_plane = 512;
 
-/// Nothing of a model is farther from its middle than half a unit.
-constexpr double outermost_wall = 0.75;
+/// How far the outermost walls are from a model, as a part of its size.
+constexpr double wall_margin = 0.25;
 
 /// Off by some units of the last place: four products, each of them of a number that is off by two, and their sum.
 constexpr double error_of_sum = 0x1p-49;
@@ -26,38 +29,93 @@ double power_above(double length) {
   return std::ldexp(1.0, part == 0.5 ? exponent - 1 : exponent);
 }
 
+std::int64_t normal_row(double component) { return std::llround(std::clamp(component, -1.0, 1.0) * normal_steps); }
+
+double normal_of(std::int64_t row) { return static_cast<double>(row) / normal_steps; }
+
+double offset_of(Long row) { return std::ldexp(static_cast<double>(row), -offset_bits); }
+
+/// The nearest multiple of 2^-offset_bits.
+Long offset_row(double units) {
+  constexpr int mantissa_bits = 53;
+  int exponent = 0;
+  const double part = std::frexp(std::clamp(units, -farthest_plane, farthest_plane), &exponent);
+  const int up = exponent - mantissa_bits + offset_bits;
+  if (up < 0) return std::llround(std::ldexp(part, exponent + offset_bits));
+  return static_cast<Long>(std::ldexp(part, mantissa_bits)) * (Long{1} << up);
+}
+
+facet::Box cube_of(double side) { return {glm::dvec3(-side / 2), glm::dvec3(side / 2)}; }
+
+/// The box with room for the outermost walls.
+facet::Box widened(const facet::Box& box) {
+  const glm::dvec3 size = box.high - box.low;
+  const double widest = std::max({size.x, size.y, size.z});
+  const glm::dvec3 margin(wall_margin * (widest > 0 ? widest : 1.0));
+  return {box.low - margin, box.high + margin};
+}
+
+double farthest_of(const facet::Box& box) {
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  return farthest > 0 ? farthest : 1.0;
+}
+
 }  // namespace
 
 WholePlanes::WholePlanes(const facet::PlaneTable& planes, double diameter) : unit_(power_above(diameter)) {
-  const std::size_t count = planes.planes().size() + 3 * walls;
+  add_all(planes.planes(), widened(cube_of(1.0)));
+}
+
+WholePlanes::WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box)
+    : unit_(unit_of(box)) {
+  add_all(planes, widened({box.low / unit_, box.high / unit_}));
+}
+
+double WholePlanes::unit_of(const facet::Box& box) { return power_above(2 * farthest_of(box)); }
+
+facet::Plane WholePlanes::held(const facet::Plane& plane, double unit) {
+  facet::Plane held;
+  for (int axis = 0; axis < 3; ++axis) held.normal[axis] = normal_of(normal_row(plane.normal[axis]));
+  held.offset = offset_of(offset_row(plane.offset / unit)) * unit;
+  return held;
+}
+
+void WholePlanes::add_all(std::span<const facet::Plane> planes, const facet::Box& walled) {
+  walled_ = walled;
+  const std::size_t count = planes.size() + std::size_t{3} * walls;
   rows_.reserve(count);
   near_.reserve(count);
-  for (const facet::Plane& plane : planes.planes()) {
+  for (const facet::Plane& plane : planes)
     add({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset / unit_});
-  }
   first_wall_ = static_cast<std::uint32_t>(rows_.size());
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double size = walled.high[axis] - walled.low[axis];
     for (std::uint32_t i = 0; i < walls; ++i) {
-      std::array<double, 4> coefficients{0, 0, 0, outermost_wall * (1.0 - 2.0 * i / (walls - 1))};
-      coefficients[axis] = 1;
+      std::array<double, 4> coefficients{0, 0, 0, -(walled.low[axis] + size * i / (walls - 1))};
+      coefficients[static_cast<std::size_t>(axis)] = 1;
       add(coefficients);
     }
   }
 }
 
 void WholePlanes::add(const std::array<double, 4>& coefficients) {
-  Row row{};
+  Row row;
   std::array<double, 4> near{};
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    row[i] = std::llround(std::clamp(coefficients[i] * steps_per_unit, -farthest_plane, farthest_plane));
-    near[i] = static_cast<double>(row[i]) / steps_per_unit;
+  for (std::size_t i = 0; i < row.normal.size(); ++i) {
+    row.normal[i] = normal_row(coefficients[i]);
+    near[i] = normal_of(row.normal[i]);
   }
+  row.offset = offset_row(coefficients[3]);
+  near[3] = offset_of(row.offset);
   rows_.push_back(row);
   near_.push_back(near);
 }
 
 std::uint32_t WholePlanes::wall_near(int axis, double place) const {
-  const double number = std::round((place / outermost_wall + 1.0) / 2.0 * (walls - 1));
+  const double part = (place - walled_.low[axis]) / (walled_.high[axis] - walled_.low[axis]);
+  const double number = std::round(part * (walls - 1));
   return wall(axis, static_cast<std::uint32_t>(std::clamp(number, 1.0, walls - 2.0)));
 }
 
@@ -67,26 +125,33 @@ Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t 
   const Row& p = rows_[point.planes[0]];
   const Row& q = rows_[point.planes[1]];
   const Row& r = rows_[point.planes[2]];
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return static_cast<Long>(q[i]) * r[j] - static_cast<Long>(q[j]) * r[i];
+  const auto of_normals = [&](std::size_t i, std::size_t j) {
+    return static_cast<Long>(q.normal[i]) * r.normal[j] - static_cast<Long>(q.normal[j]) * r.normal[i];
   };
-  const std::array<Long, 6> minors{minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)};
-  // The determinant of three columns, by the first row.
-  const auto determinant = [](std::int64_t a, Long of_a, std::int64_t b, Long of_b, std::int64_t c, Long of_c) {
-    Wide sum = Wide::product(of_a, a);
-    sum -= Wide::product(of_b, b);
-    sum += Wide::product(of_c, c);
+  const auto of_offsets = [&](std::size_t i) {
+    Wide minor = Wide::product(r.offset, q.normal[i]);
+    minor -= Wide::product(q.offset, r.normal[i]);
+    return minor;
+  };
+  const std::array<Long, 3> normals{of_normals(1, 2), of_normals(0, 2), of_normals(0, 1)};
+  const std::array<Wide, 3> offsets{of_offsets(0), of_offsets(1), of_offsets(2)};
+  // The determinant of the columns i, j and that of the offsets, by the first row.
+  const auto determinant = [&](std::size_t i, std::size_t j, Long of_offset) {
+    Wide sum = offsets[j].times(p.normal[i]);
+    sum -= offsets[i].times(p.normal[j]);
+    sum += Wide::product(of_offset, p.offset);
     return sum;
   };
-  point.exact = {determinant(p[1], minors[5], p[2], minors[4], p[3], minors[3]),
-                 -determinant(p[0], minors[5], p[2], minors[2], p[3], minors[1]),
-                 determinant(p[0], minors[4], p[1], minors[2], p[3], minors[0]),
-                 -determinant(p[0], minors[3], p[1], minors[1], p[2], minors[0])};
+  Wide weight = Wide::product(normals[0], p.normal[0]);
+  weight -= Wide::product(normals[1], p.normal[1]);
+  weight += Wide::product(normals[2], p.normal[2]);
+  point.exact = {determinant(1, 2, normals[0]), -determinant(0, 2, normals[1]), determinant(0, 1, normals[2]),
+                 -weight};
   const int sign = point.exact[3].sign();
   if (sign == 0) throw std::logic_error("three planes do not meet in one point");
   for (std::size_t i = 0; i < point.exact.size(); ++i) {
     if (sign < 0) point.exact[i] = -point.exact[i];
-    point.near[i] = point.exact[i].rounded();
+    point.near[i] = point.exact[i].rounded() * (i < 3 ? place_scale : 1.0);
   }
   return point;
 }
@@ -103,7 +168,8 @@ int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
   }
   if (std::abs(sum) > error_of_sum * size) return sum < 0 ? -1 : 1;
   Wide exact;
-  for (std::size_t i = 0; i < near.size(); ++i) exact += point.exact[i].times(rows_[plane][i]);
+  for (std::size_t i = 0; i < 3; ++i) exact += point.exact[i].times(rows_[plane].normal[i]);
+  exact += point.exact[3].times(rows_[plane].offset);
   return exact.sign();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,26 +10,37 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of 256 bits, two's complement: enough for a determinant of four planes, which takes 218.
+/// A whole number of 320 bits, two's complement: enough for a determinant of four planes, which takes 312.
 class Wide {
  public:
   Wide() = default;
 
-  /// Exact: at most 191 bits.
-  static Wide product(Long one, std::int64_t other) {
-    const bool is_negative = (one < 0) != (other < 0);
-    const UnsignedLong large = one < 0 ? -static_cast<UnsignedLong>(one) : static_cast<UnsignedLong>(one);
+  /// Exact.
+  static Wide product(Long one, Long other) {
+    const UnsignedLong large = magnitude(one);
     Wide result;
-    result.multiply({static_cast<std::uint64_t>(large), static_cast<std::uint64_t>(large >> limb_bits), 0, 0},
-                    magnitude(other));
+    result.limbs_[0] = static_cast<std::uint64_t>(large);
+    result.limbs_[1] = static_cast<std::uint64_t>(large >> limb_bits);
+    if (one < 0) result = -result;
+    return result.times(other);
+  }
+
+  /// The low 320 bits.
+  [[nodiscard]] Wide times(std::int64_t other) const {
+    const bool is_negative = negative() != (other < 0);
+    const Limbs limbs = negative() ? (-*this).limbs_ : limbs_;
+    Wide result;
+    result.add_product(limbs, static_cast<std::uint64_t>(magnitude(other)), 0);
     return is_negative ? -result : result;
   }
 
-  /// The low 256 bits.
-  [[nodiscard]] Wide times(std::int64_t other) const {
+  [[nodiscard]] Wide times(Long other) const {
     const bool is_negative = negative() != (other < 0);
+    const Limbs limbs = negative() ? (-*this).limbs_ : limbs_;
+    const UnsignedLong large = magnitude(other);
     Wide result;
-    result.multiply(negative() ? (-*this).limbs_ : limbs_, magnitude(other));
+    result.add_product(limbs, static_cast<std::uint64_t>(large), 0);
+    result.add_product(limbs, static_cast<std::uint64_t>(large >> limb_bits), 1);
     return is_negative ? -result : result;
   }
 
@@ -59,7 +71,7 @@ class Wide {
 
   [[nodiscard]] int sign() const {
     if (negative()) return -1;
-    return (limbs_[0] | limbs_[1] | limbs_[2] | limbs_[3]) != 0 ? 1 : 0;
+    return std::ranges::any_of(limbs_, [](std::uint64_t limb) { return limb != 0; }) ? 1 : 0;
   }
 
   /// Off by less than two units of the last place.
@@ -71,18 +83,19 @@ class Wide {
   }
 
  private:
-  using Limbs = std::array<std::uint64_t, 4>;
+  using Limbs = std::array<std::uint64_t, 5>;
   static constexpr unsigned limb_bits = 64;
 
-  static std::uint64_t magnitude(std::int64_t number) {
-    return number < 0 ? -static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+  static UnsignedLong magnitude(Long number) {
+    return number < 0 ? -static_cast<UnsignedLong>(number) : static_cast<UnsignedLong>(number);
   }
 
-  void multiply(const Limbs& one, std::uint64_t other) {
+  /// Adds the product, moved up by some limbs. What is past the last limb is lost.
+  void add_product(const Limbs& one, std::uint64_t other, std::size_t up) {
     UnsignedLong carry = 0;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      carry += static_cast<UnsignedLong>(one[i]) * other;
-      limbs_[i] = static_cast<std::uint64_t>(carry);
+    for (std::size_t i = 0; i + up < limbs_.size(); ++i) {
+      carry += static_cast<UnsignedLong>(one[i]) * other + limbs_[i + up];
+      limbs_[i + up] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
     }
   }
