@@ -37,6 +37,8 @@ constexpr double coarsest = convex::relative_tolerance;
 constexpr double part_of_width = 1e-5;
 /// Of the tolerance: how far faces may move that become one.
 constexpr double part_of_tolerance = 0.3;
+/// As a part of a solid's own thickness: no face of it moves farther.
+constexpr double part_of_thickness = 1e-3;
 /// As a part of the diagonal: no tolerance is finer, as doubles tell no places apart that are closer.
 constexpr double finest = 1e-24;
 /// As a part of the coordinates: what chains of transforms in doubles are off by.
@@ -48,24 +50,49 @@ glm::dvec3 middle_of(const facet::Solid& solid) {
   return sum / static_cast<double>(solid.vertices.size());
 }
 
+/// Half of how thick a solid is, at least: the distance of the middle of its vertices from the nearest face.
+double inner_radius(const facet::Solid& solid, const glm::dvec3& middle) {
+  double inner = std::numeric_limits<double>::infinity();
+  for (const facet::Face& face : solid.faces) inner = std::min(inner, -face.plane.height(middle));
+  return std::max(0.0, inner);
+}
+
 /// What is known of a model before its planes are.
 struct Size {
   facet::Box box;
-  double least_width = std::numeric_limits<double>::infinity();  ///< of a node of the file, along an axis
+  double least_width = std::numeric_limits<double>::infinity();  ///< of a node of the file
+};
+
+/// A node of the file: its pieces are one solid, of which some may be slivers.
+struct NodeSize {
+  facet::Box box;
+  double thickness = 0;  ///< of the thickest piece
+
+  void add(const facet::Solid& solid) {
+    if (solid.vertices.empty()) return;
+    box = facet::hull(box, facet::box_of(solid.vertices));
+    thickness = std::max(thickness, 2 * inner_radius(solid, middle_of(solid)));
+  }
+
+  [[nodiscard]] double width() const {
+    double least = std::numeric_limits<double>::infinity();
+    if (thickness > 0) least = thickness;
+    for (int axis = 0; axis < 3; ++axis)
+      if (box.high[axis] > box.low[axis]) least = std::min(least, box.high[axis] - box.low[axis]);
+    return least;
+  }
 };
 
 Size size_of(const model::Tree& tree, const facet::Faceting& faceting) {
   Size size;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, facet::Box> nodes;  // pieces of one node are one solid
-  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
-    const facet::Box box = facet::box_of(facet::make_solid_at(tree, i, faceting).vertices);
-    size.box = facet::hull(size.box, box);
-    facet::Box& node = nodes[{tree.primitives[i].location.line, tree.primitives[i].location.column}];
-    node = facet::hull(node, box);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, NodeSize> nodes;
+  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i)
+    nodes[{tree.primitives[i].location.line, tree.primitives[i].location.column}].add(
+        facet::make_solid_at(tree, i, faceting));
+  for (const auto& [place, node] : nodes) {
+    size.box = facet::hull(size.box, node.box);
+    size.least_width = std::min(size.least_width, node.width());
   }
-  for (const auto& [place, box] : nodes)
-    for (int axis = 0; axis < 3; ++axis)
-      if (box.high[axis] > box.low[axis]) size.least_width = std::min(size.least_width, box.high[axis] - box.low[axis]);
   if (size.box.empty()) size.box = {glm::dvec3(0), glm::dvec3(0)};
   return size;
 }
@@ -105,7 +132,8 @@ class BodyMaker {
       farthest = std::max(farthest, glm::length(vertex));
     }
     ball.middle = middle - reference_;
-    ball.tolerance = std::max(part_of_tolerance * tolerance_, rounding * farthest);
+    ball.tolerance = std::min(std::max(part_of_tolerance * tolerance_, rounding * farthest),
+                              part_of_thickness * 2 * inner_radius(solid, middle));
     return ball;
   }
 

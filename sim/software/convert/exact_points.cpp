@@ -68,20 +68,16 @@ std::size_t ExactPoints::TripleHash::operator()(const Triple& triple) const {
   return hash_of(words);
 }
 
-bool ExactPoints::is_at(std::uint32_t point, const Triple& planes) const {
-  const Meeting known = meeting(point);
-  return std::ranges::all_of(planes, [&](std::uint32_t plane) { return planes_.side(known, plane) == 0; });
-}
-
-std::uint32_t ExactPoints::add(const Triple& planes, const glm::dvec3& place) {
+std::uint32_t ExactPoints::add(const Triple& planes) {
   const auto [entry, is_new] = known_.try_emplace(planes, 0);
   if (!is_new) return entry->second;
+  const glm::dvec3 place = planes_.exact_place(planes);
   const auto added = static_cast<std::uint32_t>(places_.size());
   std::uint32_t found = added;
   for_cells_near(place, [&](std::uint64_t cell) {
     const auto [begin, end] = at_.equal_range(cell);
     for (auto one = begin; one != end && found == added; ++one)
-      if (is_at(one->second, planes)) found = one->second;
+      if (planes_.are_on(triples_[one->second], planes)) found = one->second;
   });
   entry->second = found;
   if (found != added) return found;
@@ -104,9 +100,9 @@ std::vector<std::uint32_t> points_between(const WholePlanes& planes, const Exact
   const Beyond before_end = beyond(planes, end, start);
   std::vector<Found> found;
   for (const std::uint32_t candidate : candidates) {
+    if (!planes.are_on(points.planes(candidate), line)) continue;
     const Meeting at = points.meeting(candidate);
-    const bool is_between = planes.side(at, line[0]) == 0 && planes.side(at, line[1]) == 0 &&
-                            planes.side(at, after_start.plane) == after_start.side &&
+    const bool is_between = planes.side(at, after_start.plane) == after_start.side &&
                             planes.side(at, before_end.plane) == before_end.side;
     if (is_between) found.push_back({at, candidate});
   }

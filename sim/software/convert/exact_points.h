@@ -18,10 +18,11 @@ class ExactPoints {
   /// Keeps a reference.
   explicit ExactPoints(const WholePlanes& planes) : planes_(planes) {}
 
-  /// The number of the point of these planes, which is at that place (place_of()).
-  std::uint32_t add(const Triple& planes, const glm::dvec3& place);
+  /// The number of the point of these planes.
+  std::uint32_t add(const Triple& planes);
 
   [[nodiscard]] std::span<const glm::dvec3> places() const { return places_; }
+  [[nodiscard]] const Triple& planes(std::uint32_t point) const { return triples_[point]; }
   [[nodiscard]] Meeting meeting(std::uint32_t point) const {
     const Triple& planes = triples_[point];
     return planes_.meet(planes[0], planes[1], planes[2]);
@@ -31,8 +32,6 @@ class ExactPoints {
   struct TripleHash {
     std::size_t operator()(const Triple& triple) const;
   };
-
-  [[nodiscard]] bool is_at(std::uint32_t point, const Triple& planes) const;
 
   const WholePlanes& planes_;
   std::vector<Triple> triples_;

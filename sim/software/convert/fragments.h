@@ -15,7 +15,6 @@ namespace csgsim::software::convert {
 /// A corner of a fragment.
 struct FragmentCorner {
   Triple planes{};                   ///< three that it is on
-  glm::dvec3 place{0};               ///< in units
   std::uint32_t along = 0;           ///< another plane than the fragment's: that of the side to the next corner
   std::uint32_t vertex = no_vertex;  ///< of the body, if the corner stands for one
 };

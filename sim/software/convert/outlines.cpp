@@ -53,7 +53,7 @@ class ExactOutlines {
     const std::size_t count = fragment.corners.size();
     round_.clear();
     for (const FragmentCorner& corner : fragment.corners) {
-      const std::uint32_t point = points_.add(corner.planes, corner.place);
+      const std::uint32_t point = points_.add(corner.planes);
       if (point == vertices_.size()) vertices_.push_back(nullptr);
       if (corner.vertex != no_vertex && vertices_[point] == nullptr)
         vertices_[point] = &bodies_.bodies[fragment.body].vertices[corner.vertex];

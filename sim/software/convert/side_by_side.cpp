@@ -94,10 +94,10 @@ class Pairs {
 
 /// Whether nothing is done to the bodies, ascending, but to unite them.
 bool are_united(const csg::PositiveTree& tree, const csg::TreePaths& paths, std::span<const std::uint32_t> bodies) {
-  using Kind = LocalTree::Node::Kind;
+  using NodeKind = LocalTree::Node::Kind;
   const LocalTree local(tree, paths, bodies);
   return std::ranges::all_of(local.nodes(), [](const LocalTree::Node& node) {
-    return node.kind == Kind::unite || (node.kind == Kind::leaf && !node.complemented);
+    return node.kind == NodeKind::unite || (node.kind == NodeKind::leaf && !node.complemented);
   });
 }
 

@@ -15,15 +15,17 @@ namespace csgsim::software {
 /// Numbers of three planes that meet in one point, ascending.
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Where three planes meet: x : y : z : w, with w above 0.
+/// Where three planes meet: x : y : z : w, with w above 0, as rounded numbers tell it. What they leave open is worked
+/// out exactly of the planes.
 struct Meeting {
   Triple planes{};
-  std::array<Wide, 4> exact{};
-  std::array<double, 4> near{};  ///< the same but for a common factor, rounded
+  std::array<double, 4> near{};
+  double place_error = 0;   ///< what x, y and z together are off by at most
+  double weight_error = 0;  ///< the same of w
 };
 
 /// The planes of a model as whole numbers, so that what is worked out of them is exact. Components of normals are
-/// multiples of 2^-62, offsets of 2^-110 units; a unit is a power of two that is no less than twice the farthest
+/// multiples of 2^-96, offsets of 2^-110 units; a unit is a power of two that is no less than twice the farthest
 /// coordinate of the model, from the place that offsets are relative to. Doubles of a usual size are kept exactly, so
 /// that small parts near that place are as exact as if they were alone, however large others are.
 ///
@@ -71,17 +73,24 @@ class WholePlanes {
   /// The planes have to have one point in common.
   [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
 
+  /// Whether the point of three planes is on all of these; exact.
+  [[nodiscard]] bool are_on(const Triple& point, std::span<const std::uint32_t> planes) const;
+
+  /// The place of the point of three planes, in units; each coordinate is off by a few units of its last place.
+  [[nodiscard]] glm::dvec3 exact_place(const Triple& planes) const;
+
   /// -1 behind the plane, 0 on it, 1 before it; exact.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane) const;
 
  private:
-  struct Row {
-    std::array<std::int64_t, 3> normal{};
-    Long offset = 0;
-  };
+  using Row = std::array<Long, 4>;  ///< a normal's components and an offset
+  using Point = std::array<Wide, 4>;
 
   void add_all(std::span<const facet::Plane> planes, const facet::Box& walled);
   void add(const std::array<double, 4>& coefficients);
+  [[nodiscard]] Point exact(const Triple& planes) const;
+  [[nodiscard]] int side(const Point& point, std::uint32_t plane) const;
+  [[nodiscard]] Meeting exactly_rounded(const Triple& planes) const;
 
   double unit_ = 1;
   std::uint32_t first_wall_ = 0;

@@ -10,7 +10,7 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of 320 bits, two's complement: enough for a determinant of four planes, which takes 312.
+/// A whole number of 448 bits, two's complement: enough for a determinant of four planes (WholePlanes), which takes 413.
 class Wide {
  public:
   Wide() = default;
@@ -18,29 +18,24 @@ class Wide {
   /// Exact.
   static Wide product(Long one, Long other) {
     const UnsignedLong large = magnitude(one);
+    const UnsignedLong by = magnitude(other);
+    const Limbs limbs{static_cast<std::uint64_t>(large), static_cast<std::uint64_t>(large >> limb_bits)};
     Wide result;
-    result.limbs_[0] = static_cast<std::uint64_t>(large);
-    result.limbs_[1] = static_cast<std::uint64_t>(large >> limb_bits);
-    if (one < 0) result = -result;
-    return result.times(other);
+    result.add_product(limbs, 2, static_cast<std::uint64_t>(by), 0);
+    result.add_product(limbs, 2, static_cast<std::uint64_t>(by >> limb_bits), 1);
+    return (one < 0) != (other < 0) ? -result : result;
   }
 
-  /// The low 320 bits.
-  [[nodiscard]] Wide times(std::int64_t other) const {
-    const bool is_negative = negative() != (other < 0);
-    const Limbs limbs = negative() ? (-*this).limbs_ : limbs_;
-    Wide result;
-    result.add_product(limbs, static_cast<std::uint64_t>(magnitude(other)), 0);
-    return is_negative ? -result : result;
-  }
-
+  /// The low 448 bits.
   [[nodiscard]] Wide times(Long other) const {
     const bool is_negative = negative() != (other < 0);
     const Limbs limbs = negative() ? (-*this).limbs_ : limbs_;
-    const UnsignedLong large = magnitude(other);
+    std::size_t count = limbs.size();
+    while (count > 0 && limbs[count - 1] == 0) --count;
+    const UnsignedLong by = magnitude(other);
     Wide result;
-    result.add_product(limbs, static_cast<std::uint64_t>(large), 0);
-    result.add_product(limbs, static_cast<std::uint64_t>(large >> limb_bits), 1);
+    result.add_product(limbs, count, static_cast<std::uint64_t>(by), 0);
+    result.add_product(limbs, count, static_cast<std::uint64_t>(by >> limb_bits), 1);
     return is_negative ? -result : result;
   }
 
@@ -83,19 +78,26 @@ class Wide {
   }
 
  private:
-  using Limbs = std::array<std::uint64_t, 5>;
+  using Limbs = std::array<std::uint64_t, 7>;
   static constexpr unsigned limb_bits = 64;
 
   static UnsignedLong magnitude(Long number) {
     return number < 0 ? -static_cast<UnsignedLong>(number) : static_cast<UnsignedLong>(number);
   }
 
-  /// Adds the product, moved up by some limbs. What is past the last limb is lost.
-  void add_product(const Limbs& one, std::uint64_t other, std::size_t up) {
+  /// Adds the product of some low limbs, moved up. What is past the last limb is lost.
+  void add_product(const Limbs& one, std::size_t count, std::uint64_t other, std::size_t up) {
+    if (other == 0) return;
     UnsignedLong carry = 0;
-    for (std::size_t i = 0; i + up < limbs_.size(); ++i) {
-      carry += static_cast<UnsignedLong>(one[i]) * other + limbs_[i + up];
-      limbs_[i + up] = static_cast<std::uint64_t>(carry);
+    std::size_t i = up;
+    for (; i < std::min(count + up, limbs_.size()); ++i) {
+      carry += static_cast<UnsignedLong>(one[i - up]) * other + limbs_[i];
+      limbs_[i] = static_cast<std::uint64_t>(carry);
+      carry >>= limb_bits;
+    }
+    for (; carry != 0 && i < limbs_.size(); ++i) {
+      carry += limbs_[i];
+      limbs_[i] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
     }
   }
