@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "host/convex/extent.h"
-#include "host/facet/geometry.h"
 #include "host/csg/positive_tree.h"
+#include "host/facet/geometry.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "sim/software/convert/bodies.h"

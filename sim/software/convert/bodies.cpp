@@ -85,10 +85,12 @@ struct NodeSize {
 
 Size size_of(const model::Tree& tree, const facet::Faceting& faceting) {
   Size size;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, NodeSize> nodes;
-  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i)
-    nodes[{tree.primitives[i].location.line, tree.primitives[i].location.column}].add(
-        facet::make_solid_at(tree, i, faceting));
+  std::map<std::array<std::uint32_t, 3>, NodeSize> nodes;
+  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
+    const model::Location& location = tree.primitives[i].location;
+    const bool is_of_a_file = location.line != 0;
+    nodes[{location.line, location.column, is_of_a_file ? 0 : i}].add(facet::make_solid_at(tree, i, faceting));
+  }
   for (const auto& [place, node] : nodes) {
     size.box = facet::hull(size.box, node.box);
     size.least_width = std::min(size.least_width, node.width());
@@ -173,7 +175,8 @@ void add_polygons(const facet::Solid& solid, std::span<const std::uint32_t> face
     const facet::Face& face = solid.faces[i];
     const auto first = static_cast<std::uint32_t>(body.corners.size());
     body.corners.insert(body.corners.end(), face.corners.begin(), face.corners.end());
-    if (glm::dot(twice_area(solid, face), face.plane.normal) < 0) std::ranges::reverse(std::span(body.corners).subspan(first));
+    if (glm::dot(twice_area(solid, face), face.plane.normal) < 0)
+      std::ranges::reverse(std::span(body.corners).subspan(first));
     body.polygons.push_back({face_of[i], first, static_cast<std::uint32_t>(face.corners.size())});
   }
 }
@@ -210,8 +213,7 @@ BallIs Bodies::ball_is(const Body& body, const glm::dvec3& middle, double radius
 Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, const Work& work) {
   const Size size = size_of(tree, faceting);
   const double diagonal = size.box.diagonal() > 0 ? size.box.diagonal() : 1.0;
-  const double tolerance =
-      std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.least_width));
+  const double tolerance = std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.least_width));
   const glm::dvec3 reference = reference_of(size.box);
   const facet::Box box{size.box.low - reference, size.box.high - reference};
   BodyMaker maker(reference, diagonal, WholePlanes::unit_of(box), tolerance);

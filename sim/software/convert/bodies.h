@@ -46,12 +46,12 @@ struct BodyPolygon {
 /// A primitive as a convex solid: exactly what all of its half-spaces have in common.
 struct Body {
   std::vector<BodyFace> faces;
-  std::vector<BodySide> sides;  ///< by face, counter-clockwise as seen from where the plane's normal points to
-  UnitBox box;                  ///< holds it; empty if the body has no volume
-  glm::dvec3 middle{0};         ///< of its vertices, in units
-  double outer = 0;             ///< radius of a ball about that which holds it
-  double inner = 0;             ///< and of one that it holds; below 0 if it holds none
-  std::vector<glm::dvec3> vertices;                 ///< in model space, as rounded numbers tell them
+  std::vector<BodySide> sides;       ///< by face, counter-clockwise as seen from where the plane's normal points to
+  UnitBox box;                       ///< holds it; empty if the body has no volume
+  glm::dvec3 middle{0};              ///< of its vertices, in units
+  double outer = 0;                  ///< radius of a ball about that which holds it
+  double inner = 0;                  ///< and of one that it holds; below 0 if it holds none
+  std::vector<glm::dvec3> vertices;  ///< in model space, as rounded numbers tell them
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< between these; none if there are more than most_edges
   std::vector<BodyPolygon> polygons;                ///< none if the corners of a face are not known
   std::vector<std::uint32_t> corners;               ///< vertices, counter-clockwise as seen from outside
@@ -68,8 +68,8 @@ struct Body {
 
 /// The primitives of a model, faceted.
 struct Bodies {
-  glm::dvec3 reference{0};  ///< in model space; places in units are relative to it
-  double tolerance = 0;     ///< points that are nearer to each other than this may become one; model units
+  glm::dvec3 reference{0};          ///< in model space; places in units are relative to it
+  double tolerance = 0;             ///< points that are nearer to each other than this may become one; model units
   std::vector<facet::Plane> faces;  ///< the planes of faces, relative to `reference`, in model units
   WholePlanes planes;
   std::vector<Body> bodies;  ///< one a primitive

@@ -102,8 +102,8 @@ std::vector<std::uint32_t> points_between(const WholePlanes& planes, const Exact
   for (const std::uint32_t candidate : candidates) {
     if (!planes.are_on(points.planes(candidate), line)) continue;
     const Meeting at = points.meeting(candidate);
-    const bool is_between = planes.side(at, after_start.plane) == after_start.side &&
-                            planes.side(at, before_end.plane) == before_end.side;
+    const bool is_between =
+        planes.side(at, after_start.plane) == after_start.side && planes.side(at, before_end.plane) == before_end.side;
     if (is_between) found.push_back({at, candidate});
   }
   // One is before another where the start is beyond it as seen from that other.

@@ -196,8 +196,8 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
     const std::size_t at = is_front ? i : count - 1 - i;
     const std::size_t along = is_front ? at : (at + count - 1) % count;
     const std::uint32_t corner = region.corners[at];
-    fragment.corners.push_back({sheet.point(corner).planes, region.planes[along],
-                                corner < sides.size() ? sides[corner].vertex : no_vertex});
+    fragment.corners.push_back(
+        {sheet.point(corner).planes, region.planes[along], corner < sides.size() ? sides[corner].vertex : no_vertex});
   }
   return fragment;
 }

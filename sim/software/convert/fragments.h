@@ -33,8 +33,8 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
 
 /// The boundary of what a tree leaves of the bodies, exactly, in convex parts that do not overlap. The face of a body
 /// is divided by those others alone that meet it and that the tree depends on there; where faces are in one plane, what
-/// is behind them and before them is asked at once. Throws WorkError past the limit on work. Bodies that are `whole` give none, and have nothing to do with others. The outcome is the same on any
-/// number of threads.
+/// is behind them and before them is asked at once. Throws WorkError past the limit on work. Bodies that are `whole`
+/// give none, and have nothing to do with others. The outcome is the same on any number of threads.
 std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
                                 const Work& work, unsigned threads = 1);
 

@@ -106,8 +106,9 @@ class ExactOutlines {
       for (const BodyPolygon& polygon : body.polygons) {
         const facet::Halfspace halfspace = body.faces[polygon.face].halfspace;
         const std::array<bool, 2>& both = has[halfspace.plane];
-        std::vector<Side>& sides = sides_of(
-            halfspace.plane, both[0] && both[1] ? Facing::sum : halfspace.positive ? Facing::front : Facing::back);
+        std::vector<Side>& sides = sides_of(halfspace.plane, both[0] && both[1]   ? Facing::sum
+                                                             : halfspace.positive ? Facing::front
+                                                                                  : Facing::back);
         const std::span<const std::uint32_t> corners = body.corners_of(polygon);
         for (std::size_t i = 0; i < corners.size(); ++i)
           sides.push_back({first + corners[i], first + corners[(i + 1) % corners.size()]});
@@ -146,7 +147,7 @@ class ExactOutlines {
 
   const Bodies& bodies_;
   ExactPoints points_;
-  std::vector<const glm::dvec3*> vertices_;  ///< of points that stand for one
+  std::vector<const glm::dvec3*> vertices_;                  ///< of points that stand for one
   std::vector<std::array<std::uint32_t, facings>> numbers_;  ///< of outlines by plane and facing, from 1
   std::vector<Plane> outlines_;
   std::unordered_map<std::uint64_t, std::array<std::uint32_t, 2>> lines_;  ///< planes through sides

@@ -24,7 +24,9 @@ class Seen {
     if (outward[axis] < 0) std::swap(across_, up_);
   }
 
-  [[nodiscard]] SeenKernel::Point_2 operator()(std::uint32_t point) const { return {points_[point][across_], points_[point][up_]}; }
+  [[nodiscard]] SeenKernel::Point_2 operator()(std::uint32_t point) const {
+    return {points_[point][across_], points_[point][up_]};
+  }
 
  private:
   const std::vector<glm::dvec3>& points_;

@@ -20,8 +20,7 @@ namespace {
 /// Looks whether pairs of bodies lie side by side.
 class Pairs {
  public:
-  Pairs(const Bodies& bodies, const Work& work)
-      : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}
+  Pairs(const Bodies& bodies, const Work& work) : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}
 
   [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const {
     return is_before_a_face(one, other) || is_before_a_face(other, one) || have_edges_between(one, other);

@@ -71,8 +71,7 @@ WholePlanes::WholePlanes(const facet::PlaneTable& planes, double diameter) : uni
   add_all(planes.planes(), widened(cube_of(1.0)));
 }
 
-WholePlanes::WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box)
-    : unit_(unit_of(box)) {
+WholePlanes::WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box) : unit_(unit_of(box)) {
   add_all(planes, widened({box.low / unit_, box.high / unit_}));
 }
 
@@ -90,8 +89,7 @@ void WholePlanes::add_all(std::span<const facet::Plane> planes, const facet::Box
   const std::size_t count = planes.size() + std::size_t{3} * walls;
   rows_.reserve(count);
   near_.reserve(count);
-  for (const facet::Plane& plane : planes)
-    add({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset / unit_});
+  for (const facet::Plane& plane : planes) add({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset / unit_});
   first_wall_ = static_cast<std::uint32_t>(rows_.size());
   for (int axis = 0; axis < 3; ++axis) {
     const double size = walled.high[axis] - walled.low[axis];
@@ -132,7 +130,8 @@ struct Determinant {
 
 using NearRow = std::array<double, 4>;
 
-Determinant determinant(const NearRow& p, const NearRow& q, const NearRow& r, const std::array<std::size_t, 3>& columns) {
+Determinant determinant(const NearRow& p, const NearRow& q, const NearRow& r,
+                        const std::array<std::size_t, 3>& columns) {
   Determinant sum;
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t a = columns[i];
@@ -189,8 +188,7 @@ bool WholePlanes::are_on(const Triple& point, std::span<const std::uint32_t> pla
   const auto is_known = [&](std::uint32_t plane) { return std::ranges::find(point, plane) != point.end(); };
   if (std::ranges::all_of(planes, is_known)) return true;
   const Point exactly = exact(point);
-  return std::ranges::all_of(planes,
-                             [&](std::uint32_t plane) { return is_known(plane) || side(exactly, plane) == 0; });
+  return std::ranges::all_of(planes, [&](std::uint32_t plane) { return is_known(plane) || side(exactly, plane) == 0; });
 }
 
 Meeting WholePlanes::exactly_rounded(const Triple& planes) const {
@@ -225,9 +223,7 @@ Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t 
   return point;
 }
 
-glm::dvec3 WholePlanes::exact_place(const Triple& planes) const {
-  return software::place_of(exactly_rounded(planes));
-}
+glm::dvec3 WholePlanes::exact_place(const Triple& planes) const { return software::place_of(exactly_rounded(planes)); }
 
 int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
   if (plane == point.planes[0] || plane == point.planes[1] || plane == point.planes[2]) return 0;

@@ -10,7 +10,8 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of 448 bits, two's complement: enough for a determinant of four planes (WholePlanes), which takes 413.
+/// A whole number of 448 bits, two's complement: enough for a determinant of four planes (WholePlanes), which takes
+/// 413.
 class Wide {
  public:
   Wide() = default;
