@@ -9,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "host/facet/solid_at.h"
 #include "host/model/limits.h"
 #include "hw/base/error.h"
 
@@ -122,6 +123,8 @@ void refuse_far(const Solid& solid) {
       "nearer, or scale it down");
 }
 
+}  // namespace
+
 Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Faceting& faceting) {
   try {
     Solid solid = make_solid(tree.primitives[primitive], faceting);
@@ -131,8 +134,6 @@ Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Face
     throw InputError(model::place_of(tree, primitive) + ": " + error.what());
   }
 }
-
-}  // namespace
 
 Box hull(const Box& a, const Box& b) {
   if (a.empty()) return b;

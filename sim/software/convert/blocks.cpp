@@ -11,6 +11,7 @@
 
 #include "host/convex/extent.h"
 #include "host/csg/positive_tree.h"
+#include "host/facet/geometry.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "sim/software/convert/bodies.h"
@@ -108,13 +109,13 @@ std::uint64_t cells_in(const Block& block) {
 Bintree blocks(const model::Tree& tree, std::uint32_t resolution, const facet::Faceting& faceting, const Work& work) {
   Bintree bintree{.resolution = resolution, .code = "0"};
   if (tree.root == model::no_index) return bintree;
-  const Bodies bodies = make_bodies(tree, faceting);
-  const facet::Box box = convex::extent(bodies.geometry, csg::make_positive(tree));
+  const Bodies bodies = make_bodies(tree, faceting, work);
+  const facet::Box box = convex::extent(facet::make_geometry(tree, faceting), csg::make_positive(tree));
   const glm::dvec3 size = box.high - box.low;
   bintree.side = std::max({size.x, size.y, size.z});
   bintree.low = box.centre() - bintree.side / 2.0;
   const double unit = bodies.planes.unit();
-  const CellGrid grid{(bintree.low - bodies.geometry.planes.centre()) / unit, bintree.cell() / unit, resolution};
+  const CellGrid grid{(bintree.low - bodies.reference) / unit, bintree.cell() / unit, resolution};
   const RayBundle rays(tree, bodies, grid, work);
   bintree.code.clear();
   encode(whole(resolution), 0, RayClass(rays), bintree.code);

@@ -8,7 +8,12 @@
 #include <map>
 #include <utility>
 
+#include "host/convex/clip.h"
+#include "host/facet/geometry.h"
 #include "host/facet/solid.h"
+#include "host/facet/solid_at.h"
+#include "sim/software/convert/exact_faces.h"
+#include "sim/software/convert/face_planes.h"
 
 namespace csgsim::software::convert {
 
@@ -26,100 +31,155 @@ csg::BoxIndex::Box index_box(const UnitBox& box) {
   return result;
 }
 
+/// As a part of the model's diagonal: how far apart points may be that become one.
+constexpr double coarsest = convex::relative_tolerance;
+/// The same as a part of the least width of a node of the file.
+constexpr double part_of_width = 1e-5;
+/// Of the tolerance: how far faces may move that become one.
+constexpr double part_of_tolerance = 0.3;
+/// As a part of a solid's own thickness: no face of it moves farther.
+constexpr double part_of_thickness = 1e-3;
+/// As a part of the diagonal: no tolerance is finer, as doubles tell no places apart that are closer.
+constexpr double finest = 1e-24;
+/// As a part of the coordinates: what chains of transforms in doubles are off by.
+constexpr double rounding = 0x1p-50;
+
+glm::dvec3 middle_of(const facet::Solid& solid) {
+  glm::dvec3 sum(0);
+  for (const glm::dvec3& vertex : solid.vertices) sum += vertex;
+  return sum / static_cast<double>(solid.vertices.size());
+}
+
+/// Half of how thick a solid is, at least: the distance of the middle of its vertices from the nearest face.
+double inner_radius(const facet::Solid& solid, const glm::dvec3& middle) {
+  double inner = std::numeric_limits<double>::infinity();
+  for (const facet::Face& face : solid.faces) inner = std::min(inner, -face.plane.height(middle));
+  return std::max(0.0, inner);
+}
+
+/// What is known of a model before its planes are.
+struct Size {
+  facet::Box box;
+  double least_width = std::numeric_limits<double>::infinity();  ///< of a node of the file
+};
+
+/// A node of the file: its pieces are one solid, of which some may be slivers.
+struct NodeSize {
+  facet::Box box;
+  double thickness = 0;  ///< of the thickest piece
+
+  void add(const facet::Solid& solid) {
+    if (solid.vertices.empty()) return;
+    box = facet::hull(box, facet::box_of(solid.vertices));
+    thickness = std::max(thickness, 2 * inner_radius(solid, middle_of(solid)));
+  }
+
+  [[nodiscard]] double width() const {
+    double least = std::numeric_limits<double>::infinity();
+    if (thickness > 0) least = thickness;
+    for (int axis = 0; axis < 3; ++axis)
+      if (box.high[axis] > box.low[axis]) least = std::min(least, box.high[axis] - box.low[axis]);
+    return least;
+  }
+};
+
+Size size_of(const model::Tree& tree, const facet::Faceting& faceting) {
+  Size size;
+  std::map<std::array<std::uint32_t, 3>, NodeSize> nodes;
+  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
+    const model::Location& location = tree.primitives[i].location;
+    const bool is_of_a_file = location.line != 0;
+    nodes[{location.line, location.column, is_of_a_file ? 0 : i}].add(facet::make_solid_at(tree, i, faceting));
+  }
+  for (const auto& [place, node] : nodes) {
+    size.box = facet::hull(size.box, node.box);
+    size.least_width = std::min(size.least_width, node.width());
+  }
+  if (size.box.empty()) size.box = {glm::dvec3(0), glm::dvec3(0)};
+  return size;
+}
+
+/// The place of the box that is nearest to the origin: doubles are finest there.
+glm::dvec3 reference_of(const facet::Box& box) { return glm::clamp(glm::dvec3(0), box.low, box.high); }
+
 class BodyMaker {
  public:
-  BodyMaker(facet::PlaneTable& planes, const WholePlanes& whole)
-      : planes_(planes), whole_(whole), unit_(whole.unit()) {}
+  BodyMaker(const glm::dvec3& reference, double diagonal, double unit, double tolerance)
+      : reference_(reference), tolerance_(tolerance), planes_(reference, diagonal, unit) {}
 
-  Body make(const facet::Solid& solid) {
+  /// The half-spaces of a solid. Appends the face's number to `face_of` for each face of the solid.
+  Body make(const facet::Solid& solid, std::vector<std::uint32_t>& face_of) {
     Body body;
-    for (const glm::dvec3& vertex : solid.vertices) stretch(body.box, vertex);
-    std::vector<std::uint32_t> face_of(solid.faces.size());
+    planes_.begin(footprint_of(solid));
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> known;
-    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
-      const facet::Halfspace halfspace = planes_.add(solid.faces[i].plane);
+    for (const facet::Face& face : solid.faces) {
+      const facet::Halfspace halfspace = planes_.add(face.plane);
       const auto [entry, is_new] = known.try_emplace({halfspace.plane, halfspace.positive}, body.faces.size());
-      face_of[i] = entry->second;
-      if (is_new) body.faces.push_back({halfspace, {}, {}, 0, 0});
-      for (const std::uint32_t corner : solid.faces[i].corners)
-        stretch(body.faces[face_of[i]].box, solid.vertices[corner]);
+      face_of.push_back(entry->second);
+      if (is_new) body.faces.push_back({.halfspace = halfspace, .box = {}});
     }
-    find_neighbours(solid, face_of, body);
-    find_polygons(solid, face_of, body);
-    find_balls(solid, body);
-    for (BodyFace& face : body.faces)
-      if (face.box.empty()) face.box = body.box;
     return body;
   }
 
+  [[nodiscard]] const std::vector<facet::Plane>& planes() const { return planes_.planes(); }
+
  private:
-  void stretch(UnitBox& box, const glm::dvec3& vertex) const {
-    const glm::dvec3 place = place_of(vertex);
-    const bool is_first = box.empty();
-    box.low = is_first ? place - box_margin : glm::min(box.low, place - box_margin);
-    box.high = is_first ? place + box_margin : glm::max(box.high, place + box_margin);
-  }
-
-  static void find_neighbours(const facet::Solid& solid, const std::vector<std::uint32_t>& face_of, Body& body) {
-    std::vector<std::vector<std::uint32_t>> at(solid.vertices.size());
-    for (std::size_t i = 0; i < solid.faces.size(); ++i)
-      for (const std::uint32_t corner : solid.faces[i].corners) at[corner].push_back(face_of[i]);
-    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
-      std::vector<std::uint32_t>& neighbours = body.faces[face_of[i]].neighbours;
-      for (const std::uint32_t corner : solid.faces[i].corners)
-        neighbours.insert(neighbours.end(), at[corner].begin(), at[corner].end());
+  [[nodiscard]] Footprint footprint_of(const facet::Solid& solid) const {
+    Footprint ball;
+    if (solid.vertices.empty()) return ball;
+    const glm::dvec3 middle = middle_of(solid);
+    double farthest = 0;
+    for (const glm::dvec3& vertex : solid.vertices) {
+      ball.radius = std::max(ball.radius, glm::distance(middle, vertex));
+      farthest = std::max(farthest, glm::length(vertex));
     }
-    for (std::uint32_t i = 0; i < body.faces.size(); ++i) {
-      std::vector<std::uint32_t>& neighbours = body.faces[i].neighbours;
-      std::ranges::sort(neighbours);
-      neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-      std::erase(neighbours, i);
-    }
+    ball.middle = middle - reference_;
+    ball.tolerance = std::min(std::max(part_of_tolerance * tolerance_, rounding * farthest),
+                              part_of_thickness * 2 * inner_radius(solid, middle));
+    return ball;
   }
 
-  static void find_polygons(const facet::Solid& solid, const std::vector<std::uint32_t>& face_of, Body& body) {
-    for (std::size_t i = 0; i < solid.faces.size(); ++i) {
-      const facet::Face& face = solid.faces[i];
-      if (face.corners.empty()) {
-        body.polygons.clear();
-        return;
-      }
-      BodyPolygon& polygon = body.polygons.emplace_back(BodyPolygon{face_of[i], face.corners});
-      if (glm::dot(twice_area(solid, face), face.plane.normal) < 0) std::ranges::reverse(polygon.corners);
-    }
-    std::ranges::stable_sort(body.polygons, {}, &BodyPolygon::face);
-    for (std::uint32_t i = 0; i < body.polygons.size(); ++i) {
-      BodyFace& face = body.faces[body.polygons[i].face];
-      if (face.polygons++ == 0) face.first_polygon = i;
-    }
-  }
-
-  [[nodiscard]] glm::dvec3 place_of(const glm::dvec3& vertex) const { return (vertex - planes_.centre()) / unit_; }
-
-  void find_balls(const facet::Solid& solid, Body& body) const {
-    if (solid.vertices.empty()) return;
-    for (const glm::dvec3& vertex : solid.vertices) body.middle += place_of(vertex);
-    body.middle /= static_cast<double>(solid.vertices.size());
-    for (const glm::dvec3& vertex : solid.vertices)
-      body.outer = std::max(body.outer, glm::distance(body.middle, place_of(vertex)));
-    body.outer += box_margin;
-    body.inner = body.outer;
-    for (const BodyFace& face : body.faces)
-      body.inner = std::min(body.inner, -whole_.height(face.halfspace, body.middle) - box_margin);
-  }
-
-  static glm::dvec3 twice_area(const facet::Solid& solid, const facet::Face& face) {
-    const glm::dvec3 first = solid.vertices[face.corners.front()];
-    glm::dvec3 sum(0);
-    for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
-      sum += glm::cross(solid.vertices[face.corners[i]] - first, solid.vertices[face.corners[i + 1]] - first);
-    return sum;
-  }
-
-  facet::PlaneTable& planes_;
-  const WholePlanes& whole_;
-  double unit_;
+  glm::dvec3 reference_;
+  double tolerance_;
+  FacePlanes planes_;
 };
+
+std::vector<std::array<std::uint32_t, 2>> edges_of(const facet::Solid& solid) {
+  std::vector<std::array<std::uint32_t, 2>> edges = solid.edges;
+  for (const facet::Face& face : solid.faces) {
+    for (std::size_t i = 0; i < face.corners.size(); ++i) {
+      const auto [low, high] = std::minmax(face.corners[i], face.corners[(i + 1) % face.corners.size()]);
+      if (low != high) edges.push_back({low, high});
+    }
+    if (edges.size() > 2 * Body::most_edges) return {};
+  }
+  std::ranges::sort(edges);
+  const auto rest = std::ranges::unique(edges);
+  edges.erase(rest.begin(), rest.end());
+  if (edges.size() > Body::most_edges) return {};
+  return edges;
+}
+
+glm::dvec3 twice_area(const facet::Solid& solid, const facet::Face& face) {
+  const glm::dvec3 first = solid.vertices[face.corners.front()];
+  glm::dvec3 sum(0);
+  for (std::size_t i = 1; i + 1 < face.corners.size(); ++i)
+    sum += glm::cross(solid.vertices[face.corners[i]] - first, solid.vertices[face.corners[i + 1]] - first);
+  return sum;
+}
+
+void add_polygons(const facet::Solid& solid, std::span<const std::uint32_t> face_of, Body& body) {
+  const auto has_corners = [](const facet::Face& face) { return !face.corners.empty(); };
+  if (!std::ranges::all_of(solid.faces, has_corners)) return;
+  for (std::size_t i = 0; i < solid.faces.size(); ++i) {
+    const facet::Face& face = solid.faces[i];
+    const auto first = static_cast<std::uint32_t>(body.corners.size());
+    body.corners.insert(body.corners.end(), face.corners.begin(), face.corners.end());
+    if (glm::dot(twice_area(solid, face), face.plane.normal) < 0)
+      std::ranges::reverse(std::span(body.corners).subspan(first));
+    body.polygons.push_back({face_of[i], first, static_cast<std::uint32_t>(face.corners.size())});
+  }
+}
 
 csg::BoxIndex index_of(const std::vector<Body>& bodies) {
   std::vector<csg::BoxIndex::Entry> entries;
@@ -150,24 +210,27 @@ BallIs Bodies::ball_is(const Body& body, const glm::dvec3& middle, double radius
   return is_inside ? BallIs::inside : BallIs::neither;
 }
 
-Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, Neighbours neighbours) {
-  facet::Geometry geometry = facet::make_geometry(tree, faceting);
-  WholePlanes planes(geometry.planes);
+Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, const Work& work) {
+  const Size size = size_of(tree, faceting);
+  const double diagonal = size.box.diagonal() > 0 ? size.box.diagonal() : 1.0;
+  const double tolerance = std::max(finest * diagonal, std::min(coarsest * diagonal, part_of_width * size.least_width));
+  const glm::dvec3 reference = reference_of(size.box);
+  const facet::Box box{size.box.low - reference, size.box.high - reference};
+  BodyMaker maker(reference, diagonal, WholePlanes::unit_of(box), tolerance);
   std::vector<Body> bodies;
-  BodyMaker maker(geometry.planes, planes);
-  for (const model::Primitive& primitive : tree.primitives)
-    bodies.push_back(maker.make(facet::make_solid(primitive, faceting)));
-  if (neighbours == Neighbours::all) {
-    for (Body& body : bodies) {
-      body.polygons.clear();
-      for (BodyFace& face : body.faces) {
-        face.neighbours.clear();
-        face.polygons = 0;
-      }
-    }
+  std::vector<std::vector<std::uint32_t>> faces_of(tree.primitives.size());
+  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i)
+    bodies.push_back(maker.make(facet::make_solid_at(tree, i, faceting), faces_of[i]));
+  WholePlanes planes(maker.planes(), box);
+  ExactFaces exact(planes, reference, tolerance, work);
+  for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
+    const facet::Solid solid = facet::make_solid_at(tree, i, faceting);
+    bodies[i].edges = edges_of(solid);
+    add_polygons(solid, faces_of[i], bodies[i]);
+    exact.find(solid, faces_of[i], bodies[i]);
   }
   csg::BoxIndex index = index_of(bodies);
-  return {std::move(geometry), std::move(planes), std::move(bodies), std::move(index)};
+  return {reference, tolerance, maker.planes(), std::move(planes), std::move(bodies), std::move(index)};
 }
 
 }  // namespace csgsim::software::convert

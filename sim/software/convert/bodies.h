@@ -2,11 +2,15 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "host/csg/box_index.h"
-#include "host/facet/geometry.h"
+#include "host/facet/faceting.h"
+#include "host/facet/planes.h"
 #include "host/model/tree.h"
+#include "hw/base/work.h"
+#include "sim/software/planes/sheet.h"
 #include "sim/software/planes/unit_box.h"
 #include "sim/software/planes/whole_planes.h"
 
@@ -15,35 +19,58 @@ namespace csgsim::software::convert {
 /// A face of a body, in the plane of a half-space.
 struct BodyFace {
   facet::Halfspace halfspace;
-  std::vector<std::uint32_t> neighbours;  ///< faces that share a corner with it; none if that is not known
-  UnitBox box;                            ///< holds it
-  std::uint32_t first_polygon = 0;        ///< of Body::polygons
-  std::uint32_t polygons = 0;             ///< how many; 0 if its corners are not known
+  UnitBox box;                   ///< holds it; empty if the face has no area
+  double radius = 0;             ///< of a ball about the middle of the box that holds it
+  std::uint32_t first_side = 0;  ///< of Body::sides
+  std::uint32_t sides = 0;
 };
 
 /// Of a ball and a convex body.
 enum class BallIs : std::uint8_t { inside, outside, neither };
 
-/// Corners of a face, vertices of the solid (facet::Convex), that run counter-clockwise as seen from outside.
-struct BodyPolygon {
-  std::uint32_t face = 0;
-  std::vector<std::uint32_t> corners;
+inline constexpr std::uint32_t no_vertex = 0xffffffffU;
+
+/// A side of a face: the plane along it, and the solid's vertex that its first corner stands for, or no_vertex.
+struct BodySide {
+  std::uint32_t plane = 0;
+  std::uint32_t vertex = no_vertex;
 };
 
-/// A primitive as a convex solid.
+/// A face of the solid that a body was made of, as rounded numbers tell it; the body may have it in two parts.
+struct BodyPolygon {
+  std::uint32_t face = 0;
+  std::uint32_t first_corner = 0;  ///< of Body::corners
+  std::uint32_t corners = 0;
+};
+
+/// A primitive as a convex solid: exactly what all of its half-spaces have in common.
 struct Body {
   std::vector<BodyFace> faces;
-  /// By their faces; several of a face whose half-space is several planes'. None if not all are known.
-  std::vector<BodyPolygon> polygons;
-  UnitBox box;
-  glm::dvec3 middle{0};  ///< of its vertices, in units
-  double outer = 0;      ///< radius of a ball about that which holds it
-  double inner = 0;      ///< and of one that it holds; below 0 if it holds none
+  std::vector<BodySide> sides;       ///< by face, counter-clockwise as seen from where the plane's normal points to
+  UnitBox box;                       ///< holds it; empty if the body has no volume
+  glm::dvec3 middle{0};              ///< of its vertices, in units
+  double outer = 0;                  ///< radius of a ball about that which holds it
+  double inner = 0;                  ///< and of one that it holds; below 0 if it holds none
+  std::vector<glm::dvec3> vertices;  ///< in model space, as rounded numbers tell them
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< between these; none if there are more than most_edges
+  std::vector<BodyPolygon> polygons;                ///< none if the corners of a face are not known
+  std::vector<std::uint32_t> corners;               ///< vertices, counter-clockwise as seen from outside
+
+  static constexpr std::size_t most_edges = 200;
+
+  [[nodiscard]] std::span<const BodySide> sides_of(const BodyFace& face) const {
+    return std::span(sides).subspan(face.first_side, face.sides);
+  }
+  [[nodiscard]] std::span<const std::uint32_t> corners_of(const BodyPolygon& polygon) const {
+    return std::span(corners).subspan(polygon.first_corner, polygon.corners);
+  }
 };
 
 /// The primitives of a model, faceted.
 struct Bodies {
-  facet::Geometry geometry;
+  glm::dvec3 reference{0};          ///< in model space; places in units are relative to it
+  double tolerance = 0;             ///< points that are nearer to each other than this may become one; model units
+  std::vector<facet::Plane> faces;  ///< the planes of faces, relative to `reference`, in model units
   WholePlanes planes;
   std::vector<Body> bodies;  ///< one a primitive
   csg::BoxIndex index;       ///< of the bodies' boxes
@@ -55,17 +82,8 @@ struct Bodies {
   [[nodiscard]] std::vector<std::uint32_t> meeting(const UnitBox& box) const;
 };
 
-/// By which boxes are wider than what they hold: more than corners are off where planes meet at small angles.
-inline constexpr double box_margin = 1e-9;
-
-/// Which half-spaces of a body are held against a face of it.
-enum class Neighbours : std::uint8_t {
-  corner,  ///< those of faces that share a corner with it: no others reach it, unless it is as small as rounding errs
-  all,     ///< and no polygons are told
-};
-
-/// Throws InputError, naming the primitive's place in the file, where one cannot be faceted.
-Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting,
-                   Neighbours neighbours = Neighbours::corner);
+/// Throws InputError, naming the primitive's place in the file, where one cannot be faceted, and WorkError past the
+/// limit on work.
+Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, const Work& work = {});
 
 }  // namespace csgsim::software::convert

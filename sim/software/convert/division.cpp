@@ -216,16 +216,13 @@ bool Division::halve(const Region& region, const Bounds& bounds, const LocalTree
   return true;
 }
 
-void Division::operator()(const Region& face, const LocalTree& tree, std::vector<Operand> operands) {
+void Division::operator()(std::uint32_t body, const BodyFace& face, const Region& region, const LocalTree& tree,
+                          std::vector<Operand> operands) {
   parts_.clear();
-  divide(face, tree, std::move(operands));
-  for (const Part& part : parts_) {
-    Fragment fragment{.plane = sheet_.plane(), .is_front = part.fate == Fate::front, .corners = {}};
-    for (const std::uint32_t corner : part.region.corners)
-      fragment.corners.push_back({sheet_.point(corner).planes, sheet_.place(corner)});
-    if (!fragment.is_front) std::ranges::reverse(fragment.corners);
-    found_.push_back(std::move(fragment));
-  }
+  divide(region, tree, std::move(operands));
+  const std::span<const BodySide> sides = bodies_.bodies[body].sides_of(face);
+  for (const Part& part : parts_)
+    found_.push_back(fragment_of(sheet_, part.region, part.fate == Fate::front, body, sides));
 }
 
 }  // namespace csgsim::software::convert

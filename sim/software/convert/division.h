@@ -33,7 +33,9 @@ class Division {
   Division(const Bodies& bodies, Sheet& sheet, std::vector<Fragment>& found, const Work& work)
       : bodies_(bodies), sheet_(sheet), found_(found), work_(work) {}
 
-  void operator()(const Region& face, const LocalTree& tree, std::vector<Operand> operands);
+  /// The region is all of the face, which is one of the body's.
+  void operator()(std::uint32_t body, const BodyFace& face, const Region& region, const LocalTree& tree,
+                  std::vector<Operand> operands);
 
  private:
   /// What has become of a region.

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <mutex>
+#include <ranges>
 #include <span>
 #include <thread>
 #include <utility>
@@ -43,22 +44,6 @@ class Evaluation {
   std::vector<Fragment> taken() { return std::exchange(found_, {}); }
 
  private:
-  /// The face, exactly: what the other half-spaces leave of its plane.
-  Region polygon_of(const Body& body, const BodyFace& face) {
-    Region region = sheet_.begin(face.halfspace.plane);
-    for (const std::uint32_t neighbour : face.neighbours) {
-      if (region.empty()) return region;
-      if (body.faces[neighbour].halfspace.plane != face.halfspace.plane)
-        region = sheet_.clip(region, body.faces[neighbour].halfspace);
-    }
-    if (!face.neighbours.empty()) return region;
-    for (const BodyFace& other : body.faces) {
-      if (region.empty()) return region;
-      if (other.halfspace.plane != face.halfspace.plane) region = sheet_.clip(region, other.halfspace);
-    }
-    return region;
-  }
-
   /// Whether a box has points on both sides of the plane, or may have.
   [[nodiscard]] bool meets_plane(const UnitBox& box, std::uint32_t plane) const {
     const std::array<double, 4>& near = bodies_.planes.near(plane);
@@ -90,34 +75,21 @@ class Evaluation {
     return operand;
   }
 
-  /// A ball that holds the face.
-  [[nodiscard]] std::pair<glm::dvec3, double> ball_about(std::uint32_t body, const BodyFace& face) const {
-    const glm::dvec3 middle = (face.box.low + face.box.high) / 2.0;
-    const std::vector<glm::dvec3>& vertices = bodies_.geometry.solids[body].vertices;
-    double radius = 0;
-    for (const BodyPolygon& polygon : polygons_of(body, face)) {
-      for (const std::uint32_t corner : polygon.corners) {
-        const glm::dvec3 place = (vertices[corner] - bodies_.geometry.planes.centre()) / bodies_.planes.unit();
-        radius = std::max(radius, glm::distance(middle, place));
-      }
-    }
-    return {middle, radius + box_margin};
-  }
-
-  [[nodiscard]] std::span<const BodyPolygon> polygons_of(std::uint32_t body, const BodyFace& face) const {
-    return std::span(bodies_.bodies[body].polygons).subspan(face.first_polygon, face.polygons);
+  Region region_of(std::uint32_t body, const BodyFace& face) {
+    return sheet_.begin(face.halfspace.plane,
+                        bodies_.bodies[body].sides_of(face) | std::views::transform(&BodySide::plane));
   }
 
   /// Adds all of the face or nothing of it, if a ball about it tells which. Notes what it tells of the operands.
   bool add_whole(std::uint32_t body, const BodyFace& face, const LocalTree& tree, std::vector<Operand>& operands) {
-    const auto [middle, radius] = ball_about(body, face);
+    const glm::dvec3 middle = (face.box.low + face.box.high) / 2.0;
     std::vector<Known> known;
     std::vector<bool> may_differ;
     for (Operand& operand : operands) {
       if (!operand.known.is_known) {
         const Body& other = bodies_.bodies[operand.body];
         work_.charge(1 + other.faces.size() / 4, converting);
-        const BallIs where = bodies_.ball_is(other, middle, radius, face.halfspace.plane);
+        const BallIs where = bodies_.ball_is(other, middle, face.radius, face.halfspace.plane);
         if (where == BallIs::outside) operand.known = {true, {}};
         if (where == BallIs::inside && !operand.is_coplanar) operand.known = {true, {true, true}};
       }
@@ -130,13 +102,14 @@ class Evaluation {
     if (value.behind == value.before) return true;
     const auto is_open = [](const Operand& operand) { return operand.owns && !operand.known.is_known; };
     if (std::ranges::any_of(operands, is_open)) return false;
-    for (const BodyPolygon& polygon : polygons_of(body, face))
-      found_.push_back({face.halfspace.plane, value.behind, {}, body, &polygon});
+    const Region region = region_of(body, face);
+    found_.push_back(fragment_of(sheet_, region, value.behind, body, bodies_.bodies[body].sides_of(face)));
     return true;
   }
 
   void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
     const BodyFace& face = bodies_.bodies[body].faces[number];
+    if (face.sides == 0) return;
     const facet::Halfspace halfspace = face.halfspace;
     work_.charge(near_.size(), converting);
     std::vector<Operand> operands;
@@ -148,9 +121,9 @@ class Evaluation {
       operands.back().known = {true, {halfspace.positive, !halfspace.positive}};
       operands.back().owns = false;
     }
-    if (face.polygons > 0 && add_whole(body, face, tree, operands)) return;
-    const Region region = polygon_of(bodies_.bodies[body], face);
-    if (!region.empty()) divide_(region, tree, std::move(operands));
+    if (add_whole(body, face, tree, operands)) return;
+    const Region region = region_of(body, face);
+    divide_(body, face, region, tree, std::move(operands));
   }
 
   const Bodies& bodies_;
@@ -212,6 +185,22 @@ class Sharing {
 };
 
 }  // namespace
+
+Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, std::uint32_t body,
+                     std::span<const BodySide> sides) {
+  Fragment fragment{.plane = sheet.plane(), .is_front = is_front, .body = body, .corners = {}};
+  const std::size_t count = region.corners.size();
+  fragment.corners.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    // From behind, the side after a corner is the one that was before it.
+    const std::size_t at = is_front ? i : count - 1 - i;
+    const std::size_t along = is_front ? at : (at + count - 1) % count;
+    const std::uint32_t corner = region.corners[at];
+    fragment.corners.push_back(
+        {sheet.point(corner).planes, region.planes[along], corner < sides.size() ? sides[corner].vertex : no_vertex});
+  }
+  return fragment;
+}
 
 std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
                                 const Work& work, unsigned threads) {

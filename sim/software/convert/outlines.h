@@ -29,9 +29,10 @@ struct Outlines {
 };
 
 /// Fragments joined where they are in one plane, with the faces of bodies that are `whole` (side_by_side.h), of which
-/// what one has against another is left out. Points nearer to each other than the tolerance of host/convex are one,
-/// a corner of a primitive where there is one; sides end at every point that is on them, and go on through points where
-/// nothing but straight sides meet. None if the outcome is not closed.
+/// what one has against another is left out. First everything is decided on exact points, so that the outlines are
+/// closed; then points nearer to each other than the tolerance of the bodies become one, a corner of a primitive where
+/// there is one; sides end at every point that is on them, and go on through points where nothing but straight sides
+/// meet. None if faces of whole bodies in one plane cross. Throws std::logic_error if the outcome is not closed.
 std::optional<Outlines> join(const Bodies& bodies, const std::vector<bool>& whole,
                              const std::vector<Fragment>& fragments);
 

@@ -9,11 +9,11 @@
 
 namespace csgsim::software::convert {
 
-/// Points of which those that are nearer to each other than 10^-10 of a model's diagonal, in each coordinate, are one:
-/// the first.
+/// Points of which those that are nearer to each other than a tolerance, in each coordinate, are one: the first.
 class PointTable {
  public:
-  PointTable(const glm::dvec3& centre, double diagonal) : centre_(centre), scale_(1.0 / (times * diagonal)) {}
+  PointTable(const glm::dvec3& centre, double tolerance)
+      : centre_(centre), scale_(facet::coincidence_tolerance / tolerance) {}
 
   /// In model space.
   std::uint32_t add(const glm::dvec3& point) {
@@ -37,7 +37,6 @@ class PointTable {
 
  private:
   static constexpr std::uint32_t none = 0xffffffffU;
-  static constexpr double times = 10;  ///< the tolerance of host/convex, as a part of that of coinciding surfaces
 
   glm::dvec3 centre_;
   double scale_;

@@ -8,7 +8,6 @@
 #include <limits>
 #include <span>
 
-#include "host/convex/clip.h"
 #include "host/csg/tree_paths.h"
 #include "sim/software/convert/division.h"
 #include "sim/software/convert/local_tree.h"
@@ -21,8 +20,7 @@ namespace {
 /// Looks whether pairs of bodies lie side by side.
 class Pairs {
  public:
-  Pairs(const Bodies& bodies, const Work& work)
-      : bodies_(bodies), work_(work), tolerance_(convex::tolerance(bodies.geometry.planes)) {}
+  Pairs(const Bodies& bodies, const Work& work) : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}
 
   [[nodiscard]] bool are_apart(std::uint32_t one, std::uint32_t other) const {
     return is_before_a_face(one, other) || is_before_a_face(other, one) || have_edges_between(one, other);
@@ -31,34 +29,34 @@ class Pairs {
  private:
   /// Whether all of a body is on the far side of a face of another.
   [[nodiscard]] bool is_before_a_face(std::uint32_t body, std::uint32_t of) const {
-    const facet::Convex& solid = bodies_.geometry.solids[body];
-    const std::span<const facet::Halfspace> faces = bodies_.geometry.solids[of].halfspaces;
+    const std::vector<BodyFace>& faces = bodies_.bodies[of].faces;
     work_.charge(faces.size(), converting);
-    return std::ranges::any_of(faces, [&](const facet::Halfspace& face) { return is_before(solid, face); });
+    return std::ranges::any_of(faces,
+                               [&](const BodyFace& face) { return is_before(bodies_.bodies[body], face.halfspace); });
   }
 
-  [[nodiscard]] bool is_before(const facet::Convex& solid, const facet::Halfspace& face) const {
-    const facet::Plane& plane = bodies_.geometry.planes.planes()[face.plane];
+  [[nodiscard]] bool is_before(const Body& body, const facet::Halfspace& face) const {
+    const facet::Plane& plane = bodies_.faces[face.plane];
     std::size_t on = 0;
-    for (const glm::dvec3& vertex : solid.vertices) {
-      const double height = plane.height(vertex - bodies_.geometry.planes.centre());
+    for (const glm::dvec3& vertex : body.vertices) {
+      const double height = plane.height(vertex - bodies_.reference);
       const double out = face.positive ? height : -height;
       if (out < -tolerance_) return false;
       if (out <= tolerance_) ++on;
     }
     // With less than a face on it, it touches the plane in a line or a point.
-    return on < 3 ||
-           std::ranges::find(solid.halfspaces, facet::Halfspace{face.plane, !face.positive}) != solid.halfspaces.end();
+    return on < 3 || std::ranges::find(body.faces, facet::Halfspace{face.plane, !face.positive},
+                                       &BodyFace::halfspace) != body.faces.end();
   }
 
   /// Whether a plane along an edge of each is between them. Bodies of many edges, which would take long, are not asked.
   [[nodiscard]] bool have_edges_between(std::uint32_t one, std::uint32_t other) const {
     constexpr std::size_t most_pairs = 1000;
-    const facet::Convex& a = bodies_.geometry.solids[one];
-    const facet::Convex& b = bodies_.geometry.solids[other];
-    if (a.edges.size() * b.edges.size() > most_pairs) return false;
+    const Body& a = bodies_.bodies[one];
+    const Body& b = bodies_.bodies[other];
+    if (a.edges.empty() || b.edges.empty() || a.edges.size() * b.edges.size() > most_pairs) return false;
     work_.charge(a.edges.size() * b.edges.size(), converting);
-    const auto way = [](const facet::Convex& solid, const std::array<std::uint32_t, 2>& edge) {
+    const auto way = [](const Body& solid, const std::array<std::uint32_t, 2>& edge) {
       return solid.vertices[edge[1]] - solid.vertices[edge[0]];
     };
     for (const auto& of_a : a.edges) {
@@ -74,9 +72,9 @@ class Pairs {
   }
 
   /// Whether, along the normal, no vertex of a is beyond one of b, and no more than an edge of either where they meet.
-  [[nodiscard]] bool is_between(const facet::Convex& a, const facet::Convex& b, const glm::dvec3& normal) const {
+  [[nodiscard]] bool is_between(const Body& a, const Body& b, const glm::dvec3& normal) const {
     constexpr double far = std::numeric_limits<double>::infinity();
-    const glm::dvec3& centre = bodies_.geometry.planes.centre();
+    const glm::dvec3& centre = bodies_.reference;
     double top = -far;
     for (const glm::dvec3& vertex : a.vertices) top = std::max(top, glm::dot(vertex - centre, normal));
     std::size_t on = 0;
@@ -95,21 +93,17 @@ class Pairs {
 
 /// Whether nothing is done to the bodies, ascending, but to unite them.
 bool are_united(const csg::PositiveTree& tree, const csg::TreePaths& paths, std::span<const std::uint32_t> bodies) {
-  using Kind = LocalTree::Node::Kind;
+  using NodeKind = LocalTree::Node::Kind;
   const LocalTree local(tree, paths, bodies);
   return std::ranges::all_of(local.nodes(), [](const LocalTree::Node& node) {
-    return node.kind == Kind::unite || (node.kind == Kind::leaf && !node.complemented);
+    return node.kind == NodeKind::unite || (node.kind == NodeKind::leaf && !node.complemented);
   });
 }
 
-/// Whether the body has faces that it can be told by, and none against another of its own.
-bool is_whole(const Bodies& bodies, std::uint32_t body) {
-  const facet::Convex& solid = bodies.geometry.solids[body];
-  if (bodies.bodies[body].polygons.empty() || !solid.quadrics.empty()) return false;
-  return std::ranges::none_of(solid.halfspaces, [&](const facet::Halfspace& face) {
-    return face.positive &&
-           std::ranges::find(solid.halfspaces, facet::Halfspace{face.plane, false}) != solid.halfspaces.end();
-  });
+/// Whether the body has faces that bound it, none of which is a wall, and polygons.
+bool is_whole(const Bodies& bodies, const Body& body) {
+  const auto is_wall = [&](const BodyFace& face) { return bodies.planes.is_wall(face.halfspace.plane); };
+  return !body.box.empty() && !body.polygons.empty() && std::ranges::none_of(body.faces, is_wall);
 }
 
 }  // namespace
@@ -130,7 +124,7 @@ std::vector<bool> side_by_side(const Bodies& bodies, const csg::PositiveTree& tr
   std::vector<bool> found(count, false);
   for (const std::vector<std::uint32_t>& group : members) {
     const auto is_free = [&](std::uint32_t body) {
-      return is_whole(bodies, body) && std::ranges::all_of(near[body], [&](std::uint32_t other) {
+      return is_whole(bodies, bodies.bodies[body]) && std::ranges::all_of(near[body], [&](std::uint32_t other) {
                return other <= body || pairs.are_apart(body, other);
              });
     };

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <map>
+#include <numeric>
 #include <span>
 #include <stdexcept>
 #include <tuple>
+#include <unordered_map>
 #include <utility>
 
 #include "sim/software/convert/sets.h"
@@ -88,7 +90,9 @@ class Pairing {
   }
 
   void find_angles(std::span<HalfEdge> edges) const {
-    const glm::dvec3 along = glm::normalize(outlines_.points[edges.front().high] - outlines_.points[edges.front().low]);
+    const glm::dvec3 way = outlines_.points[edges.front().high] - outlines_.points[edges.front().low];
+    if (way == glm::dvec3(0)) return;  // any pairing is as good
+    const glm::dvec3 along = glm::normalize(way);
     glm::dvec3 across(0);
     for (HalfEdge& edge : edges) {
       const glm::dvec3 outward = outlines_.outlines[surface_.outlines[edge.number / 3]].outward;
@@ -124,81 +128,159 @@ void part_points(Surface& surface, const std::vector<std::uint32_t>& others) {
   surface.points = std::move(points);
 }
 
-Surface surface_of(const Outlines& outlines) {
+/// Takes out triangles that stand back to back on the same three points, with nothing between them.
+void cancel_triangles(Surface& surface) {
+  using Corners = std::array<std::uint32_t, 3>;
+  std::map<Corners, std::vector<std::size_t>> known;
+  const auto turned = [](Triangle triangle) {
+    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    return triangle;
+  };
+  std::vector<bool> is_out(surface.triangles.size(), false);
+  bool any = false;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const Triangle triangle = turned(surface.triangles[i]);
+    const auto back = known.find({triangle[0], triangle[2], triangle[1]});
+    if (back != known.end() && !back->second.empty()) {
+      is_out[i] = is_out[back->second.back()] = any = true;
+      back->second.pop_back();
+    } else {
+      known[triangle].push_back(i);
+    }
+  }
+  if (!any) return;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    if (is_out[i]) continue;
+    surface.triangles[kept] = surface.triangles[i];
+    surface.outlines[kept++] = surface.outlines[i];
+  }
+  surface.triangles.resize(kept);
+  surface.outlines.resize(kept);
+}
+
+/// Halves edges of a surface whose half-edges are paired.
+class Halving {
+ public:
+  Halving(Surface& surface, std::vector<std::uint32_t>& others) : surface_(surface), others_(others) {}
+
+  /// Puts a point in the middle of each edge that runs between the same points as another, which is so where a solid
+  /// touches itself along an edge and hangs together at both of its ends.
+  void operator()() {
+    std::vector<std::pair<Side, std::uint32_t>> edges;
+    for (std::uint32_t i = 0; i < others_.size(); ++i) edges.emplace_back(Side{corner(i), corner(next_corner(i))}, i);
+    std::ranges::sort(edges);
+    std::vector<std::uint32_t> repeated;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const bool is_repeated = (i > 0 && edges[i - 1].first == edges[i].first) ||
+                               (i + 1 < edges.size() && edges[i + 1].first == edges[i].first);
+      if (is_repeated && edges[i].first[0] < edges[i].first[1]) repeated.push_back(edges[i].second);
+    }
+    for (std::uint32_t edge : repeated) {
+      for (auto moved = moved_.find(edge); moved != moved_.end(); moved = moved_.find(edge)) edge = moved->second;
+      halve(edge);
+    }
+  }
+
+ private:
+  std::uint32_t& corner(std::uint32_t half_edge) { return surface_.triangles[half_edge / 3][half_edge % 3]; }
+
+  void join(std::uint32_t one, std::uint32_t other) {
+    others_[one] = other;
+    others_[other] = one;
+  }
+
+  /// What a triangle loses of its half-edge, and of the one after it, becomes a new triangle. The half-edge from the
+  /// middle on is the first of that.
+  std::uint32_t cut(std::uint32_t half_edge, std::uint32_t middle) {
+    const std::uint32_t after = next_corner(half_edge);
+    const auto first = static_cast<std::uint32_t>(others_.size());
+    surface_.triangles.push_back({middle, corner(after), corner(next_corner(after))});
+    surface_.outlines.push_back(surface_.outlines[half_edge / 3]);
+    others_.resize(others_.size() + 3);
+    join(first + 1, others_[after]);
+    join(first + 2, after);
+    moved_.try_emplace(after, first + 1);
+    corner(after) = middle;
+    return first;
+  }
+
+  void halve(std::uint32_t half_edge) {
+    const std::uint32_t back = others_[half_edge];
+    const glm::dvec3 middle = (surface_.points[corner(half_edge)] + surface_.points[corner(back)]) / 2.0;
+    const auto point = static_cast<std::uint32_t>(surface_.points.size());
+    surface_.points.push_back(middle);
+    const std::uint32_t rest = cut(half_edge, point);
+    const std::uint32_t rest_back = cut(back, point);
+    join(half_edge, rest_back);
+    join(back, rest);
+  }
+
+  Surface& surface_;
+  std::vector<std::uint32_t>& others_;
+  std::unordered_map<std::uint32_t, std::uint32_t> moved_;  ///< where half-edges are that had these numbers
+};
+
+/// Sorts triangles by their outlines.
+void sort_by_outlines(Surface& surface) {
+  std::vector<std::uint32_t> order(surface.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::stable_sort(order, {}, [&](std::uint32_t triangle) { return surface.outlines[triangle]; });
+  Surface sorted{std::move(surface.points), {}, {}};
+  for (const std::uint32_t triangle : order) {
+    sorted.triangles.push_back(surface.triangles[triangle]);
+    sorted.outlines.push_back(surface.outlines[triangle]);
+  }
+  surface = std::move(sorted);
+}
+
+using LongVector = glm::vec<3, long double>;
+
+/// Of the two shortest sides, so that the area of a needle is not lost in the product of its long sides.
+LongVector twice_area(const Surface& surface, const Triangle& triangle) {
+  std::array<LongVector, 3> sides;
+  for (std::size_t i = 0; i < 3; ++i)
+    sides[i] = LongVector(surface.points[triangle[(i + 1) % 3]]) - LongVector(surface.points[triangle[i]]);
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if (glm::dot(sides[i], sides[i]) > glm::dot(sides[longest], sides[longest])) longest = i;
+  return glm::cross(sides[(longest + 1) % 3], sides[(longest + 2) % 3]);
+}
+
+}  // namespace
+
+Surface make_surface(const Outlines& outlines) {
   Surface surface{outlines.points, {}, {}};
   for (std::uint32_t i = 0; i < outlines.outlines.size(); ++i) {
     const std::vector<Triangle> triangles = triangulate(outlines.points, outlines.outlines[i]);
     surface.triangles.insert(surface.triangles.end(), triangles.begin(), triangles.end());
     surface.outlines.resize(surface.triangles.size(), i);
   }
-  part_points(surface, Pairing(surface, outlines)());
-  return surface;
-}
-
-/// Puts a point in the middle of each side of the outlines that is that of several edges between the same points of the
-/// surface, which is so where a solid touches itself along an edge and hangs together at both of its ends. Whether
-/// there was any.
-bool halve_repeated(const Surface& surface, Outlines& outlines) {
-  std::vector<Side> sides;
-  for (const Triangle& triangle : surface.triangles)
-    for (std::size_t i = 0; i < 3; ++i) sides.push_back({triangle[i], triangle[(i + 1) % 3]});
-  std::ranges::sort(sides);
-  using Line = std::pair<std::array<double, 3>, std::array<double, 3>>;
-  const auto line_of = [](const glm::dvec3& one, const glm::dvec3& other) {
-    const std::array<double, 3> a{one.x, one.y, one.z};
-    const std::array<double, 3> b{other.x, other.y, other.z};
-    return Line{std::min(a, b), std::max(a, b)};
-  };
-  std::map<Line, std::uint32_t> middles;
-  for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i] != sides[i - 1]) continue;
-    const glm::dvec3& one = surface.points[sides[i][0]];
-    const glm::dvec3& other = surface.points[sides[i][1]];
-    const auto [entry, is_new] = middles.try_emplace(line_of(one, other), 0);
-    if (!is_new) continue;
-    entry->second = static_cast<std::uint32_t>(outlines.points.size());
-    outlines.points.push_back((one + other) / 2.0);
-  }
-  if (middles.empty()) return false;
-  for (Outline& outline : outlines.outlines) {
-    std::vector<Side> halved;
-    for (const Side& side : outline.sides) {
-      const auto middle = middles.find(line_of(outlines.points[side[0]], outlines.points[side[1]]));
-      if (middle == middles.end()) {
-        halved.push_back(side);
-      } else {
-        halved.push_back({side[0], middle->second});
-        halved.push_back({middle->second, side[1]});
-      }
-    }
-    outline.sides = std::move(halved);
-  }
-  return true;
-}
-
-}  // namespace
-
-Surface make_surface(const Outlines& outlines) {
-  constexpr int most_rounds = 4;
-  Outlines parted = outlines;
-  Surface surface = surface_of(parted);
-  for (int round = 0; round < most_rounds && halve_repeated(surface, parted); ++round) surface = surface_of(parted);
+  cancel_triangles(surface);
+  std::vector<std::uint32_t> others = Pairing(surface, outlines)();
+  part_points(surface, others);
+  const std::size_t before = surface.triangles.size();
+  Halving(surface, others)();
+  if (surface.triangles.size() != before) sort_by_outlines(surface);
   return surface;
 }
 
 Measures measure(const Surface& surface) {
   Measures measures;
   Sets points(surface.points.size());
-  const glm::dvec3 origin = surface.points.empty() ? glm::dvec3(0) : surface.points.front();
   for (const Triangle& triangle : surface.triangles) {
-    const glm::dvec3 a = surface.points[triangle[0]] - origin;
-    const glm::dvec3 b = surface.points[triangle[1]] - origin;
-    const glm::dvec3 c = surface.points[triangle[2]] - origin;
-    measures.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
-    measures.area += glm::length(glm::cross(b - a, c - a)) / 2.0;
     points.join(triangle[0], triangle[1]);
     points.join(triangle[1], triangle[2]);
   }
+  long double volume = 0;
+  for (const Triangle& triangle : surface.triangles) {
+    // Of each shell from a point of its own, so that it counts no less for being far away.
+    const glm::dvec3& origin = surface.points[points.find(triangle[0])];
+    const LongVector area = twice_area(surface, triangle);
+    volume += glm::dot(LongVector(surface.points[triangle[0]]) - LongVector(origin), area) / 6;
+    measures.area += static_cast<double>(glm::length(area)) / 2.0;
+  }
+  measures.volume = static_cast<double>(volume);
   for (std::uint32_t i = 0; i < surface.points.size(); ++i)
     if (points.find(i) == i) ++measures.shells;
   const auto triangles = static_cast<std::int64_t>(surface.triangles.size());

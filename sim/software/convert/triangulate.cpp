@@ -1,7 +1,6 @@
 #include "sim/software/convert/triangulate.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
@@ -11,11 +10,13 @@
 #include <optional>
 #include <utility>
 
+#include "sim/software/convert/seen.h"
+
 namespace csgsim::software::convert {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = SeenKernel;
 using Point = Kernel::Point_2;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
 /// How often the outline runs around a face, once it is known.
@@ -26,26 +27,6 @@ using Storage = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Storage,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
-
-/// Points as seen from outside of a plane, along the axis that it faces most.
-class Seen {
- public:
-  Seen(const std::vector<glm::dvec3>& points, const glm::dvec3& outward) : points_(points) {
-    int axis = 0;
-    for (int other = 1; other < 3; ++other)
-      if (std::abs(outward[other]) > std::abs(outward[axis])) axis = other;
-    across_ = (axis + 1) % 3;
-    up_ = (axis + 2) % 3;
-    if (outward[axis] < 0) std::swap(across_, up_);
-  }
-
-  [[nodiscard]] Point operator()(std::uint32_t point) const { return {points_[point][across_], points_[point][up_]}; }
-
- private:
-  const std::vector<glm::dvec3>& points_;
-  int across_ = 0;
-  int up_ = 0;
-};
 
 void add_fan(const std::vector<std::uint32_t>& round, std::vector<Triangle>& triangles) {
   for (std::size_t i = 1; i + 1 < round.size(); ++i) triangles.push_back({round[0], round[i], round[i + 1]});
@@ -73,17 +54,22 @@ bool is_convex(const std::vector<std::uint32_t>& round, const Seen& seen) {
   return lowest == 1;
 }
 
-/// The triangulation of an outline's points with its sides. None if sides cross.
+/// The triangulation of an outline's points with its sides. Not possible if sides cross, or if points are one as they
+/// are seen.
 class Covering {
  public:
   Covering(const Outline& outline, const Seen& seen) {
     for (const Side& side : outline.sides)
       for (const std::uint32_t point : side) handle_of(point, seen);
+    is_possible_ = handles_.size() == triangulation_.number_of_vertices();
     for (const Side& side : outline.sides) {
+      if (!is_possible_) return;
       triangulation_.insert_constraint(handles_.at(side[0]), handles_.at(side[1]));
       ++surplus_[side];
     }
   }
+
+  [[nodiscard]] bool is_possible() const { return is_possible_; }
 
   TwoSides two_sides() {
     if (triangulation_.dimension() < 2) return {};
@@ -136,6 +122,7 @@ class Covering {
     }
   }
 
+  bool is_possible_ = false;
   Triangulation triangulation_;
   Triangulation::Face_handle near_;
   std::map<std::uint32_t, Triangulation::Vertex_handle> handles_;
@@ -204,7 +191,9 @@ std::vector<std::vector<std::uint32_t>> rounds_of(const Outline& outline) {
 
 std::optional<TwoSides> two_sides(const std::vector<glm::dvec3>& points, const Outline& outline) {
   try {
-    TwoSides sides = Covering(outline, Seen(points, outline.outward)).two_sides();
+    Covering covering(outline, Seen(points, outline.outward));
+    if (!covering.is_possible()) return std::nullopt;
+    TwoSides sides = covering.two_sides();
     if (is_bounded_by(all_of(sides), outline)) return sides;
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
     // Said to the caller.

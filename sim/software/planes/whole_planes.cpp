@@ -8,16 +8,23 @@ namespace csgsim::software {
 
 namespace {
 
-constexpr double steps_per_unit = 0x1p53;
+/// Steps of a normal's component to one, and of an offset to a unit, as powers of two.
+constexpr int normal_bits = 96;
+constexpr int offset_bits = 110;
 
-/// In steps. Planes farther from the middle meet nothing of the model, whose points are within half a unit.
-constexpr double farthest_plane = 0x1p62;
+/// In units. Planes farther away meet nothing of the model.
+constexpr double farthest_plane = 512;
 
-/// Nothing of a model is farther from its middle than half a unit.
-constexpr double outermost_wall = 0.75;
+/// How far the outermost walls are from a model, as a part of its size.
+constexpr double wall_margin = 0.25;
 
-/// Off by some units of the last place: four products, each of them of a number that is off by two, and their sum.
+/// As a part of the sum of their sizes: what sums of products of rounded numbers are off by, of determinants, and of
+/// four products of them.
+constexpr double error_of_determinant = 0x1p-49;
 constexpr double error_of_sum = 0x1p-49;
+
+/// Points whose coordinates may be off by more are rounded from exact ones.
+constexpr double most_error = 0x1p-45;
 
 /// The least power of two that is no less.
 double power_above(double length) {
@@ -26,20 +33,69 @@ double power_above(double length) {
   return std::ldexp(1.0, part == 0.5 ? exponent - 1 : exponent);
 }
 
+/// The nearest multiple of 2^-bits, in these.
+Long row_of(double number, int bits) {
+  constexpr int mantissa_bits = 53;
+  int exponent = 0;
+  const double part = std::frexp(number, &exponent);
+  const int up = exponent - mantissa_bits + bits;
+  if (up < 0) return std::llround(std::ldexp(part, exponent + bits));
+  return static_cast<Long>(std::ldexp(part, mantissa_bits)) * (Long{1} << up);
+}
+
+Long normal_row(double component) { return row_of(std::clamp(component, -1.0, 1.0), normal_bits); }
+Long offset_row(double units) { return row_of(std::clamp(units, -farthest_plane, farthest_plane), offset_bits); }
+double normal_of(Long row) { return std::ldexp(static_cast<double>(row), -normal_bits); }
+double offset_of(Long row) { return std::ldexp(static_cast<double>(row), -offset_bits); }
+
+facet::Box cube_of(double side) { return {glm::dvec3(-side / 2), glm::dvec3(side / 2)}; }
+
+/// The box with room for the outermost walls.
+facet::Box widened(const facet::Box& box) {
+  const glm::dvec3 size = box.high - box.low;
+  const double widest = std::max({size.x, size.y, size.z});
+  const glm::dvec3 margin(wall_margin * (widest > 0 ? widest : 1.0));
+  return {box.low - margin, box.high + margin};
+}
+
+double farthest_of(const facet::Box& box) {
+  double farthest = 0;
+  for (int axis = 0; axis < 3; ++axis)
+    farthest = std::max({farthest, std::abs(box.low[axis]), std::abs(box.high[axis])});
+  return farthest > 0 ? farthest : 1.0;
+}
+
 }  // namespace
 
 WholePlanes::WholePlanes(const facet::PlaneTable& planes, double diameter) : unit_(power_above(diameter)) {
-  const std::size_t count = planes.planes().size() + 3 * walls;
+  add_all(planes.planes(), widened(cube_of(1.0)));
+}
+
+WholePlanes::WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box) : unit_(unit_of(box)) {
+  add_all(planes, widened({box.low / unit_, box.high / unit_}));
+}
+
+double WholePlanes::unit_of(const facet::Box& box) { return power_above(2 * farthest_of(box)); }
+
+facet::Plane WholePlanes::held(const facet::Plane& plane, double unit) {
+  facet::Plane held;
+  for (int axis = 0; axis < 3; ++axis) held.normal[axis] = normal_of(normal_row(plane.normal[axis]));
+  held.offset = offset_of(offset_row(plane.offset / unit)) * unit;
+  return held;
+}
+
+void WholePlanes::add_all(std::span<const facet::Plane> planes, const facet::Box& walled) {
+  walled_ = walled;
+  const std::size_t count = planes.size() + std::size_t{3} * walls;
   rows_.reserve(count);
   near_.reserve(count);
-  for (const facet::Plane& plane : planes.planes()) {
-    add({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset / unit_});
-  }
+  for (const facet::Plane& plane : planes) add({plane.normal.x, plane.normal.y, plane.normal.z, plane.offset / unit_});
   first_wall_ = static_cast<std::uint32_t>(rows_.size());
-  for (std::size_t axis = 0; axis < 3; ++axis) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const double size = walled.high[axis] - walled.low[axis];
     for (std::uint32_t i = 0; i < walls; ++i) {
-      std::array<double, 4> coefficients{0, 0, 0, outermost_wall * (1.0 - 2.0 * i / (walls - 1))};
-      coefficients[axis] = 1;
+      std::array<double, 4> coefficients{0, 0, 0, -(walled.low[axis] + size * i / (walls - 1))};
+      coefficients[static_cast<std::size_t>(axis)] = 1;
       add(coefficients);
     }
   }
@@ -48,52 +104,130 @@ WholePlanes::WholePlanes(const facet::PlaneTable& planes, double diameter) : uni
 void WholePlanes::add(const std::array<double, 4>& coefficients) {
   Row row{};
   std::array<double, 4> near{};
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    row[i] = std::llround(std::clamp(coefficients[i] * steps_per_unit, -farthest_plane, farthest_plane));
-    near[i] = static_cast<double>(row[i]) / steps_per_unit;
+  for (std::size_t i = 0; i < 3; ++i) {
+    row[i] = normal_row(coefficients[i]);
+    near[i] = normal_of(row[i]);
   }
+  row[3] = offset_row(coefficients[3]);
+  near[3] = offset_of(row[3]);
   rows_.push_back(row);
   near_.push_back(near);
 }
 
 std::uint32_t WholePlanes::wall_near(int axis, double place) const {
-  const double number = std::round((place / outermost_wall + 1.0) / 2.0 * (walls - 1));
+  const double part = (place - walled_.low[axis]) / (walled_.high[axis] - walled_.low[axis]);
+  const double number = std::round(part * (walls - 1));
   return wall(axis, static_cast<std::uint32_t>(std::clamp(number, 1.0, walls - 2.0)));
 }
 
-Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const {
-  Meeting point{{one, other, third}};
-  std::sort(point.planes.begin(), point.planes.end());
-  const Row& p = rows_[point.planes[0]];
-  const Row& q = rows_[point.planes[1]];
-  const Row& r = rows_[point.planes[2]];
-  const auto minor = [&](std::size_t i, std::size_t j) {
-    return static_cast<Long>(q[i]) * r[j] - static_cast<Long>(q[j]) * r[i];
-  };
-  const std::array<Long, 6> minors{minor(0, 1), minor(0, 2), minor(0, 3), minor(1, 2), minor(1, 3), minor(2, 3)};
-  // The determinant of three columns, by the first row.
-  const auto determinant = [](std::int64_t a, Long of_a, std::int64_t b, Long of_b, std::int64_t c, Long of_c) {
-    Wide sum = Wide::product(of_a, a);
-    sum -= Wide::product(of_b, b);
-    sum += Wide::product(of_c, c);
-    return sum;
-  };
-  point.exact = {determinant(p[1], minors[5], p[2], minors[4], p[3], minors[3]),
-                 -determinant(p[0], minors[5], p[2], minors[2], p[3], minors[1]),
-                 determinant(p[0], minors[4], p[1], minors[2], p[3], minors[0]),
-                 -determinant(p[0], minors[3], p[1], minors[1], p[2], minors[0])};
-  const int sign = point.exact[3].sign();
-  if (sign == 0) throw std::logic_error("three planes do not meet in one point");
-  for (std::size_t i = 0; i < point.exact.size(); ++i) {
-    if (sign < 0) point.exact[i] = -point.exact[i];
-    point.near[i] = point.exact[i].rounded();
+namespace {
+
+/// The determinant of three columns of three rows, and the sum of the sizes of its products.
+struct Determinant {
+  double value = 0;
+  double size = 0;
+};
+
+using NearRow = std::array<double, 4>;
+
+Determinant determinant(const NearRow& p, const NearRow& q, const NearRow& r,
+                        const std::array<std::size_t, 3>& columns) {
+  Determinant sum;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t a = columns[i];
+    const std::size_t b = columns[(i + 1) % 3];
+    const std::size_t c = columns[(i + 2) % 3];
+    const double one = q[b] * r[c];
+    const double other = q[c] * r[b];
+    sum.value += p[a] * (one - other);
+    sum.size += std::abs(p[a]) * (std::abs(one) + std::abs(other));
   }
+  return sum;
+}
+
+/// The columns of which x, y, z and w are the determinants.
+constexpr std::array<std::array<std::size_t, 3>, 4> columns_of{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+}  // namespace
+
+WholePlanes::Point WholePlanes::exact(const Triple& planes) const {
+  const Row& p = rows_[planes[0]];
+  const Row& q = rows_[planes[1]];
+  const Row& r = rows_[planes[2]];
+  std::array<std::array<Wide, 4>, 4> minors;  // of columns i < j
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      minors[i][j] = Wide::product(q[i], r[j]);
+      minors[i][j] -= Wide::product(q[j], r[i]);
+    }
+  }
+  Point point;
+  for (std::size_t k = 0; k < point.size(); ++k) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t a = columns_of[k][i];
+      const std::size_t b = columns_of[k][(i + 1) % 3];
+      const std::size_t c = columns_of[k][(i + 2) % 3];
+      if (p[a] != 0) point[k] += (b < c ? minors[b][c] : -minors[c][b]).times(p[a]);
+    }
+  }
+  const int sign = point[3].sign();
+  if (sign == 0) throw std::logic_error("three planes do not meet in one point");
+  if (sign < 0)
+    for (Wide& one : point) one = -one;
   return point;
 }
 
+int WholePlanes::side(const Point& point, std::uint32_t plane) const {
+  Wide height;
+  for (std::size_t i = 0; i < point.size(); ++i)
+    if (rows_[plane][i] != 0) height += point[i].times(rows_[plane][i]);
+  return height.sign();
+}
+
+bool WholePlanes::are_on(const Triple& point, std::span<const std::uint32_t> planes) const {
+  const auto is_known = [&](std::uint32_t plane) { return std::ranges::find(point, plane) != point.end(); };
+  if (std::ranges::all_of(planes, is_known)) return true;
+  const Point exactly = exact(point);
+  return std::ranges::all_of(planes, [&](std::uint32_t plane) { return is_known(plane) || side(exactly, plane) == 0; });
+}
+
+Meeting WholePlanes::exactly_rounded(const Triple& planes) const {
+  constexpr double error_of_rounding = 0x1p-51;
+  Meeting point{.planes = planes};
+  const Point exactly = exact(planes);
+  for (std::size_t i = 0; i < 3; ++i) {
+    point.near[i] = std::ldexp(exactly[i].rounded(), -2 * normal_bits - offset_bits);
+    point.place_error += std::abs(point.near[i]) * error_of_rounding;
+  }
+  point.near[3] = std::ldexp(exactly[3].rounded(), -3 * normal_bits);
+  point.weight_error = point.near[3] * error_of_rounding;
+  return point;
+}
+
+Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const {
+  Meeting point{.planes = {one, other, third}};
+  std::sort(point.planes.begin(), point.planes.end());
+  const NearRow& p = near_[point.planes[0]];
+  const NearRow& q = near_[point.planes[1]];
+  const NearRow& r = near_[point.planes[2]];
+  for (std::size_t k = 0; k < point.near.size(); ++k) {
+    const Determinant found = determinant(p, q, r, columns_of[k]);
+    point.near[k] = found.value;
+    (k < 3 ? point.place_error : point.weight_error) += error_of_determinant * found.size;
+  }
+  const double weight = std::abs(point.near[3]);
+  if (!(point.place_error <= most_error * weight && point.weight_error <= most_error * weight))
+    return exactly_rounded(point.planes);
+  if (point.near[3] < 0)
+    for (double& near : point.near) near = -near;
+  return point;
+}
+
+glm::dvec3 WholePlanes::exact_place(const Triple& planes) const { return software::place_of(exactly_rounded(planes)); }
+
 int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
   if (plane == point.planes[0] || plane == point.planes[1] || plane == point.planes[2]) return 0;
-  const std::array<double, 4>& near = near_[plane];
+  const NearRow& near = near_[plane];
   double sum = 0;
   double size = 0;
   for (std::size_t i = 0; i < near.size(); ++i) {
@@ -101,10 +235,9 @@ int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
     sum += part;
     size += std::abs(part);
   }
-  if (std::abs(sum) > error_of_sum * size) return sum < 0 ? -1 : 1;
-  Wide exact;
-  for (std::size_t i = 0; i < near.size(); ++i) exact += point.exact[i].times(rows_[plane][i]);
-  return exact.sign();
+  const double error = error_of_sum * size + point.place_error + std::abs(near[3]) * point.weight_error;
+  if (std::abs(sum) > error) return sum < 0 ? -1 : 1;
+  return side(exact(point.planes), plane);
 }
 
 }  // namespace csgsim::software

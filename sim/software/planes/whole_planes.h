@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 #include <vector>
 
+#include "host/facet/geometry.h"
 #include "host/facet/planes.h"
 #include "sim/software/planes/wide.h"
 
@@ -13,16 +15,19 @@ namespace csgsim::software {
 /// Numbers of three planes that meet in one point, ascending.
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Where three planes meet: x : y : z : w, with w above 0.
+/// Where three planes meet: x : y : z : w, with w above 0, as rounded numbers tell it. What they leave open is worked
+/// out exactly of the planes.
 struct Meeting {
   Triple planes{};
-  std::array<Wide, 4> exact{};
-  std::array<double, 4> near{};  ///< the same, rounded
+  std::array<double, 4> near{};
+  double place_error = 0;   ///< what x, y and z together are off by at most
+  double weight_error = 0;  ///< the same of w
 };
 
-/// The planes of a model as whole numbers, so that what is worked out of them is exact. A coefficient is a multiple of
-/// 2^-53; lengths are in units of a power of two that is no less than the model's diagonal, from PlaneTable::centre().
-/// So no plane moves by more than doubles that stand for points of the model are apart.
+/// The planes of a model as whole numbers, so that what is worked out of them is exact. Components of normals are
+/// multiples of 2^-96, offsets of 2^-110 units; a unit is a power of two that is no less than twice the farthest
+/// coordinate of the model, from the place that offsets are relative to. Doubles of a usual size are kept exactly, so
+/// that small parts near that place are as exact as if they were alone, however large others are.
 ///
 /// After the model's planes come walls, which are across the axes and divide the model where nothing else does.
 class WholePlanes {
@@ -30,9 +35,17 @@ class WholePlanes {
   /// Walls across an axis, evenly from one side of the model to the other; the first and last are outside of it.
   static constexpr std::uint32_t walls = 1025;
 
+  /// Everything is no farther than half the table's diagonal from its centre.
   explicit WholePlanes(const facet::PlaneTable& planes) : WholePlanes(planes, planes.diagonal()) {}
-  /// Units by another length than the model's diagonal: everything is no farther than half of it from the middle.
+  /// The same with another length than the diagonal.
   WholePlanes(const facet::PlaneTable& planes, double diameter);
+  /// The box holds everything; it is relative to what the planes' offsets are relative to. Model units.
+  WholePlanes(std::span<const facet::Plane> planes, const facet::Box& box);
+
+  /// The unit of a box, in model units.
+  static double unit_of(const facet::Box& box);
+  /// A plane as it is held with such a unit: what is finer is rounded.
+  static facet::Plane held(const facet::Plane& plane, double unit);
 
   /// How far apart units are, in model units.
   [[nodiscard]] double unit() const { return unit_; }
@@ -44,8 +57,11 @@ class WholePlanes {
   /// Its place, in units.
   [[nodiscard]] double place_of(std::uint32_t wall) const { return -near_[wall][3]; }
 
-  /// The coefficients, rounded to no more than they are: normal and offset, in units.
+  /// The coefficients, exactly: normal and offset, in units.
   [[nodiscard]] const std::array<double, 4>& near(std::uint32_t plane) const { return near_[plane]; }
+  /// Whether two planes have the same coefficients.
+  [[nodiscard]] bool are_equal(std::uint32_t one, std::uint32_t other) const { return near_[one] == near_[other]; }
+  [[nodiscard]] bool is_wall(std::uint32_t plane) const { return plane >= first_wall_; }
 
   /// How far a place, in units, is out of a half-space, as rounded numbers tell it.
   [[nodiscard]] double height(facet::Halfspace halfspace, const glm::dvec3& place) const {
@@ -57,16 +73,28 @@ class WholePlanes {
   /// The planes have to have one point in common.
   [[nodiscard]] Meeting meet(std::uint32_t one, std::uint32_t other, std::uint32_t third) const;
 
+  /// Whether the point of three planes is on all of these; exact.
+  [[nodiscard]] bool are_on(const Triple& point, std::span<const std::uint32_t> planes) const;
+
+  /// The place of the point of three planes, in units; each coordinate is off by a few units of its last place.
+  [[nodiscard]] glm::dvec3 exact_place(const Triple& planes) const;
+
   /// -1 behind the plane, 0 on it, 1 before it; exact.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane) const;
 
  private:
-  using Row = std::array<std::int64_t, 4>;
+  using Row = std::array<Long, 4>;  ///< a normal's components and an offset
+  using Point = std::array<Wide, 4>;
 
+  void add_all(std::span<const facet::Plane> planes, const facet::Box& walled);
   void add(const std::array<double, 4>& coefficients);
+  [[nodiscard]] Point exact(const Triple& planes) const;
+  [[nodiscard]] int side(const Point& point, std::uint32_t plane) const;
+  [[nodiscard]] Meeting exactly_rounded(const Triple& planes) const;
 
   double unit_ = 1;
   std::uint32_t first_wall_ = 0;
+  facet::Box walled_;  ///< in units; the outermost walls are its sides
   std::vector<Row> rows_;
   std::vector<std::array<double, 4>> near_;
 };

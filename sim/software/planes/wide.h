@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -9,26 +10,33 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of 256 bits, two's complement: enough for a determinant of four planes, which takes 218.
+/// A whole number of 448 bits, two's complement: enough for a determinant of four planes (WholePlanes), which takes
+/// 413.
 class Wide {
  public:
   Wide() = default;
 
-  /// Exact: at most 191 bits.
-  static Wide product(Long one, std::int64_t other) {
-    const bool is_negative = (one < 0) != (other < 0);
-    const UnsignedLong large = one < 0 ? -static_cast<UnsignedLong>(one) : static_cast<UnsignedLong>(one);
+  /// Exact.
+  static Wide product(Long one, Long other) {
+    const UnsignedLong large = magnitude(one);
+    const UnsignedLong by = magnitude(other);
+    const Limbs limbs{static_cast<std::uint64_t>(large), static_cast<std::uint64_t>(large >> limb_bits)};
     Wide result;
-    result.multiply({static_cast<std::uint64_t>(large), static_cast<std::uint64_t>(large >> limb_bits), 0, 0},
-                    magnitude(other));
-    return is_negative ? -result : result;
+    result.add_product(limbs, 2, static_cast<std::uint64_t>(by), 0);
+    result.add_product(limbs, 2, static_cast<std::uint64_t>(by >> limb_bits), 1);
+    return (one < 0) != (other < 0) ? -result : result;
   }
 
-  /// The low 256 bits.
-  [[nodiscard]] Wide times(std::int64_t other) const {
+  /// The low 448 bits.
+  [[nodiscard]] Wide times(Long other) const {
     const bool is_negative = negative() != (other < 0);
+    const Limbs limbs = negative() ? (-*this).limbs_ : limbs_;
+    std::size_t count = limbs.size();
+    while (count > 0 && limbs[count - 1] == 0) --count;
+    const UnsignedLong by = magnitude(other);
     Wide result;
-    result.multiply(negative() ? (-*this).limbs_ : limbs_, magnitude(other));
+    result.add_product(limbs, count, static_cast<std::uint64_t>(by), 0);
+    result.add_product(limbs, count, static_cast<std::uint64_t>(by >> limb_bits), 1);
     return is_negative ? -result : result;
   }
 
@@ -59,7 +67,7 @@ class Wide {
 
   [[nodiscard]] int sign() const {
     if (negative()) return -1;
-    return (limbs_[0] | limbs_[1] | limbs_[2] | limbs_[3]) != 0 ? 1 : 0;
+    return std::ranges::any_of(limbs_, [](std::uint64_t limb) { return limb != 0; }) ? 1 : 0;
   }
 
   /// Off by less than two units of the last place.
@@ -71,17 +79,25 @@ class Wide {
   }
 
  private:
-  using Limbs = std::array<std::uint64_t, 4>;
+  using Limbs = std::array<std::uint64_t, 7>;
   static constexpr unsigned limb_bits = 64;
 
-  static std::uint64_t magnitude(std::int64_t number) {
-    return number < 0 ? -static_cast<std::uint64_t>(number) : static_cast<std::uint64_t>(number);
+  static UnsignedLong magnitude(Long number) {
+    return number < 0 ? -static_cast<UnsignedLong>(number) : static_cast<UnsignedLong>(number);
   }
 
-  void multiply(const Limbs& one, std::uint64_t other) {
+  /// Adds the product of some low limbs, moved up. What is past the last limb is lost.
+  void add_product(const Limbs& one, std::size_t count, std::uint64_t other, std::size_t up) {
+    if (other == 0) return;
     UnsignedLong carry = 0;
-    for (std::size_t i = 0; i < one.size(); ++i) {
-      carry += static_cast<UnsignedLong>(one[i]) * other;
+    std::size_t i = up;
+    for (; i < std::min(count + up, limbs_.size()); ++i) {
+      carry += static_cast<UnsignedLong>(one[i - up]) * other + limbs_[i];
+      limbs_[i] = static_cast<std::uint64_t>(carry);
+      carry >>= limb_bits;
+    }
+    for (; carry != 0 && i < limbs_.size(); ++i) {
+      carry += limbs_[i];
       limbs_[i] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
     }

@@ -78,6 +78,8 @@ std::string fault_of(const JudgedMesh& mesh) {
   return unequal.empty() ? point_on_edge(mesh, 1e-11 * size_of(mesh)) : unequal;
 }
 
+std::string sides_fault_of(const JudgedMesh& mesh) { return unequal_side(mesh, true); }
+
 std::string welded_fault_of(const JudgedMesh& mesh) {
   std::map<std::tuple<double, double, double>, std::uint32_t> numbers;
   JudgedMesh welded{mesh.points, {}};

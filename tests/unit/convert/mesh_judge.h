@@ -21,6 +21,9 @@ struct JudgedMesh {
 /// touch such a plane anywhere.
 std::string fault_of(const JudgedMesh& mesh);
 
+/// What is wrong with the sides of the faces alone: each has to be one of just one other, which runs back.
+std::string sides_fault_of(const JudgedMesh& mesh);
+
 /// The same with points that are equal taken for one: as many sides have to run one way as the other.
 std::string welded_fault_of(const JudgedMesh& mesh);
 

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace csgsim::software::convert {
+
+/// A point beside a line.
+struct PointAlong {
+  double along = 0;  ///< where it is nearest to: 0 at the line's start, 1 at its end
+  std::uint32_t point = 0;
+
+  auto operator<=>(const PointAlong&) const = default;
+};
+
+/// Finds points beside lines, by an R-tree.
+class NearPoints {
+ public:
+  /// Keeps a reference to the points. Those that are not used are never found.
+  NearPoints(std::span<const glm::dvec3> points, const std::vector<bool>& is_used);
+  ~NearPoints();
+  NearPoints(const NearPoints&) = delete;
+  NearPoints& operator=(const NearPoints&) = delete;
+
+  /// Points other than those two that are no farther than `distance` from the line between them, in its order.
+  [[nodiscard]] std::vector<PointAlong> beside(std::uint32_t from, std::uint32_t to, double distance) const;
+
+ private:
+  struct Index;
+
+  std::span<const glm::dvec3> points_;
+  double size_;  ///< of all points
+  std::unique_ptr<const Index> index_;
+};
+
+}  // namespace csgsim::software::convert

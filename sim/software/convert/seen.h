@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <cmath>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <utility>
+#include <vector>
+
+namespace csgsim::software::convert {
+
+using SeenKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// Points as seen from outside of a plane, along the axis that it faces most.
+class Seen {
+ public:
+  Seen(const std::vector<glm::dvec3>& points, const glm::dvec3& outward) : points_(points) {
+    int axis = 0;
+    for (int other = 1; other < 3; ++other)
+      if (std::abs(outward[other]) > std::abs(outward[axis])) axis = other;
+    across_ = (axis + 1) % 3;
+    up_ = (axis + 2) % 3;
+    if (outward[axis] < 0) std::swap(across_, up_);
+  }
+
+  [[nodiscard]] SeenKernel::Point_2 operator()(std::uint32_t point) const {
+    return {points_[point][across_], points_[point][up_]};
+  }
+
+ private:
+  const std::vector<glm::dvec3>& points_;
+  int across_ = 0;
+  int up_ = 0;
+};
+
+}  // namespace csgsim::software::convert
