@@ -22,7 +22,7 @@ constexpr std::string_view model = R"(difference() { cube(size = [6, 6, 4], cent
   sphere($fn = 8, r = 3); cylinder($fn = 6, h = 9, r1 = 1, r2 = 1, center = true); }
 )";
 
-constexpr std::string_view first_wish = R"({"knobs":{"camera":"30,-40,25,0,0,2"}})";
+constexpr std::string_view first_wish = R"({"knobs":{"size":"8x6","camera":"30,-40,25,0,0,2"}})";
 
 std::string recorder(const csgsim::isa::Program& /*program*/, std::span<const std::string> /*options*/) {
   throw csgsim::InputError("no wires are recorded here");
@@ -36,27 +36,34 @@ viewer::Session& session() {
     fuzz::write_scratch(name, model);
     return name;
   }();
-  static viewer::Session one({file, {"--limit", "2"}, {{"size", "8x6"}}}, {.recorder = recorder});
+  static viewer::Session one({file, {"--limit", "2"}, Json::object()}, {.recorder = recorder});
   return one;
 }
 
-/// Whether it wishes for a picture that takes long, anywhere in it. Its depth is bounded.
-bool asks_for_much(const Json& wish) {
+/// Makes the pictures small that it wishes for, anywhere in it. Its depth is bounded.
+void make_small(Json& wish) {
   constexpr std::size_t longest_size = 5;
-  if (!wish.is_structured()) return false;
-  if (wish.is_object() && wish.contains("size") && wish["size"].is_string() &&
-      wish["size"].get_ref<const std::string&>().size() > longest_size)
-    return true;
-  return std::any_of(wish.begin(), wish.end(), asks_for_much);
+  if (wish.is_object() && wish.contains("knobs") && wish["knobs"].is_object()) {
+    Json& size = wish["knobs"]["size"];
+    if (size.is_null() || (size.is_string() && size.get_ref<const std::string&>().size() > longest_size)) size = "8x6";
+  } else if (wish.is_object()) {
+    wish["knobs"] = {{"size", "8x6"}};
+  }
+  for (const char* const member : {"a", "b"}) {
+    if (wish.is_object() && wish.contains(member)) make_small(wish[member]);
+  }
 }
 
-bool is_small(const std::string& body) {
+/// What cannot be read stays as it is.
+std::string made_small(std::string body) {
   try {
-    return !asks_for_much(csgsim::shell::parsed_json(body, {.depth = 16}));
+    Json wish = csgsim::shell::parsed_json(body, {.depth = 16});
+    make_small(wish);
+    return viewer::text_of(wish);
   } catch (const Json::exception&) {
-    return true;  // it is refused
+    return body;
   } catch (const csgsim::InputError&) {
-    return true;
+    return body;
   }
 }
 
@@ -88,7 +95,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (count++ % now_and_then == 0) check_first_picture();
   const std::string_view text = fuzz::text_of(data, size);
   const std::size_t end = std::min(text.find('\n'), text.size());
-  std::string body(text.substr(std::min(end + 1, text.size())));
-  if (is_small(body)) check(ask(text.substr(0, end), std::move(body)));
+  check(ask(text.substr(0, end), made_small(std::string(text.substr(std::min(end + 1, text.size()))))));
   return 0;
 }

@@ -237,7 +237,7 @@ class Evaluated(unittest.TestCase):
         self.assertEqual(server.post("draw", {})[0], 200)
 
     def test_ten_seconds_are_usual(self):
-        self.assertRegex(" ".join(run("view", "--help").stdout.split()), r"--evaluation-time\S* .*?\[10\]")
+        self.assertRegex(" ".join(run("view", "--help").stdout.split()), r"--evaluation-time SECONDS [^\[]*\[[^\]]*; 10 if not given\]")
         server = self.serve()
         status, _, body = server.get("about")
         self.assertEqual((status, json.loads(body)["evaluation_time"]), (200, 10))

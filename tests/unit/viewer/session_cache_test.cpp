@@ -139,8 +139,8 @@ TEST_CASE("a model that is written anew is drawn anew") {
       std::filesystem::temp_directory_path() / ("csgsim-session-" + std::to_string(::getpid()) + ".csg");
   const auto write = [&](const char* text) { std::ofstream(model) << text; };
   write("cube(size=[9,9,9],center=true);");
-  viewer::Session session({model, {}, small});
-  const auto primitives = [&] { return ask(session, "tree", Json::object()).json["tree"].size(); };
+  viewer::Session session({model, {}, Json::object()});
+  const auto primitives = [&] { return ask(session, "tree", {{"knobs", small}}).json["tree"].size(); };
   CHECK(primitives() == 1);
   write("cube(size=[9,9,9],center=true);sphere(r=6);");
   CHECK(primitives() == 3);
@@ -149,11 +149,11 @@ TEST_CASE("a model that is written anew is drawn anew") {
 
 TEST_CASE("lanes of a pixel are not taken for those of the frame, nor those of the frame for a pixel's") {
   Recorder recorder;
-  viewer::Session session({file, {}, small}, {.recorder = std::ref(recorder)});
-  const Json frame = Json::object();
-  const Json pixel{{"pixel", "3,4"}, {"window", "i2:i4"}};
-  const Json other{{"pixel", "4,4"}, {"window", "i2:i4"}};
-  const Json probed{{"pixel", "3,4"}, {"window", "i2:i4"}, {"probes", {"tree.x:0"}}};
+  viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
+  const Json frame{{"knobs", small}};
+  const Json pixel{{"knobs", small}, {"pixel", "3,4"}, {"window", "i2:i4"}};
+  const Json other{{"knobs", small}, {"pixel", "4,4"}, {"window", "i2:i4"}};
+  const Json probed{{"knobs", small}, {"pixel", "3,4"}, {"window", "i2:i4"}, {"probes", {"tree.x:0"}}};
   for (int i = 0; i < 2; ++i) {
     CHECK(lane_in(ask(session, "lanes", pixel)) == "40 --pixel=3,4 --window=i2:i4 --lanes");
     CHECK(lane_in(ask(session, "lanes", frame)) == "40 --lanes");
@@ -187,15 +187,15 @@ TEST_CASE("the two drawings that were asked for last keep their lanes, and a thi
 
 TEST_CASE("a part of the lanes is told with the whole that it is of") {
   Recorder recorder;
-  viewer::Session session({file, {}, small}, {.recorder = std::ref(recorder)});
-  const Json part = ask(session, "lanes", {{"begin", 10}, {"end", 30}}).json;
+  viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
+  const Json part = ask(session, "lanes", {{"knobs", small}, {"begin", 10}, {"end", 30}}).json;
   CHECK(part["first"] == 0);
   CHECK(part["last"] == 100);
   CHECK(part["begin"] == 10);
   CHECK(part["end"] == 30);
   CHECK(part["lanes"][0]["stretches"][0][0] == 10);
   CHECK(part["lanes"][0]["stretches"][0][1] == 20);
-  const Json whole = ask(session, "lanes", Json::object()).json;
+  const Json whole = ask(session, "lanes", {{"knobs", small}}).json;
   CHECK(whole["begin"] == 0);
   CHECK(whole["end"] == 100);
   CHECK(recorder.count == 1);

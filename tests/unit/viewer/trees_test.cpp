@@ -121,8 +121,9 @@ TEST_CASE("what is not drawn has no active tree") {
 TEST_CASE("of a tree 4,000 rows are told: all of one that has as many, and the first of one that has more") {
   for (const std::uint32_t leaves : {3998U, 3999U, 4000U, 5000U}) {
     model::Tree tree;
-    model::Node root{.op = model::Operator::unite};
-    for (std::uint32_t i = 0; i < leaves; ++i) root.children.push_back(model::add_leaf(tree, {.shape = model::Cube{}}));
+    model::Node root;
+    model::Primitive cube;
+    for (std::uint32_t i = 0; i < leaves; ++i) root.children.push_back(model::add_leaf(tree, cube));
     tree.root = static_cast<std::uint32_t>(tree.nodes.size());
     tree.nodes.push_back(std::move(root));
     isa::Facts facts;
