@@ -88,7 +88,7 @@ int milliseconds_until(Clock::time_point end) {
   return static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
 }
 
-/// Takes what the program writes until the guard has told how it ended, or a limit is passed. Throws Interrupted.
+/// Takes what the program writes until the guard reports its end, or a limit is passed. Throws Interrupted.
 Exceeded listen(const Descriptor& told, std::array<Stream, 2>& streams, Clock::time_point end) {
   // Nothing wakes the thread when its work is to stop.
   constexpr int look_after = 50;  // milliseconds

@@ -13,7 +13,8 @@ nlohmann::ordered_json parsed_json(std::string_view text, const JsonLimits& limi
     if (is_start && depth >= limits.depth)
       throw JsonLimitError(fmt::format("too many brackets in brackets, more than {}", limits.depth));
     const bool is_end = event == Json::parse_event_t::object_end || event == Json::parse_event_t::array_end;
-    if (!is_end && ++values > limits.values) throw JsonLimitError(fmt::format("too many values, more than {}", limits.values));
+    if (!is_end && ++values > limits.values)
+      throw JsonLimitError(fmt::format("too many values, more than {}", limits.values));
     return true;
   });
 }

@@ -23,7 +23,8 @@ class JsonLimitError : public InputError {
 
 /// The value of a JSON text that comes from outside: every reader of such a text uses this function. nlohmann-json
 /// copies, compares and writes values by recursion, and looks up members one after another, so that neither depth nor
-/// number may be the text's own choice. Throws JsonLimitError, and nlohmann::ordered_json::exception for what is no JSON.
+/// number may be the text's own choice. Throws JsonLimitError, and nlohmann::ordered_json::exception for what is no
+/// JSON.
 nlohmann::ordered_json parsed_json(std::string_view text, const JsonLimits& limits);
 
 }  // namespace csgsim::shell

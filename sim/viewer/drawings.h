@@ -84,8 +84,8 @@ class Drawings {
   std::shared_ptr<std::mutex> turn_of(const Asked& asked);
 
   Beginning beginning_;
-  mutable std::mutex mutex_;                                 ///< of what follows, never held for long
-  std::vector<std::shared_ptr<Drawing>> kept_;               ///< the latest first
+  mutable std::mutex mutex_;                                ///< of what follows, never held for long
+  std::vector<std::shared_ptr<Drawing>> kept_;              ///< the latest first
   std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< of those that evaluate, by a hash of what they evaluate
 };
 

@@ -41,8 +41,8 @@ class Evaluations {
   /// Those that evaluate for longer than they may. Called now and then.
   void end_overdue();
 
-  /// Of the first of that name: `doing`, `seconds` for which it does that, and `most` of them, if there is a limit.
-  /// Empty if there is none.
+  /// The state of the first of that name: `doing`, the `seconds` since that began, and `most` of them, if it has a
+  /// limit. Empty if there is none.
   [[nodiscard]] Json progress(std::string_view name) const;
 
   [[nodiscard]] std::chrono::milliseconds most() const { return most_; }

@@ -26,8 +26,7 @@ struct Reply {
 
 /// A JSON object with the message as its `error`. The message is printable and has no quotes or backslashes.
 inline Reply error_reply(int status, std::string_view message) {
-  return {
-      .status = status, .type = "application/json", .body = "{\"error\":\"" + std::string(message) + "\"}\n"};
+  return {.status = status, .type = "application/json", .body = "{\"error\":\"" + std::string(message) + "\"}\n"};
 }
 
 /// Called on one of several threads.

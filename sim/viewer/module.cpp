@@ -38,7 +38,7 @@ class Attendant {
 
   void accept() {
     acceptor_.async_accept([this](error_code error, tcp::socket socket) {
-      // Where the process has no more files, the next tick tries again.
+      // The process may have no more files; the next tick tries again.
       is_accepting_ = !error;
       if (error) return;
       const auto connection = std::make_shared<Connection>(std::move(socket), server_);

@@ -15,10 +15,10 @@ namespace csgsim::viewer {
 struct Serving {
   std::uint16_t port = 0;  ///< 0: any that is free
   RequestLimits limits{};
-  std::chrono::milliseconds patience{};      ///< after the last page was closed; none: without an end
-  std::function<void(std::uint16_t)> begun;  ///< called with the port, before the first request
-  RequestReader::Gate gate;                  ///< called with each header, before the body is read
-  Handler handler;                           ///< of all requests that the gate admits
+  std::chrono::milliseconds patience{};       ///< after the last page was closed; none: without an end
+  std::function<void(std::uint16_t)> begun;   ///< called with the port, before the first request
+  RequestReader::Gate gate;                   ///< called with each header, before the body is read
+  Handler handler;                            ///< of all requests that the gate admits
   std::function<bool(const Request&)> stays;  ///< whether a GET is a page's that stays open as long as the page is
   std::function<void()> tick;                 ///< called ten times a second
   std::function<void()> ending;  ///< called before the server waits for the requests that are being handled

@@ -112,7 +112,7 @@ bool is_drawn(const Drawing& drawing) {
   return drawing.found->drawn.has_value();
 }
 
-/// Of a question whose work was ended.
+/// The answer to a question whose work was ended.
 Reply ended_reply(Ended why, const std::string& model, std::chrono::milliseconds most) {
   switch (why) {
     case Ended::overdue:
@@ -194,7 +194,7 @@ std::string Session::recorded_of(const isa::Program& program, const std::vector<
 }
 
 std::shared_ptr<const Lanes> Session::lanes_of(const Drawing& drawing, const Json& wish) {
-  // Without a pixel, of the whole frame: they are recorded once.
+  // Lanes without a pixel are of the whole frame, and recorded once.
   const bool is_probed = wish.contains("pixel");
   if (!is_probed) {
     const std::lock_guard lock(drawing.found->mutex);

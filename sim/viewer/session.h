@@ -19,7 +19,7 @@
 namespace csgsim::viewer {
 
 struct SessionOptions {
-  /// That evaluating a model's text may take.
+  /// The limit on evaluating a model's text.
   std::chrono::milliseconds evaluation_time = std::chrono::seconds(10);
   /// Records the machine's wires (recorded.h).
   std::function<std::string(const isa::Program& program, std::span<const std::string> options)> recorder = recorded;

@@ -56,7 +56,7 @@ void check(const viewer::Reply& refusal) {
   fuzz::require(body.is_object() && body.contains("error"), "a refusal is JSON with an error");
 }
 
-/// Of bytes that arrive in pieces of one size.
+/// Reads bytes that arrive in pieces of one size.
 Outcome read(std::string_view bytes, std::size_t piece) {
   viewer::RequestReader reader(limits, gate);
   Outcome outcome;

@@ -83,7 +83,7 @@ class Server:
         return connection
 
     def most_memory(self):
-        """Bytes, so far."""
+        """The most bytes that it has had in memory."""
         status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
         return 1024 * int(re.search(r"VmHWM:\s*(\d+) kB", status)[1])
 

@@ -6,7 +6,7 @@ export const answerTo = async (question, wish) => {
   return {isGood: reply.ok, answer: await reply.json()};
 };
 
-// Of the question that has this evaluation: how far it is, or an object without members.
+// The progress of the question with this evaluation, or an object without members.
 export const progressOf = async evaluation => (await answerTo('progress', {evaluation})).answer;
 
 // Ends that question. Its answer says that it was cancelled.

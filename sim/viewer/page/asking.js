@@ -25,7 +25,7 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
-// Of the picture that is shown, which may be an earlier one while the next is evaluated, or cannot be drawn.
+// The wish of the picture that is shown. It may be an earlier one, while the next is evaluated or cannot be drawn.
 export const shownWish = () => now.drawn ? now.drawn.wish : wish();
 
 export {answerTo as ask} from './answers.js';

@@ -10,7 +10,7 @@ const columnsBefore = (text, column, tabSize) => [...text.slice(0, column - 1)].
 
 let columnWidth = 0;
 
-// Of a character of the source's font, in which all are equally wide.
+// The source's font has characters of one width.
 const widthOfColumn = style => {
   if (columnWidth) return columnWidth;
   const context = document.createElement('canvas').getContext('2d');
@@ -87,7 +87,7 @@ export const lineIn = name => {
   return found ? Number(found[1]) : 0;
 };
 
-// The line of the instruction that is looked at. Scrolls there, unless somebody writes.
+// Marks the line of the instruction that is looked at. Scrolls there, unless the user writes in the source.
 export const showLine = line => {
   const source = byId('source');
   marked.current = line ? {line, column: 1} : null;

@@ -72,9 +72,7 @@ void Connection::wait() {
 void Connection::out_of_time() {
   switch (phase_) {
     case Phase::answering: return;
-    case Phase::reading:
-      is_late_ = true;
-      return socket_.cancel();
+    case Phase::reading: is_late_ = true; return socket_.cancel();
     case Phase::staying: return stay();
     case Phase::writing:
     case Phase::leaving: return close();

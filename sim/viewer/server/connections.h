@@ -8,8 +8,8 @@ namespace csgsim::viewer {
 
 class Connection;
 
-/// The connections that are open. All come from this computer, so that their addresses tell nothing of who is there:
-/// those that have shown the token are told apart from those that have not, and the latter cannot keep out others.
+/// The connections that are open. All come from this computer, so that addresses do not distinguish clients. Those that
+/// have shown the token are counted apart from strangers, which cannot keep out others.
 class Connections {
  public:
   static constexpr std::size_t most_strangers = 32;
@@ -18,7 +18,7 @@ class Connections {
   /// A new one is a stranger. Where there are too many, the one that has been there longest is closed.
   void add(const std::shared_ptr<Connection>& one);
 
-  /// A stranger whose request was admitted. False if as many are admitted as may be.
+  /// Counts a stranger as admitted. False if most_admitted are already.
   [[nodiscard]] bool admit(const std::shared_ptr<Connection>& one);
 
   void remove(const std::shared_ptr<Connection>& one);

@@ -9,7 +9,8 @@ namespace csgsim::viewer {
 namespace {
 
 void add_status(std::string& head, int status) {
-  const auto reason = boost::beast::http::obsolete_reason(boost::beast::http::int_to_status(static_cast<unsigned>(status)));
+  const auto reason =
+      boost::beast::http::obsolete_reason(boost::beast::http::int_to_status(static_cast<unsigned>(status)));
   head += "HTTP/1.1 " + std::to_string(status) + " ";
   head.append(reason.data(), reason.size());
   head += "\r\n";

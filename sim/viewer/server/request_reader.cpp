@@ -18,7 +18,7 @@ constexpr std::string_view end_of_head = "\r\n\r\n";
 
 using HeadParser = http::request_parser<http::empty_body>;
 
-/// Of which a second value could be what another program on the way takes.
+/// Fields that may stand there once: of two values another program on the way could take the other one.
 constexpr auto single_fields = std::to_array<std::string_view>(
     {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Length", "Transfer-Encoding", "Content-Encoding"});
 
@@ -50,7 +50,7 @@ Request request_of(const HeadParser& head) {
           .content_type = value_of(head, "Content-Type")};
 }
 
-/// Why a header is refused, whoever sends it.
+/// Why a header is refused before the gate is asked.
 std::optional<Reply> malformed(const HeadParser& head, const RequestLimits& limits) {
   const auto& fields = head.get();
   if (static_cast<std::size_t>(std::distance(fields.begin(), fields.end())) > limits.header_fields)
@@ -109,8 +109,8 @@ void RequestReader::read_head() {
   const bool is_complete = end != bytes_.npos;
   const std::size_t length = is_complete ? end + end_of_head.size() : bytes_.size();
   if (length > limits_.header_bytes) {
-    return refuse(error_reply(
-        431, "the header of the request has more than " + std::to_string(limits_.header_bytes) + " bytes"));
+    return refuse(
+        error_reply(431, "the header of the request has more than " + std::to_string(limits_.header_bytes) + " bytes"));
   }
   searched_ = bytes_.size() - std::min(bytes_.size(), end_of_head.size() - 1);
   if (!is_complete) return;

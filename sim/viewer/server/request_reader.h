@@ -37,7 +37,7 @@ class RequestReader {
   /// Takes bytes in the order in which they arrive. In the states `whole` and `refused` nothing may be put.
   void put(std::string_view bytes);
 
-  /// Begins with the next request, of which some bytes may have been put already. Only in the state `whole`.
+  /// Begins with the next request. Some of its bytes may have been put already. Only in the state `whole`.
   void next();
 
   [[nodiscard]] State state() const { return state_; }

@@ -34,7 +34,7 @@ export const answerTo = async (question, wish) => {
 // The worker does one thing at a time and cannot be asked meanwhile.
 export const progressOf = async () => ({});
 
-// Ends all that the worker does, and begins with another.
+// Ends the worker with its questions, and starts another.
 export const cancel = async () => {
   worker.terminate();
   const ended = [...waiting.values()];

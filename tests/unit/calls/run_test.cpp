@@ -1,7 +1,6 @@
 #include "sim/calls/run.h"
 
 #include <doctest/doctest.h>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -17,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own, which is deleted with the object.
+/// A new folder, which is deleted with the object.
 struct Folder {
   fs::path path;
 
@@ -32,7 +31,7 @@ struct Folder {
   [[nodiscard]] std::string file(const char* name) const { return path / name; }
 };
 
-/// Of a run that writes and reads each kind of file.
+/// Options of a run that writes and reads each kind of file.
 calls::RunProgramOptions options_in(const Folder& folder) {
   calls::RunProgramOptions options;
   options.program = folder.file("frame.csgt");

@@ -81,7 +81,7 @@ TEST_CASE("the progress of an evaluation is what it does, for how long, and of h
   viewer::Evaluations all(4s);
   CHECK(all.progress("one") == viewer::Json::object());
   viewer::Evaluation one(all, "one");
-  CHECK(all.progress("")  == viewer::Json::object());
+  CHECK(all.progress("") == viewer::Json::object());
   CHECK(all.progress("one")["doing"] == "waiting");
   CHECK_FALSE(all.progress("one").contains("most"));
   one.begin(Doing::evaluating);

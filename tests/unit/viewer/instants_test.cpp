@@ -130,7 +130,7 @@ TEST_CASE("clocks at an instant are those in which the instruction is issued, or
   }
 }
 
-TEST_CASE("the listing has the 12 instructions before an instant and the 24 from it on, if there are as many") {
+TEST_CASE("the listing has up to 12 instructions before an instant, and up to 24 from it on") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const std::uint64_t count = of.program.segments.front().instructions.size();

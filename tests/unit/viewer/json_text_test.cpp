@@ -29,8 +29,7 @@ TEST_CASE("brackets in brackets are counted, of arrays and of objects") {
     const shell::JsonLimits limits{.depth = static_cast<int>(depth)};
     CHECK(error_of(nested(depth), limits) == "");
     CHECK(error_of(nested_objects(depth), limits) == "");
-    CHECK(error_of(nested(depth + 1), limits) ==
-          "too many brackets in brackets, more than " + std::to_string(depth));
+    CHECK(error_of(nested(depth + 1), limits) == "too many brackets in brackets, more than " + std::to_string(depth));
     CHECK(error_of(nested_objects(depth + 1), limits) != "");
     CHECK(error_of("[" + nested_objects(depth) + "]", limits) != "");
   }
@@ -47,7 +46,8 @@ TEST_CASE("values are counted: keys, values and brackets") {
 }
 
 TEST_CASE("within its limits a text is what it says") {
-  CHECK(shell::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() == R"({"b":[1,2.5,"x",null,true],"a":{}})");
+  CHECK(shell::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
+        R"({"b":[1,2.5,"x",null,true],"a":{}})");
   CHECK_THROWS_AS(static_cast<void>(shell::parsed_json("{", {})), nlohmann::ordered_json::exception);
   CHECK_THROWS_AS(static_cast<void>(shell::parsed_json("{}{}", {})), nlohmann::ordered_json::exception);
 }

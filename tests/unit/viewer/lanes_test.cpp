@@ -106,8 +106,8 @@ TEST_CASE("of many stretches few are sent, with what the most of them show") {
   }
 }
 
-TEST_CASE("two short stretches or more are told with their number, one as it is") {
-  // Of 800 clocks a stretch of 2 can be told apart, one of 1 cannot.
+TEST_CASE("puts two short stretches or more together with their number, and leaves one as it is") {
+  // Over 800 clocks, a stretch of 2 is shown alone, and one of 1 is too short.
   Clocks lane{0, std::vector<std::string>(800)};
   const auto show = [&](std::size_t clock, const char* text) { lane.texts[clock] = text; };
   show(0, "a");
@@ -121,12 +121,13 @@ TEST_CASE("two short stretches or more are told with their number, one as it is"
   show(42, "h");
   show(43, "h");
   show(799, "z");
-  CHECK(viewer::Lanes(trace_of(lane)).between(0, 800)[0].at("stretches") ==
-        Json::parse(R"([[0,2,"a",2,2],[10,1,"c"],[20,2,"d"],[30,1,"e"],[32,1,"f"],[40,1,"g"],[42,2,"h"],[799,1,"z"]])"));
+  CHECK(
+      viewer::Lanes(trace_of(lane)).between(0, 800)[0].at("stretches") ==
+      Json::parse(R"([[0,2,"a",2,2],[10,1,"c"],[20,2,"d"],[30,1,"e"],[32,1,"f"],[40,1,"g"],[42,2,"h"],[799,1,"z"]])"));
 }
 
-TEST_CASE("three short stretches are one, of what the most of them show, with the clocks that show something") {
-  // Of 2000 clocks a stretch of 5 can be told apart.
+TEST_CASE("puts three short stretches into one, with the text of most clocks and the number of clocks with a text") {
+  // Over 2000 clocks, a stretch of 5 is shown alone.
   Clocks lane{0, std::vector<std::string>(2000)};
   lane.texts[0] = "a";
   lane.texts[1] = "b";
@@ -137,7 +138,7 @@ TEST_CASE("three short stretches are one, of what the most of them show, with th
         Json::parse(R"([[0,5,"b",3,4],[1999,1,"z"]])"));
 }
 
-TEST_CASE("up to 799 clocks each stretch is told apart, from 800 on those of two") {
+TEST_CASE("shows each stretch alone over 799 clocks, and those of two clocks over 800") {
   Clocks lane{0, std::vector<std::string>(1000, "a")};
   for (std::size_t i = 0; i < lane.texts.size(); i += 2) lane.texts[i] = "b";
   const viewer::Lanes lanes(trace_of(lane));

@@ -23,7 +23,7 @@ RequestReader read(std::string_view bytes) {
   return reader;
 }
 
-/// With which these bytes are refused; 0 if they are not. The body has to be JSON with an error.
+/// The status of the refusal of these bytes, or 0. Its body has to be JSON with an error.
 int refusal_of(std::string_view bytes) {
   const RequestReader reader = read(bytes);
   if (reader.state() != State::refused) return 0;
@@ -35,7 +35,7 @@ std::string post(const std::string& fields, const std::string& body) {
   return "POST /t/draw HTTP/1.1\r\n" + fields + "\r\n" + body;
 }
 
-/// A request whose header has so many bytes.
+/// A request whose header has that number of bytes.
 std::string header_of(std::size_t bytes) {
   const std::string begin = "GET / HTTP/1.1\r\nX: ";
   return begin + std::string(bytes - begin.size() - 4, 'x') + "\r\n\r\n";
@@ -88,7 +88,7 @@ TEST_CASE("a request is read the same whole and byte by byte, and the next one b
   }
 }
 
-TEST_CASE("a header of as many bytes and fields as allowed is read, and one more is refused") {
+TEST_CASE("reads a header of exactly the allowed bytes and fields, and refuses one more") {
   CHECK(refusal_of(header_of(200)) == 0);
   CHECK(read(header_of(200)).state() == State::whole);
   CHECK(refusal_of(header_of(201)) == 431);
@@ -100,7 +100,7 @@ TEST_CASE("a header of as many bytes and fields as allowed is read, and one more
   CHECK(refusal_of("GET / HTTP/1.1\r\n" + fields(6) + "\r\n") == 431);
 }
 
-TEST_CASE("a body of as many bytes as allowed is read, and one more is refused before any of it is sent") {
+TEST_CASE("reads a body of exactly the allowed bytes, and refuses one more before any of it is sent") {
   CHECK(read(post("Content-Length: 10\r\n", "0123456789")).request().body == "0123456789");
   CHECK(read(post("Content-Length: 10\r\n", "012345678")).state() == State::body);
   CHECK(read(post("Content-Length: 0\r\n", "")).state() == State::whole);
@@ -125,17 +125,18 @@ TEST_CASE("a body without a length, in chunks, compressed, or on request is refu
 TEST_CASE("other methods, and what is no HTTP, are refused") {
   for (const char* const method : {"PUT", "DELETE", "OPTIONS", "HEAD", "CONNECT", "PAINT"})
     CHECK(refusal_of(std::string(method) + " / HTTP/1.1\r\n\r\n") == 405);
-  for (const char* const text : {"\r\n\r\n", "GET\r\n\r\n", "GET / HTTP/2.0\r\n\r\n", "GET / HTTP/1.1\r\nno colon\r\n\r\n",
-                                 "GET / HTTP/1.1\r\nA: \x01\r\n\r\n", "\x16\x03\x01\x02\r\n\r\n"})
+  for (const char* const text :
+       {"\r\n\r\n", "GET\r\n\r\n", "GET / HTTP/2.0\r\n\r\n", "GET / HTTP/1.1\r\nno colon\r\n\r\n",
+        "GET / HTTP/1.1\r\nA: \x01\r\n\r\n", "\x16\x03\x01\x02\r\n\r\n"})
     CHECK(refusal_of(text) == 400);
 }
 
-TEST_CASE("a field that decides who is answered stands there once") {
+TEST_CASE("refuses a second value of a field that admits a request") {
   for (const char* const name : {"Host", "Origin", "Sec-Fetch-Site", "Content-Type", "Content-Encoding"})
     CHECK(refusal_of(std::string("GET / HTTP/1.1\r\n") + name + ": a\r\n" + name + ": a\r\n\r\n") == 400);
 }
 
-TEST_CASE("whoever is not admitted is refused by the header, before anything is said of the body") {
+TEST_CASE("asks the gate with the header alone, before it judges the body") {
   int asked = 0;
   const auto refuse = [&](const viewer::Request& head) {
     ++asked;
@@ -143,7 +144,8 @@ TEST_CASE("whoever is not admitted is refused by the header, before anything is 
     CHECK(head.body.empty());
     return std::optional(viewer::error_reply(403, "no"));
   };
-  for (const char* const more : {"", "Content-Length: 99999\r\n", "Transfer-Encoding: chunked\r\n", "Content-Length: 3\r\n"}) {
+  for (const char* const more :
+       {"", "Content-Length: 99999\r\n", "Transfer-Encoding: chunked\r\n", "Content-Length: 3\r\n"}) {
     RequestReader reader(limits, refuse);
     reader.put(post(std::string("Host: evil\r\n") + more, "abc"));
     CHECK(reader.state() == State::refused);

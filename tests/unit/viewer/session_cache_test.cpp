@@ -51,7 +51,7 @@ std::vector<Json> changes() {
           {{"knobs", small}, {"source", "cube(size=[9,9,9],center=true);"}}};
 }
 
-/// Without the wall times.
+/// The answer without its wall times.
 Json timeless(Json answer) {
   answer.erase("seconds");
   return answer;
@@ -84,7 +84,7 @@ Json fresh_answer(const Question& question, const Json& wish) {
   return answer_to(session, question, wish);
 }
 
-/// In place of the machine's wires: one lane, which tells what was asked for.
+/// Stands in for the machine's wires: its only lane shows the options of the request.
 struct Recorder {
   int count = 0;
 
@@ -185,7 +185,7 @@ TEST_CASE("the two drawings that were asked for last keep their lanes, and a thi
   CHECK(recordings_of("41") == 1);
 }
 
-TEST_CASE("a part of the lanes is told with the whole that it is of") {
+TEST_CASE("a part of the lanes comes with the clocks of the whole") {
   Recorder recorder;
   viewer::Session session({file, {}, Json::object()}, {.recorder = std::ref(recorder)});
   const Json part = ask(session, "lanes", {{"knobs", small}, {"begin", 10}, {"end", 30}}).json;
@@ -204,7 +204,9 @@ TEST_CASE("a part of the lanes is told with the whole that it is of") {
 TEST_CASE("two wishes are compared anew when either changes") {
   viewer::Session session({file, {}, Json::object()});
   const Json plain{{"knobs", small}};
-  const auto pixels = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}).json["pixels"]; };
+  const auto pixels = [&](const Json& a, const Json& b) {
+    return ask(session, "two", {{"a", a}, {"b", b}}).json["pixels"];
+  };
   const Json coarse = with("z-bits", "6");
   const Json cued = with("set", {"effects.depth_cue.on=true"});
   viewer::Session fresh({file, {}, Json::object()});

@@ -118,7 +118,7 @@ TEST_CASE("what is not drawn has no active tree") {
   CHECK_FALSE(trees.of(1000, 0));
 }
 
-TEST_CASE("of a tree 4,000 rows are told: all of one that has as many, and the first of one that has more") {
+TEST_CASE("shows the first 4,000 rows of a tree, and all rows of a smaller one") {
   for (const std::uint32_t leaves : {3998U, 3999U, 4000U, 5000U}) {
     model::Tree tree;
     model::Node root;
