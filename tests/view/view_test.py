@@ -205,6 +205,7 @@ class Asked(unittest.TestCase):
             status, answer = server.post("draw", {"source": "use <part.scad>\npart(;\n"})
             self.assertEqual(status, 422)
             self.assertIn("line 2", answer["error"])
+            self.assertEqual(answer["line"], 2)
         finally:
             server.stop()
 

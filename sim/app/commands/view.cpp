@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hw/base/input_file.h"
 #include "hw/base/standard_streams.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/model_options.h"
@@ -62,6 +64,9 @@ viewer::Beginning beginning_of(const Options& options, const Command& command) {
 void run(const Options& options, const Command& command) {
   if (options.model.model == standard_stream) throw UsageError("model", "has to be a file, which the page shows");
   if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
+  // They are read again for each picture, and a pipe would have to be waited for.
+  for (const std::filesystem::path& file : options.model.inputs())
+    static_cast<void>(open_regular_file(file, {.what = "a regular file"}));
   viewer::Session session(beginning_of(options, command),
                           {.evaluation_time = std::chrono::seconds(options.evaluation_time)});
   viewer::Door door{0, viewer::make_token()};
