@@ -66,7 +66,7 @@ void run(const Options& options, const Command& command) {
   if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
   // They are read again for each picture, and a pipe would have to be waited for.
   for (const std::filesystem::path& file : options.model.inputs())
-    static_cast<void>(open_regular_file(file, {.what = "a regular file"}));
+    static_cast<void>(open_regular_file(file, {"a regular file", 0, ""}));
   viewer::Session session(beginning_of(options, command),
                           {.evaluation_time = std::chrono::seconds(options.evaluation_time)});
   viewer::Door door{0, viewer::make_token()};

@@ -70,9 +70,13 @@ void Connection::wait() {
 }
 
 void Connection::out_of_time() {
+  error_code ignored;
   switch (phase_) {
     case Phase::answering: return;
-    case Phase::reading: is_late_ = true; return socket_.cancel();
+    case Phase::reading:
+      is_late_ = true;
+      static_cast<void>(socket_.cancel(ignored));
+      return;
     case Phase::staying: return stay();
     case Phase::writing:
     case Phase::leaving: return close();
