@@ -55,7 +55,7 @@ TEXT
 
 build_packages="g++ cmake ninja-build pkg-config libsystemc-dev libglm-dev libopenimageio-dev libpng-dev
   libcli11-dev tao-pegtl-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev libboost-dev libhwy-dev libedit-dev
-  libcpp-httplib-dev libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
+  libcgal-dev libpolyclipping-dev libpugixml-dev libminizip-dev zlib1g-dev libfontconfig-dev libfreetype-dev libharfbuzz-dev
   fonts-liberation python3-dev python3-numpy pybind11-dev"
 test_packages="fonts-dejavu-core fonts-liberation2 doctest-dev librapidcheck-dev gnuplot-nox verilator yosys iverilog valgrind make
   python3 man-db mandoc zsh fish binutils-m68k-linux-gnu"

@@ -30,9 +30,6 @@ pkg_check_modules(harfbuzz REQUIRED IMPORTED_TARGET GLOBAL harfbuzz)
 find_library(SYSTEMC_LIBRARY systemc REQUIRED)
 find_path(SYSTEMC_INCLUDE_DIR systemc REQUIRED)
 
-# Of the module of csgsim view.
-pkg_check_modules(httplib REQUIRED IMPORTED_TARGET GLOBAL cpp-httplib)
-
 # And the command line.
 find_package(CLI11 REQUIRED)
 pkg_check_modules(libedit REQUIRED IMPORTED_TARGET libedit)
@@ -46,4 +43,4 @@ string(JOIN ", " CSGSIM_BUILT_WITH
   "SystemC ${SYSTEMC_VERSION}" "OpenImageIO ${OpenImageIO_VERSION}" "libpng ${PNG_VERSION_STRING}" "zlib ${ZLIB_VERSION_STRING}"
   "HarfBuzz ${harfbuzz_VERSION}" "Fontconfig ${fontconfig_VERSION}" "Clipper ${CLIPPER_VERSION}" "pugixml ${pugixml_VERSION}"
   "GLM ${glm_VERSION}" "Highway ${hwy_VERSION}" "Boost ${Boost_VERSION}" "PEGTL ${pegtl_VERSION}" "toml++ ${tomlplusplus_VERSION}"
-  "nlohmann-json ${nlohmann_json_VERSION}" "fmt ${fmt_VERSION}" "CLI11 ${CLI11_VERSION}" "cpp-httplib ${httplib_VERSION}" "libedit ${libedit_VERSION}")
+  "nlohmann-json ${nlohmann_json_VERSION}" "fmt ${fmt_VERSION}" "CLI11 ${CLI11_VERSION}" "libedit ${libedit_VERSION}")

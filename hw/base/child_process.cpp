@@ -16,6 +16,7 @@
 #include "hw/base/child_guard.h"
 #include "hw/base/descriptor.h"
 #include "hw/base/error.h"
+#include "hw/base/interruption.h"
 #include "hw/base/text.h"
 
 namespace csgsim {
@@ -87,12 +88,17 @@ int milliseconds_until(Clock::time_point end) {
   return static_cast<int>(std::clamp(left, std::chrono::milliseconds(0), longest).count());
 }
 
-/// Takes what the program writes until the guard has told how it ended, or a limit is passed.
+/// Takes what the program writes until the guard reports its end, or a limit is passed. Throws Interrupted.
 Exceeded listen(const Descriptor& told, std::array<Stream, 2>& streams, Clock::time_point end) {
+  // Nothing wakes the thread when its work is to stop.
+  constexpr int look_after = 50;  // milliseconds
+  const bool is_interruptible = stop_of_thread().stop_possible();
   for (;;) {
+    end_if_interrupted();
     std::array<pollfd, 3> files{pollfd{told.number(), POLLIN, 0}, pollfd{streams[0].file.number(), POLLIN, 0},
                                 pollfd{streams[1].file.number(), POLLIN, 0}};
-    const int ready = ::poll(files.data(), files.size(), milliseconds_until(end));
+    const int longest = milliseconds_until(end);
+    const int ready = ::poll(files.data(), files.size(), is_interruptible ? std::min(longest, look_after) : longest);
     if (ready < 0 && errno != EINTR) return Exceeded::nothing;
     for (Stream& stream : streams) {
       if (stream.file.is_open() && !stream.take()) return stream.exceeded;

@@ -37,7 +37,8 @@ struct ChildEnd {
 /// Runs the program that the first word names, found as a shell finds it, and waits for its end. It reads `input` and
 /// has no other file of this process. It works in a process group of its own, of which nothing is left when this
 /// returns, nor when this process ends, by whatever signal. None if there is no such program; throws InputError, which
-/// begins with the first word, if it cannot be run for another reason.
+/// begins with the first word, if it cannot be run for another reason, and Interrupted where this thread's work is to
+/// stop.
 std::optional<ChildEnd> run_child(std::span<const std::string> words, const MemoryFile& input,
                                   const ChildLimits& limits);
 

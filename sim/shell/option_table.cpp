@@ -121,6 +121,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {run, "from", "FOLDER", FileRole::input},
     {run, "anyway"},
     {run, "port"},
+    {run, "evaluation-time", "SECONDS"},
     {run, "patience", "SECONDS"},
     {outputs, "output", "FILE", FileRole::output},
     {outputs, "ascii"},

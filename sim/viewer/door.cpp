@@ -4,7 +4,6 @@
 #include <sys/random.h>
 
 #include <array>
-#include <utility>
 
 #include "hw/base/error.h"
 
@@ -21,9 +20,7 @@ bool is_token(std::string_view text, std::string_view token) {
   return differences == 0;
 }
 
-Admission refused(int status, std::string why) {
-  return {false, {}, {.status = status, .body = std::move(why) + "\n"}};
-}
+Admission refused(int status, std::string_view why) { return {false, {}, error_reply(status, why)}; }
 
 /// `127.0.0.1:PORT`, or by the name that only this computer has.
 bool is_own(const Door& door, std::string_view host) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <string_view>
 #include <utility>
 
@@ -49,12 +50,18 @@ std::string shell_command(const std::vector<std::string>& words) {
   return command;
 }
 
+std::size_t hash_of(const Json& wish, const std::string& text) {
+  constexpr std::size_t factor = 31;
+  const std::hash<std::string> hash;
+  return factor * hash(text_of(wish)) + hash(text);
+}
+
 Json knob_of(const Json& wish, const char* name) { return object_in(wish, "knobs").value(name, Json()); }
 
 }  // namespace
 
 Drawings::Drawings(Beginning beginning) : beginning_(std::move(beginning)) {
-  static_cast<void>(read_file(beginning_.model, read::model_file));
+  static_cast<void>(read_regular_file(beginning_.model, read::model_file));
 }
 
 std::vector<std::string> Drawings::words_of(const Json& wish) const {
@@ -75,48 +82,88 @@ std::vector<std::string> Drawings::words_of(const Json& wish) const {
   return words;
 }
 
-/// The tree as it was read last, if the same would be read.
-shell::ModelFile Drawings::model_of(const Json& wish, const shell::ModelOptions& options,
-                                    const std::string& text) const {
-  const Drawing* const last = latest();
-  const bool is_read = last != nullptr && last->text == text && knob_of(last->wish, "snap") == knob_of(wish, "snap") &&
-                       knob_of(last->wish, "set") == knob_of(wish, "set");
-  return is_read ? shell::ModelFile{last->model.tree, last->model.hash} : shell::read_model_text(options, text);
-}
-
-std::shared_ptr<Drawing> Drawings::compiled(const Json& asked) {
+Drawings::Asked Drawings::asked_by(const Json& asked) const {
   Json wish{{"knobs", object_in(asked, "knobs")}};
   const std::optional<std::string> source = source_in(asked);
   if (source) wish["source"] = *source;
   std::vector<std::string> words = words_of(wish);
-  const shell::ModelOptions options = shell::model_options_in(words);
-  std::string text = source ? *source : read_file(options.model, read::model_file);
-  const auto is_same = [&](const auto& one) { return one->wish == wish && one->text == text; };
-  if (const auto same = std::ranges::find_if(kept_, is_same); same != kept_.end()) {
-    std::rotate(kept_.begin(), same, same + 1);
-    return kept_.front();
-  }
+  shell::ModelOptions options = shell::model_options_in(words);
+  std::string text = source ? *source : read_regular_file(options.model, read::model_file);
+  return {std::move(wish), std::move(words), std::move(options), std::move(text)};
+}
+
+/// The tree as it was read last, if the same would be read.
+shell::ModelFile Drawings::model_of(const Asked& asked) const {
+  const std::shared_ptr<const Drawing> last = latest();
+  const auto is_same = [&](const char* name) { return knob_of(last->wish, name) == knob_of(asked.wish, name); };
+  const bool is_read = last != nullptr && last->text == asked.text && is_same("snap") && is_same("set");
+  return is_read ? shell::ModelFile{last->model.tree, last->model.hash}
+                 : shell::read_model_text(asked.options, asked.text);
+}
+
+std::shared_ptr<Drawing> Drawings::evaluated(Asked asked) const {
   const KeptLines told;
   const auto begin = std::chrono::steady_clock::now();
-  machines::Machine machine = shell::machine_of(options);
-  shell::CompiledModel model = shell::compile_model(model_of(wish, options, text), options, machine);
-  words.insert(words.begin(), "render");
-  auto next = std::make_shared<Drawing>(Drawing{.wish = std::move(wish),
-                                                .text = std::move(text),
-                                                .options = options,
-                                                .machine = std::move(machine),
-                                                .model = std::move(model),
-                                                .command = shell_command(words),
-                                                .warnings = told.lines(),
-                                                .compiling = seconds_since(begin)});
-  kept_.insert(kept_.begin(), std::move(next));
-  if (kept_.size() > most_kept) kept_.pop_back();
+  machines::Machine machine = shell::machine_of(asked.options);
+  shell::CompiledModel model = shell::compile_model(model_of(asked), asked.options, machine);
+  asked.words.insert(asked.words.begin(), "render");
+  return std::make_shared<Drawing>(Drawing{.wish = std::move(asked.wish),
+                                           .text = std::move(asked.text),
+                                           .options = std::move(asked.options),
+                                           .machine = std::move(machine),
+                                           .model = std::move(model),
+                                           .command = shell_command(asked.words),
+                                           .warnings = told.lines(),
+                                           .compiling = seconds_since(begin)});
+}
+
+std::shared_ptr<const Drawing> Drawings::latest() const {
+  const std::lock_guard lock(mutex_);
+  return kept_.empty() ? nullptr : kept_.front();
+}
+
+std::shared_ptr<Drawing> Drawings::kept(const Asked& asked) {
+  const std::lock_guard lock(mutex_);
+  const auto is_same = [&](const auto& one) { return one->wish == asked.wish && one->text == asked.text; };
+  const auto same = std::ranges::find_if(kept_, is_same);
+  if (same == kept_.end()) return nullptr;
+  std::rotate(kept_.begin(), same, same + 1);
   return kept_.front();
 }
 
-std::shared_ptr<Drawing> Drawings::drawn(const Json& wish) {
-  std::shared_ptr<Drawing> drawing = compiled(wish);
-  if (!drawing->drawn) drawing->drawn = shell::draw(drawing->model.program, drawing->machine);
+void Drawings::keep(const std::shared_ptr<Drawing>& next) {
+  const std::lock_guard lock(mutex_);
+  kept_.insert(kept_.begin(), next);
+  if (kept_.size() > most_kept) kept_.pop_back();
+}
+
+std::shared_ptr<std::mutex> Drawings::turn_of(const Asked& asked) {
+  const std::lock_guard lock(mutex_);
+  std::erase_if(turns_, [](const auto& one) { return one.second.expired(); });
+  std::weak_ptr<std::mutex>& turn = turns_[hash_of(asked.wish, asked.text)];
+  std::shared_ptr<std::mutex> mine = turn.lock();
+  if (!mine) turn = mine = std::make_shared<std::mutex>();
+  return mine;
+}
+
+std::shared_ptr<Drawing> Drawings::compiled(const Json& wish, Evaluation& evaluation) {
+  Asked asked = asked_by(wish);
+  if (std::shared_ptr<Drawing> same = kept(asked)) return same;
+  const std::shared_ptr<std::mutex> turn = turn_of(asked);
+  const std::lock_guard waits(*turn);
+  if (std::shared_ptr<Drawing> same = kept(asked)) return same;
+  evaluation.begin(Doing::evaluating);
+  std::shared_ptr<Drawing> next = evaluated(std::move(asked));
+  evaluation.begin(Doing::drawing);
+  keep(next);
+  return next;
+}
+
+std::shared_ptr<Drawing> Drawings::drawn(const Json& wish, Evaluation& evaluation) {
+  std::shared_ptr<Drawing> drawing = compiled(wish, evaluation);
+  const std::lock_guard lock(drawing->found->mutex);
+  std::optional<shell::Drawn>& drawn = drawing->found->drawn;
+  if (!drawn) drawn = shell::draw(drawing->model.program, drawing->machine);
   return drawing;
 }
 

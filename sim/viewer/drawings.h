@@ -1,6 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +12,7 @@
 #include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
+#include "sim/viewer/evaluations.h"
 #include "sim/viewer/instants.h"
 #include "sim/viewer/lanes.h"
 #include "sim/viewer/trees.h"
@@ -23,7 +27,16 @@ struct Beginning {
   Json knobs;                      ///< those that are given, as texts by their names; texts of `set` in an array
 };
 
-/// A wish that was compiled, and what has been found out about it. It stays where it is.
+/// What has been found out about a drawing, once it has been asked for.
+struct FoundOut {
+  std::mutex mutex;  ///< held while one of these is made or changed
+  std::optional<shell::Drawn> drawn{};
+  std::unique_ptr<Instants> instants{};
+  std::unique_ptr<ActiveTrees> active_trees{};
+  std::shared_ptr<const Lanes> lanes{};  ///< of the whole frame
+};
+
+/// A wish that was compiled. It stays where it is, and is not changed.
 struct Drawing {
   Json wish;
   std::string text;  ///< of the model, as it was read
@@ -33,37 +46,47 @@ struct Drawing {
   std::string command;  ///< that draws the same
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
-
-  // Once they have been asked for.
-  std::optional<shell::Drawn> drawn{};
-  std::unique_ptr<Instants> instants{};
-  std::unique_ptr<ActiveTrees> active_trees{};
-  std::shared_ptr<const Lanes> lanes{};  ///< of the whole frame
+  std::unique_ptr<FoundOut> found = std::make_unique<FoundOut>();
 };
 
-/// The drawings that were wished for last.
+/// The drawings that were wished for last. Several threads may ask at a time: models are evaluated side by side, but
+/// one that several wish for is evaluated once.
 class Drawings {
  public:
-  /// Throws InputError where the model's file cannot be read.
+  /// Throws InputError where the model's file cannot be read, or is no regular file.
   explicit Drawings(Beginning beginning);
 
   [[nodiscard]] const Beginning& beginning() const { return beginning_; }
 
-  /// The same as before if nothing that it is made of has changed. Throws WishError, InputError, and UsageError for
-  /// options that make no sense.
-  std::shared_ptr<Drawing> compiled(const Json& wish);
-  std::shared_ptr<Drawing> drawn(const Json& wish);
+  /// The same as before if nothing that it is made of has changed. Throws WishError, InputError, UsageError for
+  /// options that make no sense, and Interrupted.
+  std::shared_ptr<Drawing> compiled(const Json& wish, Evaluation& evaluation);
+  std::shared_ptr<Drawing> drawn(const Json& wish, Evaluation& evaluation);
 
   /// The one that was asked for last; null before the first.
-  [[nodiscard]] const Drawing* latest() const { return kept_.empty() ? nullptr : kept_.front().get(); }
+  [[nodiscard]] std::shared_ptr<const Drawing> latest() const;
 
  private:
+  /// What a wish is made of.
+  struct Asked {
+    Json wish;
+    std::vector<std::string> words;
+    shell::ModelOptions options;
+    std::string text;  ///< of the model
+  };
+
   [[nodiscard]] std::vector<std::string> words_of(const Json& wish) const;
-  [[nodiscard]] shell::ModelFile model_of(const Json& wish, const shell::ModelOptions& options,
-                                          const std::string& text) const;
+  [[nodiscard]] Asked asked_by(const Json& wish) const;
+  [[nodiscard]] shell::ModelFile model_of(const Asked& asked) const;
+  [[nodiscard]] std::shared_ptr<Drawing> evaluated(Asked asked) const;
+  std::shared_ptr<Drawing> kept(const Asked& asked);
+  void keep(const std::shared_ptr<Drawing>& next);
+  std::shared_ptr<std::mutex> turn_of(const Asked& asked);
 
   Beginning beginning_;
-  std::vector<std::shared_ptr<Drawing>> kept_;  ///< the latest first
+  mutable std::mutex mutex_;                                ///< of what follows, never held for long
+  std::vector<std::shared_ptr<Drawing>> kept_;              ///< the latest first
+  std::map<std::size_t, std::weak_ptr<std::mutex>> turns_;  ///< of those that evaluate, by a hash of what they evaluate
 };
 
 }  // namespace csgsim::viewer

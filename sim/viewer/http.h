@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace csgsim::viewer {
 
@@ -22,6 +23,11 @@ struct Reply {
   std::string body{};
   bool has_scripts = false;  ///< a page with its style and script in it, which asks for nothing else
 };
+
+/// A JSON object with the message as its `error`. The message is printable and has no quotes or backslashes.
+inline Reply error_reply(int status, std::string_view message) {
+  return {.status = status, .type = "application/json", .body = "{\"error\":\"" + std::string(message) + "\"}\n"};
+}
 
 /// Called on one of several threads.
 using Handler = std::function<Reply(const Request&)>;

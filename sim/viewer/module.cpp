@@ -1,165 +1,85 @@
 #include "sim/viewer/module.h"
 
-#include <httplib.h>
-
+#include <boost/asio/ip/address_v4.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <chrono>
-#include <condition_variable>
-#include <cstring>
-#include <exception>
-#include <mutex>
-#include <thread>
+#include <memory>
+#include <utility>
+
+#include "sim/viewer/server/connection.h"
+#include "sim/viewer/server/server.h"
 
 namespace csgsim::viewer {
 
 namespace {
 
-constexpr int most_connections = 24;  // a browser keeps some open
-constexpr int seconds_without_a_byte = 10;
+using namespace std::chrono_literals;
+using boost::asio::ip::tcp;
+using boost::system::error_code;
 
-/// How many pages are open, and since when there is none.
-class Pages {
+constexpr auto tick = 100ms;
+
+/// Without SO_REUSEPORT, with which two servers would share a port. Returns what is wrong.
+error_code listen(tcp::acceptor& acceptor, std::uint16_t port) {
+  const tcp::endpoint here(boost::asio::ip::address_v4::loopback(), port);
+  error_code error;
+  acceptor.open(here.protocol(), error);
+  if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+  if (!error) acceptor.bind(here, error);
+  if (!error) acceptor.listen(boost::asio::socket_base::max_listen_connections, error);
+  return error;
+}
+
+/// Accepts connections, and ends with the last page.
+class Attendant {
  public:
-  void open() {
-    const std::lock_guard lock(mutex_);
-    ++open_;
-    has_been_ = true;
+  Attendant(Server& server, tcp::acceptor& acceptor) : server_(server), acceptor_(acceptor), timer_(server.io) {}
+
+  void accept() {
+    acceptor_.async_accept([this](error_code error, tcp::socket socket) {
+      // The process may have no more files; the next tick tries again.
+      is_accepting_ = !error;
+      if (error) return;
+      const auto connection = std::make_shared<Connection>(std::move(socket), server_);
+      server_.connections.add(connection);
+      connection->begin();
+      accept();
+    });
+    is_accepting_ = true;
   }
-  void close() {
-    const std::lock_guard lock(mutex_);
-    --open_;
-    closed_ = Clock::now();
-  }
-  [[nodiscard]] bool is_left_for(std::chrono::milliseconds patience) const {
-    const std::lock_guard lock(mutex_);
-    return has_been_ && open_ == 0 && Clock::now() - closed_ > patience;
+
+  void wait() {
+    timer_.expires_after(tick);
+    timer_.async_wait([this](error_code /*error*/) {
+      server_.serving.tick();
+      if (!is_accepting_) accept();
+      const std::chrono::milliseconds patience = server_.serving.patience;
+      if (patience.count() > 0 && server_.pages.is_left_for(patience)) return server_.io.stop();
+      wait();
+    });
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
-  mutable std::mutex mutex_;
-  int open_ = 0;
-  bool has_been_ = false;
-  Clock::time_point closed_;
+  Server& server_;
+  tcp::acceptor& acceptor_;
+  boost::asio::steady_timer timer_;
+  bool is_accepting_ = false;
 };
-
-/// Stops the server when nobody has been there for so long, until the end of its own life.
-class Watch {
- public:
-  Watch(httplib::Server& server, const Pages& pages, std::chrono::milliseconds patience)
-      : thread_([&, patience] { run(server, pages, patience); }) {}
-  Watch(const Watch&) = delete;
-  Watch& operator=(const Watch&) = delete;
-  ~Watch() {
-    {
-      const std::lock_guard lock(mutex_);
-      ends_ = true;
-    }
-    changed_.notify_all();
-    thread_.join();
-  }
-
- private:
-  void run(httplib::Server& server, const Pages& pages, std::chrono::milliseconds patience) {
-    std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, std::chrono::milliseconds(200), [&] { return ends_; })) {
-      if (patience.count() == 0 || !pages.is_left_for(patience)) continue;
-      server.stop();
-      return;
-    }
-  }
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  bool ends_ = false;
-  std::thread thread_;
-};
-
-Request request_of(const httplib::Request& from) {
-  return {.method = from.method,
-          .path = from.path,
-          .host = from.get_header_value("Host"),
-          .origin = from.get_header_value("Origin"),
-          .site = from.get_header_value("Sec-Fetch-Site"),
-          .content_type = from.get_header_value("Content-Type"),
-          .body = from.body};
-}
-
-/// Nothing is kept, framed, guessed at or sent on; and a page has what this server sends, and nothing else.
-void set_headers(httplib::Response& response, bool has_scripts) {
-  response.set_header("Cache-Control", "no-store");
-  const std::string own = has_scripts ? "'unsafe-inline'" : "'self'";
-  response.set_header("Content-Security-Policy", "default-src 'none'; script-src " + own + "; style-src " + own +
-                                                     "; img-src data:; connect-src " +
-                                                     (has_scripts ? "'none'" : "'self'") +
-                                                     "; frame-ancestors 'none'; base-uri 'none'; form-action 'none'");
-  response.set_header("Cross-Origin-Opener-Policy", "same-origin");
-  response.set_header("Cross-Origin-Resource-Policy", "same-origin");
-  response.set_header("Referrer-Policy", "no-referrer");
-  response.set_header("X-Content-Type-Options", "nosniff");
-}
-
-/// A stream that says something twice a second, so that its end is noticed.
-void stay(httplib::Response& response, Pages& pages) {
-  pages.open();
-  response.set_chunked_content_provider(
-      "text/event-stream",
-      [](std::size_t, httplib::DataSink& sink) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(500));
-        constexpr const char* nothing = ":\n\n";
-        return sink.is_writable() && sink.write(nothing, std::strlen(nothing));
-      },
-      [&pages](bool) { pages.close(); });
-}
-
-void answer(const Serving& serving, Pages& pages, const httplib::Request& from, httplib::Response& response) {
-  const Request request = request_of(from);
-  Reply reply;
-  try {
-    if (request.method == "GET" && serving.stays(request)) {
-      set_headers(response, false);
-      return stay(response, pages);
-    }
-    reply = serving.handler(request);
-  } catch (const std::exception& error) {
-    reply = {.status = 500, .body = std::string(error.what()) + "\n"};
-  }
-  set_headers(response, reply.has_scripts);
-  response.status = reply.status;
-  response.set_content(reply.body, reply.type);
-}
-
-/// Without SO_REUSEPORT, with which two servers would share a port.
-void set_socket_options(int socket) {
-  const int yes = 1;
-  ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
-}
 
 std::string serve(const Serving& serving) {
-  httplib::Server server;
-  Pages pages;
-  server.new_task_queue = [] { return new httplib::ThreadPool(most_connections); };
-  server.set_socket_options([](int socket) { set_socket_options(socket); });
-  server.set_payload_max_length(serving.most_bytes);
-  server.set_read_timeout(seconds_without_a_byte);
-  server.set_write_timeout(seconds_without_a_byte);
-  server.set_keep_alive_max_count(1000);
-  const auto handle = [&](const httplib::Request& from, httplib::Response& response) {
-    answer(serving, pages, from, response);
-  };
-  server.Get(".*", handle);
-  server.Post(".*", handle);
-  constexpr const char* here = "127.0.0.1";
-  int port = serving.port;
-  if (port == 0) {
-    port = server.bind_to_any_port(here);
-  } else if (!server.bind_to_port(here, port)) {
-    port = -1;
-  }
-  if (port < 0) return "port " + std::to_string(serving.port) + " of 127.0.0.1 cannot be had; is it in use?";
-  serving.begun(static_cast<std::uint16_t>(port));
-  const Watch watch(server, pages, serving.patience);
-  return server.listen_after_bind() ? "" : "the server has ended";
+  Server server{.serving = serving};
+  tcp::acceptor acceptor(server.io);
+  if (listen(acceptor, serving.port))
+    return "port " + std::to_string(serving.port) + " of 127.0.0.1 cannot be had; is it in use?";
+  serving.begun(acceptor.local_endpoint().port());
+  Attendant attendant(server, acceptor);
+  attendant.accept();
+  attendant.wait();
+  server.io.run();
+  serving.ending();
+  server.workers.join();
+  return "";
 }
 
 }  // namespace
@@ -167,5 +87,5 @@ std::string serve(const Serving& serving) {
 }  // namespace csgsim::viewer
 
 // The name is that of module_symbol.
-extern "C" [[gnu::visibility("default")]] const csgsim::viewer::Module csgsim_viewer_1;
-const csgsim::viewer::Module csgsim_viewer_1{csgsim::viewer::serve};
+extern "C" [[gnu::visibility("default")]] const csgsim::viewer::Module csgsim_viewer_2;
+const csgsim::viewer::Module csgsim_viewer_2{csgsim::viewer::serve};

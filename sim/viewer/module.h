@@ -1,27 +1,31 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "sim/viewer/http.h"
+#include "sim/viewer/server/request_reader.h"
 
 namespace csgsim::viewer {
 
 /// How long to serve, and whom.
 struct Serving {
-  std::uint16_t port = 0;                          ///< 0: any that is free
-  std::size_t most_bytes = std::size_t{4} << 20U;  ///< of a request's body
-  std::chrono::milliseconds patience{};            ///< after the last page was closed; none: without an end
-  std::function<void(std::uint16_t)> begun;        ///< called with the port, before the first request
-  Handler handler;                                 ///< of all requests
-  std::function<bool(const Request&)> stays;       ///< whether a GET is a page's that stays open as long as the page is
+  std::uint16_t port = 0;  ///< 0: any that is free
+  RequestLimits limits{};
+  std::chrono::milliseconds patience{};       ///< after the last page was closed; none: without an end
+  std::function<void(std::uint16_t)> begun;   ///< called with the port, before the first request
+  RequestReader::Gate gate;                   ///< called with each header, before the body is read
+  Handler handler;                            ///< of all requests that the gate admits
+  std::function<bool(const Request&)> stays;  ///< whether a GET is a page's that stays open as long as the page is
+  std::function<void()> tick;                 ///< called ten times a second
+  std::function<void()> ending;  ///< called before the server waits for the requests that are being handled
 };
 
-/// The module of csgsim view: a shared library that is opened when a page is asked for, since the library of HTTP loads
-/// slowly. It is of the same build as what opens it.
+/// The module of csgsim view: a shared library that is opened when a page is asked for, since a server takes long to
+/// load. It is of the same build as what opens it.
 struct Module {
   /// Serves 127.0.0.1 until there is nobody left. Returns why it could not, or nothing.
   std::string (*serve)(const Serving& serving);
@@ -30,6 +34,6 @@ struct Module {
 inline constexpr const char* module_file = "csgsim_viewer.so";
 
 /// Of the only symbol of the module, a Module. It changes with this file, so that another version's is not taken.
-inline constexpr const char* module_symbol = "csgsim_viewer_1";
+inline constexpr const char* module_symbol = "csgsim_viewer_2";
 
 }  // namespace csgsim::viewer

@@ -17,6 +17,7 @@
 #include "sim/report/run_page.h"
 #include "sim/shell/advice.h"
 #include "sim/shell/compiled_model.h"
+#include "sim/shell/json_text.h"
 #include "sim/shell/memory.h"
 #include "sim/shell/paths.h"
 #include "sim/shell/primitive_name.h"
@@ -39,17 +40,31 @@ std::string camera_text(const view::Camera& camera) {
                      camera.centre.z);
 }
 
-/// Line and column of a message that begins with the file's name and these.
+/// The number of at most nine digits at a place of the text, which is left behind it; none if there is no digit.
+std::optional<unsigned> number_at(const std::string& text, std::size_t& at) {
+  constexpr unsigned most = 100'000'000;
+  const std::size_t begin = at;
+  unsigned number = 0;
+  while (at < text.size() && text[at] >= '0' && text[at] <= '9' && number < most)
+    number = number * 10 + static_cast<unsigned>(text[at++] - '0');
+  return at == begin ? std::nullopt : std::optional(number);
+}
+
+/// Line and column of a message that begins with the file's name and these, or the line of OpenSCAD's, which reads the
+/// text from its standard input.
 void put_place(Json& answer, const std::string& message, const std::string& file) {
+  constexpr std::string_view in_scad = "in file <stdin>, line ";
+  if (std::size_t at = message.find(in_scad); at != message.npos) {
+    at += in_scad.size();
+    if (const std::optional<unsigned> line = number_at(message, at)) answer["line"] = *line;
+    return;
+  }
   if (!message.starts_with(file + ":")) return;
   std::size_t at = file.size() + 1;
   for (const char* key : {"line", "column"}) {
-    unsigned number = 0;
-    const std::size_t begin = at;
-    while (at < message.size() && message[at] >= '0' && message[at] <= '9' && number < 100'000'000)
-      number = number * 10 + static_cast<unsigned>(message[at++] - '0');
-    if (at == begin || at == message.size() || message[at] != ':') return;
-    answer[key] = number;
+    const std::optional<unsigned> number = number_at(message, at);
+    if (!number || at == message.size() || message[at] != ':') return;
+    answer[key] = *number;
     ++at;
   }
 }
@@ -61,8 +76,7 @@ Json error_json(const std::string& message, const std::string& file) {
 }
 
 Reply json_reply(const Json& json, int status = 200) {
-  return {
-      .status = status, .type = "application/json", .body = json.dump(-1, ' ', false, Json::error_handler_t::replace)};
+  return {.status = status, .type = "application/json", .body = text_of(json)};
 }
 
 /// Of csgsim wave: which pixel and levels, and when. As one word each, so that no text is taken for another option.
@@ -76,12 +90,12 @@ std::vector<std::string> probing_options(const Json& wish) {
 }
 
 /// Beside an instant: what the surface is compared with that its instruction draws.
-void put_active_tree(Drawing& drawing, Json& instant) {
+void put_active_tree(const Drawing& drawing, Json& instant) {
   if (!instant.contains("piece")) return;
-  if (!drawing.active_trees)
-    drawing.active_trees = std::make_unique<ActiveTrees>(drawing.model, drawing.options, drawing.machine);
+  std::unique_ptr<ActiveTrees>& trees = drawing.found->active_trees;
+  if (!trees) trees = std::make_unique<ActiveTrees>(drawing.model, drawing.options, drawing.machine);
   std::optional<Json> active =
-      drawing.active_trees->of(instant["piece"].get<std::uint32_t>(), instant["segment"].get<std::uint32_t>());
+      trees->of(instant["piece"].get<std::uint32_t>(), instant["segment"].get<std::uint32_t>());
   if (active) instant["active"] = std::move(*active);
 }
 
@@ -91,12 +105,35 @@ Json stats_of(const shell::CompiledModel& model, const machines::Machine& machin
   return report::without_wall_times(observe::to_json(report));
 }
 
+Reply nothing_there() { return {.status = 404, .body = "there is nothing of that name\n"}; }
+
+bool is_drawn(const Drawing& drawing) {
+  const std::lock_guard lock(drawing.found->mutex);
+  return drawing.found->drawn.has_value();
+}
+
+/// The answer to a question whose work was ended.
+Reply ended_reply(Ended why, const std::string& model, std::chrono::milliseconds most) {
+  switch (why) {
+    case Ended::overdue:
+      return json_reply(
+          {{"error", fmt::format("{}: evaluating it takes longer than {:g} s; make the model simpler, or begin csgsim "
+                                 "view with more time, --evaluation-time SECONDS",
+                                 model, std::chrono::duration<double>(most).count())}},
+          422);
+    case Ended::closed: return json_reply({{"error", "csgsim view ends"}}, 503);
+    case Ended::not_yet:
+    case Ended::cancelled: break;
+  }
+  return json_reply({{"error", model + ": cancelled"}, {"cancelled", true}}, 422);
+}
+
 }  // namespace
 
-Json Session::draw(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> held = drawings_.drawn(wish);
+Json Session::draw(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> held = drawings_.drawn(wish, evaluation);
   const Drawing& drawing = *held;
-  const shell::Drawn& done = *drawing.drawn;
+  const shell::Drawn& done = *drawing.found->drawn;
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
   return {{"picture", png_url(picture.png)},
           {"width", picture.width},
@@ -108,8 +145,8 @@ Json Session::draw(const Json& wish, Lock& /*lock*/) {
           {"seconds", {{"compiling", drawing.compiling}, {"running", done.seconds}}}};
 }
 
-Json Session::explain(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> held = drawings_.compiled(wish);
+Json Session::explain(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> held = drawings_.compiled(wish, evaluation);
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
   const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
@@ -123,43 +160,57 @@ Json Session::explain(const Json& wish, Lock& /*lock*/) {
   });
 }
 
-Json Session::instant(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> held = drawings_.compiled(wish);
-  Drawing& drawing = *held;
+Json Session::instant(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> held = drawings_.compiled(wish, evaluation);
+  const Drawing& drawing = *held;
   const InstantWish instant{.number = number_in(wish, "number").value_or(0),
                             .field = text_in(wish, "field"),
                             .is_tinted = flag_in(wish, "tinted"),
                             .primitive = number_in(wish, "primitive"),
                             .clock = number_in(wish, "clock")};
-  return shell::with_memory_for_picture(drawing.machine.array, [&] {
-    if (!drawing.instants) drawing.instants = std::make_unique<Instants>(drawing.model.program, drawing.machine);
-    Json answer = drawing.instants->at(instant);
-    put_active_tree(drawing, answer);
-    return answer;
-  });
+  const std::lock_guard lock(drawing.found->mutex);
+  std::unique_ptr<Instants>& instants = drawing.found->instants;
+  try {
+    return shell::with_memory_for_picture(drawing.machine.array, [&] {
+      if (!instants) instants = std::make_unique<Instants>(drawing.model.program, drawing.machine);
+      Json answer = instants->at(instant);
+      put_active_tree(drawing, answer);
+      return answer;
+    });
+  } catch (const Interrupted&) {
+    instants.reset();  // between two instants
+    throw;
+  }
 }
 
-Json Session::tree(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish);
+Json Session::tree(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
   return {{"tree", tree_of(drawing->model.tree, drawing->model.program.facts)}};
 }
 
-std::string Session::recorded_of(const isa::Program& program, const std::vector<std::string>& options, Lock& lock) {
-  lock.unlock();
+std::string Session::recorded_of(const isa::Program& program, const std::vector<std::string>& options) {
   const std::lock_guard one_at_a_time(recording_);
-  return recorded(program, options);
+  return options_.recorder(program, options);
 }
 
-Json Session::lanes(const Json& wish, Lock& lock) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish);
+std::shared_ptr<const Lanes> Session::lanes_of(const Drawing& drawing, const Json& wish) {
+  // Lanes without a pixel are of the whole frame, and recorded once.
+  const bool is_probed = wish.contains("pixel");
+  if (!is_probed) {
+    const std::lock_guard lock(drawing.found->mutex);
+    if (drawing.found->lanes) return drawing.found->lanes;
+  }
   std::vector<std::string> options = probing_options(wish);
   options.push_back("--lanes");
-  std::shared_ptr<const Lanes> lanes = wish.contains("pixel") ? nullptr : drawing->lanes;
-  if (!lanes) {
-    lanes = std::make_shared<Lanes>(recorded_of(drawing->model.program, options, lock));
-    lock.lock();
-    if (!wish.contains("pixel")) drawing->lanes = lanes;
-  }
+  auto lanes = std::make_shared<const Lanes>(recorded_of(drawing.model.program, options));
+  if (is_probed) return lanes;
+  const std::lock_guard lock(drawing.found->mutex);
+  return drawing.found->lanes = std::move(lanes);
+}
+
+Json Session::lanes(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
+  const std::shared_ptr<const Lanes> lanes = lanes_of(*drawing, wish);
   const std::uint64_t begin = number_in(wish, "begin").value_or(lanes->begin());
   const std::uint64_t end = number_in(wish, "end").value_or(lanes->end());
   return {{"first", lanes->begin()},
@@ -169,41 +220,41 @@ Json Session::lanes(const Json& wish, Lock& lock) {
           {"lanes", lanes->between(begin, end)}};
 }
 
-Json Session::wave(const Json& wish, Lock& lock) {
-  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish);
-  return {{"wave", recorded_of(drawing->model.program, probing_options(wish), lock)}};
+Json Session::wave(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
+  return {{"wave", recorded_of(drawing->model.program, probing_options(wish))}};
 }
 
-Json Session::advice(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish);
-  const engine::RunResult& result = drawing->drawn->result;
+Json Session::advice(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish, evaluation);
+  const engine::RunResult& result = drawing->found->drawn->result;
   const shell::Advice advice{
       .machine = drawing->options.machine, .is_asked = true, .ask = {}, .settings = [&](const engine::RunResult& of) {
         return shell::setting_knobs(drawing->model, drawing->options, drawing->machine, of);
       }};
   const std::vector<observe::Knob> turned = shell::knobs_of(advice, drawing->model.program, drawing->machine, result);
-  return {{"knobs", stats_of(drawing->model, drawing->machine, *drawing->drawn, turned).at("knobs")}};
+  return {{"knobs", stats_of(drawing->model, drawing->machine, *drawing->found->drawn, turned).at("knobs")}};
 }
 
-Json Session::verdict(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish);
+Json Session::verdict(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish, evaluation);
   Json accuracy;
-  std::string text = shell::verdict(drawing->model, drawing->options, drawing->drawn->frame, accuracy);
+  std::string text = shell::verdict(drawing->model, drawing->options, drawing->found->drawn->frame, accuracy);
   return {{"accuracy", std::move(accuracy)}, {"text", std::move(text)}};
 }
 
-Json Session::two(const Json& wish, Lock& /*lock*/) {
-  const std::shared_ptr<Drawing> a = drawings_.drawn(object_in(wish, "a"));
-  const std::shared_ptr<Drawing> b = drawings_.drawn(object_in(wish, "b"));
-  return two_at_once({a->model.program, a->drawn->frame}, {b->model.program, b->drawn->frame});
+Json Session::two(const Json& wish, Evaluation& evaluation) {
+  const std::shared_ptr<Drawing> a = drawings_.drawn(object_in(wish, "a"), evaluation);
+  const std::shared_ptr<Drawing> b = drawings_.drawn(object_in(wish, "b"), evaluation);
+  return two_at_once({a->model.program, a->found->drawn->frame}, {b->model.program, b->found->drawn->frame});
 }
 
 std::string Session::report() const {
-  const Drawing* const drawing = drawings_.latest();
-  if (drawing == nullptr || !drawing->drawn) throw WishError("nothing has been drawn yet");
+  const std::shared_ptr<const Drawing> drawing = drawings_.latest();
+  if (drawing == nullptr || !is_drawn(*drawing)) throw WishError("nothing has been drawn yet");
   const story::HalfspaceFinder finder = shell::halfspaces_of(drawing->model, drawing->options, drawing->machine);
-  return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->drawn),
-                                          drawing->drawn->frame, drawing->model.program, drawing->machine,
+  return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn),
+                                          drawing->found->drawn->frame, drawing->model.program, drawing->machine,
                                           {drawing->command, {}}, &finder));
 }
 
@@ -215,19 +266,20 @@ Json Session::about() const {
   if (begun_with.is_string() && std::ranges::find(machines, begun_with) == machines.end())
     machines.insert(machines.begin(), begun_with);
   return {{"model", beginning.model},
-          {"source", read_file(beginning.model, read::model_file)},
+          {"source", read_regular_file(beginning.model, read::model_file)},
           {"knobs", beginning.knobs},
           {"names", knobs},
           {"machines", std::move(machines)},
           {"strategies", shell::strategy_names()},
           {"effects", effects_form()},
+          {"evaluation_time", std::chrono::duration<double>(evaluations_.most()).count()},
           {"usual", {{"machine", usual.machine}, {"strategy", usual.strategy}, {"z-bits", usual.z_bits}}}};
 }
 
 /// What is asked by a POST.
 struct Session::Question {
   std::string_view name;
-  Json (Session::*answer)(const Json& wish, Lock& lock);
+  Json (Session::*answer)(const Json& wish, Evaluation& evaluation);
 };
 
 const Session::Question Session::questions[] = {
@@ -236,23 +288,40 @@ const Session::Question Session::questions[] = {
     {"advice", &Session::advice}, {"verdict", &Session::verdict}, {"two", &Session::two},
 };
 
-Reply Session::answered(const Request& request, std::string_view path, Lock& lock) {
+Reply Session::answered_post(const Request& request, std::string_view path) {
+  constexpr shell::JsonLimits limits{.depth = 16, .values = 10'000};
+  const Json wish = shell::parsed_json(request.body, limits);
+  if (!wish.is_object()) throw WishError("a wish has to be an object");
+  const std::string evaluation_name = text_in(wish, "evaluation");
+  if (path == "progress") return json_reply(evaluations_.progress(evaluation_name));
+  if (path == "cancel") {
+    evaluations_.cancel(evaluation_name);
+    return json_reply(Json::object());
+  }
+  const auto question = std::ranges::find(questions, path, &Question::name);
+  if (question == std::end(questions)) return nothing_there();
+  Evaluation evaluation(evaluations_, evaluation_name);
+  try {
+    return json_reply((this->*question->answer)(wish, evaluation));
+  } catch (const Interrupted&) {
+    return ended_reply(evaluation.ended(), shell::shown_name(drawings_.beginning().model), evaluations_.most());
+  }
+}
+
+Reply Session::answered(const Request& request, std::string_view path) {
+  if (request.method == "POST") return answered_post(request, path);
   if (request.method == "GET" && path == "about") return json_reply(about());
   if (request.method == "GET" && path == "report")
     return {.type = "text/html; charset=utf-8", .body = report(), .has_scripts = true};
-  const auto question = std::ranges::find(questions, path, &Question::name);
-  if (request.method != "POST" || question == std::end(questions))
-    return {.status = 404, .body = "there is nothing of that name\n"};
-  const Json wish = Json::parse(request.body);
-  if (!wish.is_object()) throw WishError("a wish has to be an object");
-  return json_reply((this->*question->answer)(wish, lock));
+  return nothing_there();
 }
 
 Reply Session::answer(const Request& request, std::string_view path) {
-  Lock lock(mutex_);
   try {
-    return answered(request, path, lock);
+    return answered(request, path);
   } catch (const Json::exception& error) {
+    return json_reply({{"error", error.what()}}, 400);
+  } catch (const shell::JsonLimitError& error) {
     return json_reply({{"error", error.what()}}, 400);
   } catch (const WishError& error) {
     return json_reply({{"error", error.what()}}, 400);

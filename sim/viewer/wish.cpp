@@ -41,4 +41,6 @@ Json object_in(const Json& wish, const char* key) {
   return object.is_null() ? Json::object() : object;
 }
 
+std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
 }  // namespace csgsim::viewer

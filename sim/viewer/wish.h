@@ -34,4 +34,7 @@ bool flag_in(const Json& wish, const char* key);
 /// An object, empty if it is not there.
 Json object_in(const Json& wish, const char* key);
 
+/// The text that is sent for it. Bytes that are not UTF-8 are replaced.
+std::string text_of(const Json& json);
+
 }  // namespace csgsim::viewer

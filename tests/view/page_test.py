@@ -3,8 +3,10 @@
 
 Usage: page_test.py CSGSIM SOURCE_FOLDER [PICTURE]. With PICTURE the page is photographed for docs/view.md. Exit code 77 where there is no Chromium."""
 
+import os
 import pathlib
 import sys
+import tempfile
 import time
 
 SOURCE = pathlib.Path(sys.argv[2]).resolve()
@@ -182,7 +184,41 @@ def compares_two(seen):
 
 def edits_the_source(seen):
     seen.edit_the_source()
+    seen.types_through_errors()
+    seen.jumps_to_an_error_when_asked()
     seen.check_same("with the source as it was")
+
+
+ENDLESS = """#!/bin/sh
+# In place of OpenSCAD: an endless text has no end.
+text=$(cat)
+case "$text" in *endless*) sleep 1000;; *) printf '%s\\n' "$text";; esac
+"""
+
+
+def cancels_what_does_not_end(seen, server):
+    """With a model of OpenSCAD: the progress of an evaluation, its button, and that a new text takes the place of an old one."""
+    seen.open(server)
+    seen.set("source", "endless();")
+    seen.until("!document.getElementById('working').hidden")
+    seen.until("document.getElementById('doing').textContent.includes('evaluating the model')")
+    seen.check("of at most 600 s" in seen.text("doing"), "the progress has its limit: " + seen.text("doing"))
+    left, top, width = box_of_picture(seen)
+    seen.page.point(left + width / 2, top + width / 2, click=True)
+    seen.until("document.getElementById('story').textContent.length > 100")
+    seen.check(not seen.evaluate("document.getElementById('working').hidden"), "the earlier picture is explained meanwhile")
+    seen.click("#cancel")
+    seen.until("!document.getElementById('error').hidden")
+    seen.check("cancelled" in seen.text("error"), "it is cancelled: " + seen.text("error"))
+    seen.until("document.getElementById('working').hidden")
+    seen.set("source", "endless();\n")
+    seen.until("!document.getElementById('working').hidden")
+    begin = time.monotonic()
+    seen.set("source", "cube(size=[20,20,20],center=true);")
+    seen.until("document.getElementById('error').hidden && document.getElementById('working').hidden")
+    seen.settled()
+    seen.check(time.monotonic() - begin < 20, "a new text does not wait for the old one")
+    seen.check(seen.counts()["primitives, half-spaces"] == "1, 6", f"the new text is drawn: {seen.counts()}")
 
 
 def use(seen, server):
@@ -216,7 +252,18 @@ def main():
     server = Server(csgsim, "tests/models/carburettor.csg", "--camera", "220,-255,135,2,0,5", "--size", "512x512", cwd=SOURCE)
     with viewed(chromium, server, csgsim, SOURCE) as seen:
         use(seen, server)
-    return 1 if seen.failures else 0
+        failures = seen.failures
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "openscad").write_text(ENDLESS)
+        (folder / "openscad").chmod(0o755)
+        (folder / "model.scad").write_text("cube(size=[9,9,9],center=true);\n")
+        server = Server(csgsim, str(folder / "model.scad"), "--size", "64x64", "--evaluation-time", "600",
+                        env=os.environ | {"PATH": f"{folder}:{os.environ['PATH']}"})
+        with viewed(chromium, server, csgsim, folder) as seen:
+            cancels_what_does_not_end(seen, server)
+            failures += seen.failures
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":

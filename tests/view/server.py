@@ -2,16 +2,32 @@
 
 import http.client
 import json
+import pathlib
 import re
+import socket
 import subprocess
 import urllib.parse
+
+
+def answer_from(connection):
+    """Status and body of what comes, until its end."""
+    data = b""
+    try:
+        while block := connection.recv(65536):
+            data += block
+    except ConnectionResetError:
+        pass
+    if not data:
+        return None
+    head, _, body = data.partition(b"\r\n\r\n")
+    return int(head.split()[1]), body
 
 
 class Server:
     """Runs from its making to stop()."""
 
-    def __init__(self, csgsim, *words, cwd=None):
-        self.process = subprocess.Popen([csgsim, "view", *words], cwd=cwd, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, csgsim, *words, cwd=None, env=None):
+        self.process = subprocess.Popen([csgsim, "view", *words], cwd=cwd, env=env, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         line = self.process.stdout.readline()
         if not re.fullmatch(r"http://127\.0\.0\.1:\d+/[0-9a-f]{32}/\n", line):
             raise RuntimeError(f"no address: {line!r} {self.process.stderr.read()!r}")
@@ -47,6 +63,29 @@ class Server:
             return answer.status, dict(answer.getheaders()), answer.read()
         finally:
             connection.close()
+
+    def raw(self, *pieces, seconds=20):
+        """Status and body of the answer to bytes that are sent as they are, or None where the connection ends without one."""
+        with socket.create_connection(("127.0.0.1", self.port), timeout=seconds) as connection:
+            try:
+                for piece in pieces:
+                    connection.sendall(piece)
+            except (BrokenPipeError, ConnectionResetError):
+                pass
+            return answer_from(connection)
+
+    def stream(self):
+        """A connection that stays open, as a page's."""
+        connection = socket.create_connection(("127.0.0.1", self.port), timeout=20)
+        connection.sendall(f"GET /{self.token}/alive HTTP/1.1\r\nHost: {self.host}\r\n\r\n".encode())
+        if b" 200 " not in (head := connection.recv(4096)):
+            raise RuntimeError(f"no stream: {head!r}")
+        return connection
+
+    def most_memory(self):
+        """The most bytes that it has had in memory."""
+        status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
+        return 1024 * int(re.search(r"VmHWM:\s*(\d+) kB", status)[1])
 
     def get(self, name):
         return self.ask("GET", f"/{self.token}/{name}")

@@ -205,6 +205,7 @@ class Asked(unittest.TestCase):
             status, answer = server.post("draw", {"source": "use <part.scad>\npart(;\n"})
             self.assertEqual(status, 422)
             self.assertIn("line 2", answer["error"])
+            self.assertEqual(answer["line"], 2)
         finally:
             server.stop()
 
@@ -340,21 +341,28 @@ class Attacked(unittest.TestCase):
 class Ended(unittest.TestCase):
     """It ends with its last page."""
 
-    def stream(self, server):
-        connection = socket.create_connection(("127.0.0.1", server.port), timeout=20)
-        connection.sendall(f"GET /{server.token}/alive HTTP/1.1\r\nHost: {server.host}\r\n\r\n".encode())
-        self.assertIn(b"200", connection.recv(4096))
-        return connection
-
     def test_it_ends_some_time_after_the_last_page_was_closed(self):
         server = Server(CSGSIM, MODEL, "--patience", "1", cwd=SOURCE)
         try:
-            first, second = self.stream(server), self.stream(server)
+            first, second = server.stream(), server.stream()
             first.close()
             time.sleep(3)
             self.assertIsNone(server.process.poll())
             second.close()
             self.assertEqual(server.process.wait(20), 0)
+        finally:
+            server.stop()
+
+    def test_a_page_that_is_open_is_told_something_twice_a_second(self):
+        server = Server(CSGSIM, MODEL, cwd=SOURCE)
+        try:
+            page = server.stream()
+            told = b""
+            begin = time.monotonic()
+            while told.count(b":\n\n") < 3:
+                told += page.recv(4096)
+            self.assertLess(time.monotonic() - begin, 10)
+            page.close()
         finally:
             server.stop()
 

@@ -109,7 +109,51 @@ class Viewed:
         self.check(self.counts()["primitives, half-spaces"] == "1, 6", f"the edited source is drawn: {self.counts()}")
         self.set("source", "cube(size=[20,20,20],center=true);\nsphere(r=;")
         self.until("!document.getElementById('error').hidden")
-        self.check(self.evaluate("document.getElementById('source').selectionStart") > 35, "the line of the error is selected")
+        self.check(self.evaluate("document.getElementById('source').selectionStart === document.getElementById('source').selectionEnd"), "nothing is selected")
+        self.check(self.evaluate("document.getElementById('fault-line').textContent") == "2", "the line of the error is marked")
+        self.check("line 2" in self.text("fault-told"), "and told: " + self.text("fault-told"))
         self.set("source", source)
         self.until("document.getElementById('error').hidden")
+        self.check(self.evaluate("document.getElementById('fault').hidden && document.getElementById('fault-line').hidden"), "no error is marked")
+        self.settled()
+
+    def types_through_errors(self):
+        """Slowly enough that each prefix is drawn, or refused: the text is as typed, and the caret behind it."""
+        source = self.evaluate("document.getElementById('source').value")
+        typed = "cube(size=[20,20,20],center=true);\nsphere(r=12,$fn=24);\n"
+        self.set("source", "")
+        self.evaluate("document.getElementById('source').focus()")
+        errors = 0
+        for number, character in enumerate(typed):
+            if character == "\n":
+                self.page.send("Input.dispatchKeyEvent", type="char", text="\r")
+            else:
+                self.page.send("Input.dispatchKeyEvent", type="char", text=character)
+            # Some faster than it is drawn, others not before the answer is there.
+            if number % 3 == 0:
+                time.sleep(0.3)
+                self.settled()
+                errors += self.evaluate("document.getElementById('fault-line').hidden ? 0 : 1")
+            at = self.evaluate("(() => { const s = document.getElementById('source'); return [s.value, s.selectionStart, s.selectionEnd]; })()")
+            if at != [typed[:number + 1], number + 1, number + 1]:
+                self.check(False, f"what is typed stays, and the caret behind it: {at}")
+                break
+        self.check(errors > 5, f"errors were marked meanwhile: {errors}")
+        self.settled()
+        self.check(self.counts()["primitives, half-spaces"].startswith("2, "), f"what was typed is drawn: {self.counts()}")
+        self.set("source", source)
+        self.settled()
+
+    def jumps_to_an_error_when_asked(self):
+        source = self.evaluate("document.getElementById('source').value")
+        self.set("source", "cube(size=[20,20,20],center=true);\n\tsphere(r=;\n")
+        self.until("!document.getElementById('fault-told').hidden")
+        self.settled()
+        at = self.evaluate("(() => { const f = document.getElementById('fault').getBoundingClientRect(), s = document.getElementById('source').getBoundingClientRect();"
+                           " return [f.left - s.left, f.width, f.top - s.top, f.height]; })()")
+        self.check(at[0] > 40 and at[1] > 4 and 10 < at[2] < 60 and at[3] > 10, f"the mark is under the second line: {at}")
+        self.click("#fault-told")
+        begin = self.evaluate("document.getElementById('source').selectionStart")
+        self.check(begin > 35 and begin == self.evaluate("document.getElementById('source').selectionEnd"), f"a click on the message leads there: {begin}")
+        self.set("source", source)
         self.settled()

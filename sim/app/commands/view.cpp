@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hw/base/input_file.h"
 #include "hw/base/standard_streams.h"
 #include "sim/app/commands/commands.h"
 #include "sim/shell/model_options.h"
@@ -31,15 +33,19 @@ struct Options {
   ModelOptions model;
   unsigned port = 0;
   unsigned patience = 10;
+  unsigned evaluation_time = 10;
 };
 
 bool is_knob(const std::string& name) { return std::ranges::find(viewer::knobs, name) != viewer::knobs.end(); }
+
+/// Options that render does not have.
+bool is_own(const std::string& name) { return name == "port" || name == "patience" || name == "evaluation-time"; }
 
 viewer::Beginning beginning_of(const Options& options, const Command& command) {
   viewer::Beginning beginning{options.model.model, {}, viewer::Json::object()};
   for (const OptionValue& one : command.values()) {
     if (one.is_operand || one.values.empty() || !is_given(command, one.name)) continue;
-    if (one.name == "port" || one.name == "patience") continue;
+    if (is_own(one.name)) continue;
     const bool is_flag = one.takes == Takes::flag;
     if (!is_knob(one.name)) {
       for (const std::string& value : one.values)
@@ -58,14 +64,21 @@ viewer::Beginning beginning_of(const Options& options, const Command& command) {
 void run(const Options& options, const Command& command) {
   if (options.model.model == standard_stream) throw UsageError("model", "has to be a file, which the page shows");
   if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
-  viewer::Session session(beginning_of(options, command));
+  // They are read again for each picture, and a pipe would have to be waited for.
+  for (const std::filesystem::path& file : options.model.inputs())
+    static_cast<void>(open_regular_file(file, {"a regular file", 0, ""}));
+  viewer::Session session(beginning_of(options, command),
+                          {.evaluation_time = std::chrono::seconds(options.evaluation_time)});
   viewer::Door door{0, viewer::make_token()};
+  const auto gate = [&](const viewer::Request& head) -> std::optional<viewer::Reply> {
+    viewer::Admission admission = viewer::admit(door, head);
+    return admission.is_admitted ? std::nullopt : std::optional(std::move(admission.refusal));
+  };
   const auto handler = [&](const viewer::Request& request) -> viewer::Reply {
-    const viewer::Admission admission = viewer::admit(door, request);
-    if (!admission.is_admitted) return admission.refusal;
+    const std::string_view path = viewer::admit(door, request).path;
     if (request.method == "GET")
-      if (std::optional<viewer::Reply> file = viewer::page_file(admission.path)) return *std::move(file);
-    return session.answer(request, admission.path);
+      if (std::optional<viewer::Reply> file = viewer::page_file(path)) return *std::move(file);
+    return session.answer(request, path);
   };
   viewer::serve({.port = static_cast<std::uint16_t>(options.port),
                  .patience = std::chrono::seconds(options.patience),
@@ -75,12 +88,11 @@ void run(const Options& options, const Command& command) {
                        fmt::print("{}\nopen this in a browser; it ends with the page, or at Ctrl-C\n", door.address());
                        std::fflush(stdout);
                      },
+                 .gate = gate,
                  .handler = handler,
-                 .stays =
-                     [&](const viewer::Request& request) {
-                       const viewer::Admission admission = viewer::admit(door, request);
-                       return admission.is_admitted && admission.path == "alive";
-                     }});
+                 .stays = [&](const viewer::Request& request) { return viewer::admit(door, request).path == "alive"; },
+                 .tick = [&] { session.end_overdue(); },
+                 .ending = [&] { session.close(); }});
 }
 
 }  // namespace
@@ -96,6 +108,10 @@ void add_view(CommandLine& line) {
       .option("--patience", options->patience,
               "Seconds that it stays after the last page is closed; 0 stays until it is ended")
       .between(0U, 86'400U);
+  command
+      .option("--evaluation-time", options->evaluation_time,
+              "Seconds that evaluating the model's source may take, by OpenSCAD and by csgsim; then it is ended")
+      .between(1U, 86'400U);
   command.runs([options, command] { run(*options, command); });
 }
 

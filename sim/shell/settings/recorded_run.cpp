@@ -14,6 +14,7 @@
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
+#include "sim/shell/json_text.h"
 #include "sim/shell/option_table.h"
 #include "sim/shell/version.h"
 
@@ -36,7 +37,6 @@ constexpr auto without_effect =
 constexpr InputKind input_again{"a file", std::numeric_limits<std::size_t>::max(), ""};
 
 constexpr std::size_t most_differences = 10;  ///< that are told
-constexpr int most_depth = 100;               ///< of brackets: values are compared by recursion
 
 std::string place_of(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte == 0 ? 0 : byte - 1, text.size()));
@@ -179,10 +179,9 @@ RecordedRun read_recorded_run(const std::string& file) { return recorded_run_of(
 RecordedRun recorded_run_of(const std::string& text, const std::string& file) {
   RecordedRun run{printable(file), {}, {}};
   try {
-    run.stats = Json::parse(text, [&](int depth, Json::parse_event_t /*event*/, const Json& /*parsed*/) {
-      if (depth > most_depth) throw InputError(run.file + ": too many brackets in brackets; name a stats file");
-      return true;
-    });
+    run.stats = parsed_json(text, {});
+  } catch (const JsonLimitError& error) {
+    throw InputError(fmt::format("{}: {}; name a stats file", run.file, error.what()));
   } catch (const Json::exception&) {
     throw InputError(
         fmt::format("{}:{}: this is no JSON that csgsim writes; name a stats file, as of csgsim render --stats",

@@ -6,6 +6,12 @@ export const answerTo = async (question, wish) => {
   return {isGood: reply.ok, answer: await reply.json()};
 };
 
+// The progress of the question with this evaluation, or an object without members.
+export const progressOf = async evaluation => (await answerTo('progress', {evaluation})).answer;
+
+// Ends that question. Its answer says that it was cancelled.
+export const cancel = evaluation => answerTo('cancel', {evaluation});
+
 // What the page has to know first.
 export const askAbout = async () => (await fetch('about')).json();
 

@@ -1,6 +1,6 @@
 // What the page wishes, and how it asks csgsim for it.
 import {byId} from './dom.js';
-import {selectLine} from './source.js';
+import {forgetFault, markFault} from './source.js';
 
 // What the page shows. The camera is none until the first picture says where it is.
 export const now = {about: null, camera: null, first: null, drawn: null, edited: false};
@@ -25,14 +25,18 @@ export const wish = () => {
   return now.edited ? {knobs, source: byId('source').value} : {knobs};
 };
 
+// The wish of the picture that is shown. It may be an earlier one, while the next is evaluated or cannot be drawn.
+export const shownWish = () => now.drawn ? now.drawn.wish : wish();
+
 export {answerTo as ask} from './answers.js';
 
-// The line of the source that an error names is selected.
+// The line of the source that an error names is marked.
 export const showError = answer => {
   byId('error').textContent = answer.error;
   byId('error').hidden = false;
   byId('stage').classList.add('stale');
-  if (answer.line && now.edited) selectLine(answer.line, answer.column);
+  if (answer.line) markFault(answer.line, answer.column, answer.error);
+  else forgetFault();
 };
 
 const works = [];

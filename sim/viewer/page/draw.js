@@ -5,6 +5,8 @@ import {cameraOf} from './camera.js';
 import {lookAtInstant} from './time.js';
 import {compareTwo} from './two.js';
 import {forgetAnswers} from './judged.js';
+import {watched} from './progress.js';
+import {forgetFault} from './source.js';
 import {showTree} from './trees.js';
 import {forgetLanes} from './wires.js';
 
@@ -42,9 +44,10 @@ const show = (answer, asked) => {
     forgetAnswers();
     forgetLanes();
   }
-  now.drawn = {...answer, as};
+  now.drawn = {...answer, as, wish: asked};
   byId('picture').src = answer.picture;
   byId('error').hidden = true;
+  forgetFault();
   byId('stage').classList.remove('stale');
   byId('command').textContent = answer.command;
   byId('warnings').replaceChildren(...answer.warnings.map(line => make('li', {}, line)));
@@ -58,9 +61,11 @@ const show = (answer, asked) => {
 
 export const draw = lastOf(async () => {
   const asked = wish();
-  const {isGood, answer} = await ask('draw', asked);
+  const {isGood, answer} = await watched(asked.source, evaluation => ask('draw', {...asked, evaluation}));
+  // Cancelled since the text has been changed: that is drawn next.
+  const isOld = answer.cancelled && asked.source !== wish().source;
   if (isGood) show(answer, asked);
-  else showError(answer);
+  else if (!isOld) showError(answer);
   window.drawnPictures = (window.drawnPictures || 0) + 1;
   // Not while the model is turned.
   clearTimeout(now.later);

@@ -1,6 +1,6 @@
 // What takes longer than a picture, and is worked out where somebody asks for it.
 import {byId, grouped, make} from './dom.js';
-import {ask, lastOf, now, wish} from './asking.js';
+import {ask, lastOf, now, shownWish} from './asking.js';
 
 const knobText = knob => {
   const change = 100 * (1 - knob.clocks_after / knob.clocks_before);
@@ -10,7 +10,7 @@ const knobText = knob => {
 const advise = lastOf(async () => {
   byId('advice').replaceChildren(make('li', {}, 'trying what could be turned …'));
   const {as} = now.drawn;
-  const {isGood, answer} = await ask('advice', wish());
+  const {isGood, answer} = await ask('advice', shownWish());
   if (as !== now.drawn.as) return;
   const rows = isGood ? answer.knobs.map(knob => make('li', {}, make('strong', {}, knob.option), ': ' + knobText(knob))) : [make('li', {}, answer.error)];
   byId('advice').replaceChildren(...(rows.length ? rows : [make('li', {}, 'nothing that can be turned helps')]));
@@ -19,7 +19,7 @@ const advise = lastOf(async () => {
 const judge = lastOf(async () => {
   byId('verdict').textContent = 'working the picture out exactly …';
   const {as} = now.drawn;
-  const {isGood, answer} = await ask('verdict', wish());
+  const {isGood, answer} = await ask('verdict', shownWish());
   if (as !== now.drawn.as) return;
   byId('verdict').textContent = isGood ? answer.text.replace(/^accuracy +/, '') : answer.error;
   byId('verdict').dataset.wrong = isGood ? answer.accuracy.wrong : '';

@@ -4,6 +4,7 @@ import {flags, named, now} from './asking.js';
 import {cameraOf} from './camera.js';
 import {draw} from './draw.js';
 import {setUpEffects} from './effects.js';
+import {cancelUnless} from './progress.js';
 
 export const setUpKnobs = about => {
   byId('machines').replaceChildren(...about.machines.map(name => make('option', {value: name})));
@@ -36,5 +37,6 @@ export const setUpKnobs = about => {
   byId('source').addEventListener('input', () => {
     now.edited = byId('source').value !== about.source;
     changed();
+    cancelUnless(now.edited ? byId('source').value : undefined);
   });
 };

@@ -1,6 +1,6 @@
 // Pixel memory before an instruction.
 import {button, byId, grouped, make} from './dom.js';
-import {ask, lastOf, now, wish} from './asking.js';
+import {ask, lastOf, now, shownWish} from './asking.js';
 import {lineAtCursor, lineIn, showLine} from './source.js';
 import {markTree} from './trees.js';
 import {lookAtClocks} from './wires.js';
@@ -47,7 +47,7 @@ const showInstant = (answer, asked) => {
 };
 
 export const lookAtInstant = lastOf(async () => {
-  const asked = {...wish(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked, ...now.elsewhere};
+  const asked = {...shownWish(), number: Number(byId('instant').value), field: byId('field').value, tinted: byId('tinted').checked, ...now.elsewhere};
   now.elsewhere = undefined;
   const {isGood, answer} = await ask('instant', asked);
   if (isGood) showInstant(answer, asked);

@@ -1,6 +1,6 @@
 // The model's tree, and of it what a surface is compared with.
 import {button, byId, make} from './dom.js';
-import {ask, lastOf, now, wish} from './asking.js';
+import {ask, lastOf, now, shownWish} from './asking.js';
 import {goToPrimitive} from './time.js';
 
 const rowOf = row => {
@@ -14,10 +14,10 @@ const rowOf = row => {
 
 export const showTree = lastOf(async () => {
   // Turning the model changes nothing of it.
-  const {knobs, source} = wish();
+  const {knobs, source} = shownWish();
   const asked = JSON.stringify([source, knobs.set, knobs.snap]);
   if (asked === now.treeOf) return;
-  const {isGood, answer} = await ask('tree', wish());
+  const {isGood, answer} = await ask('tree', shownWish());
   if (!isGood) return;
   now.treeOf = asked;
   byId('tree').replaceChildren(...answer.tree.map(rowOf));

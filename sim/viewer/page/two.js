@@ -1,11 +1,11 @@
 // Two drawings at once.
 import {byId, grouped} from './dom.js';
-import {ask, lastOf, now, wish} from './asking.js';
+import {ask, lastOf, now, shownWish} from './asking.js';
 import {showCounts} from './draw.js';
 
 export const compareTwo = lastOf(async () => {
   if (!now.kept) return;
-  const {isGood, answer} = await ask('two', {a: now.kept.wish, b: wish()});
+  const {isGood, answer} = await ask('two', {a: now.kept.wish, b: shownWish()});
   if (!isGood) {
     byId('differs').textContent = answer.error;
     return;
@@ -20,7 +20,7 @@ export const compareTwo = lastOf(async () => {
 export const setUpTwo = () => {
   byId('keep').addEventListener('click', () => {
     if (!now.drawn) return;
-    now.kept = {wish: wish(), drawn: now.drawn};
+    now.kept = {wish: shownWish(), drawn: now.drawn};
     byId('a').src = now.drawn.picture;
     byId('kept').textContent = now.drawn.command;
     byId('two').hidden = false;

@@ -5,6 +5,8 @@ import {now} from './asking.js';
 import {draw} from './draw.js';
 import {setUpJudged} from './judged.js';
 import {setUpKnobs} from './knobs.js';
+import {setUpProgress} from './progress.js';
+import {setUpSource} from './source.js';
 import {setUpStage} from './stage.js';
 import {setUpTime} from './time.js';
 import {setUpTwo} from './two.js';
@@ -19,6 +21,8 @@ const begin = async () => {
   byId('where').textContent = 'What you change here is drawn and not written: ' + about.model + ' stays as it is.';
   byId('source').value = about.source;
   setUpKnobs(about);
+  setUpProgress();
+  setUpSource();
   setUpStage();
   setUpTime();
   setUpTwo();

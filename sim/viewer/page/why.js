@@ -1,6 +1,6 @@
 // Why a pixel shows what it shows.
 import {button, byId, make, tell} from './dom.js';
-import {ask, now, wish} from './asking.js';
+import {ask, now, shownWish} from './asking.js';
 import {goTo} from './time.js';
 
 const showEvents = events => {
@@ -13,7 +13,7 @@ const showEvents = events => {
 };
 
 const explain = async () => {
-  const answer = await ask('explain', {...wish(), pixel: byId('pixel').value.trim(), why_not: byId('why-not').value.trim()});
+  const answer = await ask('explain', {...shownWish(), pixel: byId('pixel').value.trim(), why_not: byId('why-not').value.trim()});
   const story = byId('story');
   story.hidden = false;
   if (!answer.isGood) {

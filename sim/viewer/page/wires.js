@@ -1,6 +1,6 @@
 // Down to the wires: what each part of the machine is at, clock for clock, and waves.
 import {byId, grouped} from './dom.js';
-import {ask, lastOf, now, wish} from './asking.js';
+import {ask, lastOf, now, shownWish} from './asking.js';
 import {Lanes} from './lanes.js';
 import {goToClock} from './time.js';
 
@@ -20,7 +20,7 @@ const look = lastOf(async () => {
   const isNew = now.lanesOf !== as;
   if (isNew) tellWires('recording, clock by clock …');
   const begun = performance.now();
-  const {isGood, answer} = await ask('lanes', {...wish(), ...asked});
+  const {isGood, answer} = await ask('lanes', {...shownWish(), ...asked});
   if (asked !== now.wires || as !== now.drawn.as) return;
   if (!isGood) return tellWires(answer.error);
   if (isNew) tellWires('recorded in ' + ((performance.now() - begun) / 1000).toFixed(1) + ' s: ' + grouped(answer.last - answer.first) + ' clocks');
@@ -50,7 +50,7 @@ export const lookAtClocks = clocks => {
 const saveWave = lastOf(async () => {
   const asked = probing();
   tellWires('recording …');
-  const {isGood, answer} = await ask('wave', {...wish(), ...asked});
+  const {isGood, answer} = await ask('wave', {...shownWish(), ...asked});
   if (!isGood) return tellWires(answer.error);
   const link = document.createElement('a');
   link.href = URL.createObjectURL(new Blob([answer.wave], {type: 'text/plain'}));

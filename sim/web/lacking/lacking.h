@@ -61,6 +61,13 @@ class stop_token {
   [[nodiscard]] bool stop_requested() const noexcept { return false; }
 };
 
+/// Work is stopped by another thread, and there is none.
+class stop_source {
+ public:
+  [[nodiscard]] stop_token get_token() const noexcept { return {}; }
+  bool request_stop() noexcept { return true; }
+};
+
 /// No thread can be begun.
 class jthread {
  public:

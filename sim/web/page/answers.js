@@ -3,18 +3,23 @@ import {openedModel, setUpChoice} from './models.js';
 import {byId} from './dom.js';
 import {showError} from './asking.js';
 
-const worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
 const waiting = new Map();
 let count = 0;
+let worker = null;
+let begunWith = null;
 
-worker.onmessage = ({data: {number, status, body}}) => {
-  waiting.get(number).resolve({isGood: status === 200, body});
-  waiting.delete(number);
+const startWorker = () => {
+  worker = new Worker(new URL('worker.js', import.meta.url), {type: 'module'});
+  worker.onmessage = ({data: {number, status, body}}) => {
+    waiting.get(number).resolve({isGood: status === 200, body});
+    waiting.delete(number);
+  };
+  worker.onerror = event => {
+    for (const {reject} of waiting.values()) reject(new Error(event.message || 'its worker could not be loaded'));
+    waiting.clear();
+  };
 };
-worker.onerror = event => {
-  for (const {reject} of waiting.values()) reject(new Error(event.message || 'its worker could not be loaded'));
-  waiting.clear();
-};
+startWorker();
 
 const asked = message => new Promise((resolve, reject) => {
   waiting.set(++count, {resolve, reject});
@@ -26,9 +31,23 @@ export const answerTo = async (question, wish) => {
   return {isGood, answer: JSON.parse(body)};
 };
 
+// The worker does one thing at a time and cannot be asked meanwhile.
+export const progressOf = async () => ({});
+
+// Ends the worker with its questions, and starts another.
+export const cancel = async () => {
+  worker.terminate();
+  const ended = [...waiting.values()];
+  waiting.clear();
+  startWorker();
+  if (begunWith) asked({begin: begunWith});
+  for (const {resolve} of ended) resolve({isGood: false, body: JSON.stringify({error: 'cancelled', cancelled: true})});
+};
+
 const aboutModel = async () => {
   const {name, text, knobs} = await openedModel();
-  const begun = await asked({begin: [name, text, knobs]});
+  begunWith = [name, text, knobs];
+  const begun = await asked({begin: begunWith});
   if (!begun.isGood) throw new Error(JSON.parse(begun.body).error);
   return JSON.parse((await asked({question: 'about'})).body);
 };

@@ -2,13 +2,19 @@
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <stop_token>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/base/interruption.h"
 
 using namespace csgsim;
 
@@ -86,4 +92,30 @@ TEST_CASE("a program that is not there is told from one that fails") {
   CHECK_FALSE(run_child(std::vector<std::string>{"there/is/none"}, none, usual).has_value());
   CHECK_FALSE(run_child(std::vector<std::string>{"csgsim-is-none"}, none, usual).has_value());
   CHECK(why_failed(run_shell("echo why >&2; exit 1"), usual) == "why");
+}
+
+TEST_CASE("ends a program, with what it has begun, when this thread's work is to stop") {
+  std::stop_source stop;
+  const Interruptible interruptible(stop.get_token());
+  const std::string number = "/tmp/csgsim-child-" + std::to_string(::getpid());
+  std::jthread other([&] {
+    while (!std::filesystem::exists(number)) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    stop.request_stop();
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK_THROWS_AS(run_shell("sleep 300 & echo $! > " + number + ".part; mv " + number + ".part " + number + "; wait"),
+                  Interrupted);
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(30));
+  pid_t child = 0;
+  std::ifstream(number) >> child;
+  REQUIRE(child > 0);
+  CHECK(::kill(child, 0) != 0);
+  std::filesystem::remove(number);
+}
+
+TEST_CASE("ends a program at once when this thread's work was to stop before") {
+  std::stop_source stop;
+  const Interruptible interruptible(stop.get_token());
+  stop.request_stop();
+  CHECK_THROWS_AS(run_shell("sleep 300"), Interrupted);
 }

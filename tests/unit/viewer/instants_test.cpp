@@ -129,3 +129,24 @@ TEST_CASE("clocks at an instant are those in which the instruction is issued, or
       CHECK(instant["clocks"][0].get<std::uint64_t>() <= instant["clocks"][1].get<std::uint64_t>());
   }
 }
+
+TEST_CASE("the listing has up to 12 instructions before an instant, and up to 24 from it on") {
+  const Subject of = subject("pixel-planes-4");
+  viewer::Instants instants(of.program, of.machine);
+  const std::uint64_t count = of.program.segments.front().instructions.size();
+  REQUIRE(of.program.segments.size() == 1);
+  REQUIRE(count > 100);
+  const auto listed = [&](std::uint64_t number) {
+    const nlohmann::ordered_json instant = instants.at({.number = number, .field = {}});
+    const auto& rows = instant["instructions"];
+    return std::pair{rows.front()["number"].get<std::uint64_t>(), rows.back()["number"].get<std::uint64_t>()};
+  };
+  using Range = std::pair<std::uint64_t, std::uint64_t>;
+  CHECK(listed(0) == Range{0, 23});
+  CHECK(listed(12) == Range{0, 35});
+  CHECK(listed(13) == Range{1, 36});
+  CHECK(listed(count - 24) == Range{count - 36, count - 1});
+  CHECK(listed(count - 1) == Range{count - 13, count - 1});
+  CHECK(listed(count) == Range{count - 12, count - 1});
+  CHECK(listed(count + 1) == Range{count - 12, count - 1});
+}

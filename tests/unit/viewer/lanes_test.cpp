@@ -105,3 +105,44 @@ TEST_CASE("of many stretches few are sent, with what the most of them show") {
     CHECK(one[3].get<std::uint64_t>() > 50);
   }
 }
+
+TEST_CASE("puts two short stretches or more together with their number, and leaves one as it is") {
+  // Over 800 clocks, a stretch of 2 is shown alone, and one of 1 is too short.
+  Clocks lane{0, std::vector<std::string>(800)};
+  const auto show = [&](std::size_t clock, const char* text) { lane.texts[clock] = text; };
+  show(0, "a");
+  show(1, "b");
+  show(10, "c");
+  show(20, "d");
+  show(21, "d");
+  show(30, "e");
+  show(32, "f");
+  show(40, "g");
+  show(42, "h");
+  show(43, "h");
+  show(799, "z");
+  CHECK(
+      viewer::Lanes(trace_of(lane)).between(0, 800)[0].at("stretches") ==
+      Json::parse(R"([[0,2,"a",2,2],[10,1,"c"],[20,2,"d"],[30,1,"e"],[32,1,"f"],[40,1,"g"],[42,2,"h"],[799,1,"z"]])"));
+}
+
+TEST_CASE("puts three short stretches into one, with the text of most clocks and the number of clocks with a text") {
+  // Over 2000 clocks, a stretch of 5 is shown alone.
+  Clocks lane{0, std::vector<std::string>(2000)};
+  lane.texts[0] = "a";
+  lane.texts[1] = "b";
+  lane.texts[2] = "b";
+  lane.texts[4] = "c";
+  lane.texts[1999] = "z";
+  CHECK(viewer::Lanes(trace_of(lane)).between(0, 2000)[0].at("stretches") ==
+        Json::parse(R"([[0,5,"b",3,4],[1999,1,"z"]])"));
+}
+
+TEST_CASE("shows each stretch alone over 799 clocks, and those of two clocks over 800") {
+  Clocks lane{0, std::vector<std::string>(1000, "a")};
+  for (std::size_t i = 0; i < lane.texts.size(); i += 2) lane.texts[i] = "b";
+  const viewer::Lanes lanes(trace_of(lane));
+  CHECK(lanes.between(0, 799)[0].at("stretches").size() == 799);
+  CHECK(lanes.between(0, 800)[0].at("stretches").size() == 400);
+  CHECK(lanes.between(0, 800)[0].at("stretches")[7] == Json::parse(R"([14,2,"b",2,2])"));
+}

@@ -14,8 +14,11 @@
 #include "sim/shell/compiled_model.h"
 #include "sim/shell/model_options.h"
 #include "sim/shell/run_options.h"
+#include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;
+using testing::Answer;
+using testing::ask;
 using viewer::Json;
 
 namespace {
@@ -23,16 +26,6 @@ namespace {
 const std::string file = CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg";
 
 viewer::Session session(Json knobs = Json::object()) { return viewer::Session({file, {}, std::move(knobs)}); }
-
-struct Answer {
-  int status = 0;
-  Json json;
-};
-
-Answer ask(viewer::Session& session, std::string_view what, const Json& wish) {
-  const viewer::Reply reply = session.answer({.method = "POST", .body = wish.dump()}, what);
-  return {reply.status, Json::parse(reply.body)};
-}
 
 /// What the command line of these words draws.
 Json drawn_by(const std::vector<std::string>& words) {

@@ -117,3 +117,36 @@ TEST_CASE("what is not drawn has no active tree") {
   viewer::ActiveTrees trees(one.model, one.options, one.machine);
   CHECK_FALSE(trees.of(1000, 0));
 }
+
+TEST_CASE("shows the first 4,000 rows of a tree, and all rows of a smaller one") {
+  for (const std::uint32_t leaves : {3998U, 3999U, 4000U, 5000U}) {
+    model::Tree tree;
+    model::Node root;
+    model::Primitive cube;
+    for (std::uint32_t i = 0; i < leaves; ++i) root.children.push_back(model::add_leaf(tree, cube));
+    tree.root = static_cast<std::uint32_t>(tree.nodes.size());
+    tree.nodes.push_back(std::move(root));
+    isa::Facts facts;
+    facts.primitives.assign(leaves, "cube");
+    const Json rows = viewer::tree_of(tree, facts);
+    CHECK(rows.size() == std::min(leaves + 1, 4000U));
+    CHECK(rows[0] == Json::parse(R"({"depth":0,"text":"union"})"));
+    CHECK(rows[3].at("primitive") == 2);
+  }
+}
+
+TEST_CASE("a surface's active tree is that of the segment asked for, in whatever order they are asked for") {
+  const Compiled one = compiled("carburettor", {"--machine", "pixel-planes-5", "--size", "384x384", "--view-all"});
+  const isa::Program& program = one.model.program;
+  REQUIRE(program.segments.size() > 2);
+  const auto fresh = [&](std::uint32_t piece, std::uint32_t segment) {
+    return viewer::ActiveTrees(one.model, one.options, one.machine).of(piece, segment);
+  };
+  viewer::ActiveTrees trees(one.model, one.options, one.machine);
+  std::size_t differing = 0;
+  for (std::uint32_t piece = 0; piece < 12; ++piece) {
+    for (const std::uint32_t segment : {0U, 4U, 4U, 0U}) CHECK(trees.of(piece, segment) == fresh(piece, segment));
+    if (fresh(piece, 0) != fresh(piece, 4)) ++differing;
+  }
+  CHECK(differing > 0);
+}

@@ -1,0 +1,55 @@
+// How far a question is that takes long, and a button that takes it back.
+import {byId} from './dom.js';
+import {cancel, progressOf} from './answers.js';
+
+const shownAfter = 400; // milliseconds
+const askedEvery = 500;
+
+// No other page's.
+const own = Math.random().toString(36).slice(2);
+let count = 0;
+let current = null;
+
+const textOf = ({doing, seconds, most}) => (doing || 'working') + ', ' + seconds.toFixed(0) + ' s' + (most ? ' of at most ' + most.toFixed(0) + ' s' : '');
+
+const show = ({name, begun, progress}) => {
+  const known = progress.doing ? progress : {seconds: (performance.now() - begun) / 1000};
+  byId('working').hidden = false;
+  byId('doing').textContent = textOf(known);
+  const bar = byId('share');
+  if (known.most) bar.value = Math.min(1, known.seconds / known.most);
+  else bar.removeAttribute('value');
+};
+
+const follow = async watched => {
+  while (current === watched) {
+    watched.progress = await progressOf(watched.name).catch(() => ({}));
+    if (current === watched) show(watched);
+    await new Promise(resolve => setTimeout(resolve, askedEvery));
+  }
+};
+
+// The answer to work, which is called with the name of its evaluation; `source` is the text that it evaluates.
+export const watched = async (source, work) => {
+  const one = {name: own + '-' + ++count, source, begun: performance.now(), progress: {}};
+  current = one;
+  const later = setTimeout(() => follow(one), shownAfter);
+  try {
+    return await work(one.name);
+  } finally {
+    clearTimeout(later);
+    if (current === one) {
+      current = null;
+      byId('working').hidden = true;
+    }
+  }
+};
+
+// Its answer is not wanted any more where the text has been changed meanwhile.
+export const cancelUnless = source => {
+  if (current && current.source !== source) cancel(current.name);
+};
+
+export const setUpProgress = () => byId('cancel').addEventListener('click', () => {
+  if (current) cancel(current.name);
+});

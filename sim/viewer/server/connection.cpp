@@ -1,0 +1,174 @@
+#include "sim/viewer/server/connection.h"
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
+#include <exception>
+#include <string_view>
+#include <utility>
+
+#include "sim/viewer/server/reply_head.h"
+
+namespace csgsim::viewer {
+
+namespace {
+
+using namespace std::chrono_literals;
+using boost::system::error_code;
+
+constexpr auto longest_request = 10s;  ///< from the answer before it, or the beginning, to its last byte
+constexpr auto longest_reply = 60s;    ///< until the client has taken it
+constexpr auto longest_leave = 2s;
+constexpr auto stream_interval = 500ms;
+constexpr std::string_view no_event = ":\n\n";
+
+/// Called on a worker.
+Reply reply_to(const Request& request, const Serving& serving) {
+  try {
+    return serving.handler(request);
+  } catch (const std::exception& error) {
+    return {.status = 500, .body = std::string(error.what()) + "\n"};
+  }
+}
+
+}  // namespace
+
+Connection::Connection(boost::asio::ip::tcp::socket socket, Server& server)
+    : socket_(std::move(socket)),
+      timer_(server.io),
+      server_(server),
+      reader_(server.serving.limits, server.serving.gate) {}
+
+void Connection::begin() {
+  error_code ignored;
+  socket_.set_option(boost::asio::ip::tcp::no_delay(true), ignored);
+  read_request();
+}
+
+void Connection::close() {
+  if (!is_open_) return;
+  is_open_ = false;
+  error_code ignored;
+  socket_.close(ignored);
+  timer_.cancel();
+  if (phase_ == Phase::staying) server_.pages.close();
+  server_.connections.remove(shared_from_this());
+}
+
+void Connection::enter(Phase phase, std::chrono::milliseconds most) {
+  phase_ = phase;
+  timer_.expires_after(most);
+  wait();
+}
+
+void Connection::wait() {
+  timer_.async_wait([self = shared_from_this()](error_code error) {
+    // One that has expired may be called after it was set anew.
+    const bool is_old = self->timer_.expiry() > std::chrono::steady_clock::now();
+    if (!error && !is_old && self->is_open_) self->out_of_time();
+  });
+}
+
+void Connection::out_of_time() {
+  error_code ignored;
+  switch (phase_) {
+    case Phase::answering: return;
+    case Phase::reading:
+      is_late_ = true;
+      static_cast<void>(socket_.cancel(ignored));
+      return;
+    case Phase::staying: return stay();
+    case Phase::writing:
+    case Phase::leaving: return close();
+  }
+}
+
+void Connection::read_request() {
+  enter(Phase::reading, longest_request);
+  advance();
+}
+
+void Connection::read() {
+  socket_.async_read_some(boost::asio::buffer(block_),
+                          [self = shared_from_this()](error_code error, std::size_t count) {
+                            if (!self->is_open_) return;
+                            if (self->is_late_ && self->reader_.has_begun())
+                              return self->refuse(error_reply(408, "the request is not complete after 10 s"));
+                            if (error || self->is_late_) return self->close();
+                            self->reader_.put({self->block_.data(), count});
+                            self->advance();
+                          });
+}
+
+void Connection::advance() {
+  using State = RequestReader::State;
+  const State state = reader_.state();
+  if (state == State::refused) return refuse(reader_.refusal());
+  if (state != State::head && !server_.connections.admit(shared_from_this()))
+    return refuse(error_reply(503, "too many connections are open; close some pages"));
+  if (state == State::whole) return answer();
+  read();
+}
+
+void Connection::answer() {
+  const Request& request = reader_.request();
+  if (request.method == "GET" && server_.serving.stays(request)) {
+    server_.pages.open();
+    head_ = head_of_stream();
+    phase_ = Phase::staying;
+    throw_away();
+    return stay();
+  }
+  phase_ = Phase::answering;
+  timer_.cancel();
+  boost::asio::post(server_.workers, [self = shared_from_this()] {
+    Reply reply = reply_to(self->reader_.request(), self->server_.serving);
+    boost::asio::post(self->server_.io, [self, reply = std::move(reply)]() mutable {
+      if (self->is_open_) self->write(std::move(reply), self->reader_.keeps_alive());
+    });
+  });
+}
+
+void Connection::write(Reply reply, bool keeps_alive) {
+  enter(Phase::writing, longest_reply);
+  head_ = head_of(reply, keeps_alive);
+  body_ = std::move(reply.body);
+  const std::array parts{boost::asio::buffer(head_), boost::asio::buffer(body_)};
+  boost::asio::async_write(socket_, parts,
+                           [self = shared_from_this(), keeps_alive](error_code error, std::size_t /*count*/) {
+                             if (!self->is_open_) return;
+                             if (error) return self->close();
+                             self->body_ = {};
+                             if (!keeps_alive) return self->leave();
+                             self->reader_.next();
+                             self->read_request();
+                           });
+}
+
+void Connection::stay() {
+  boost::asio::async_write(socket_, boost::asio::buffer(head_),
+                           [self = shared_from_this()](error_code error, std::size_t /*count*/) {
+                             if (!self->is_open_) return;
+                             if (error) return self->close();
+                             self->head_ = no_event;
+                             self->enter(Phase::staying, stream_interval);
+                           });
+}
+
+void Connection::leave() {
+  enter(Phase::leaving, longest_leave);
+  error_code ignored;
+  socket_.shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+  throw_away();
+}
+
+void Connection::throw_away() {
+  socket_.async_read_some(boost::asio::buffer(block_),
+                          [self = shared_from_this()](error_code error, std::size_t /*count*/) {
+                            if (!self->is_open_) return;
+                            if (error) return self->close();
+                            self->throw_away();
+                          });
+}
+
+}  // namespace csgsim::viewer

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "sim/viewer/server/request_reader.h"
+#include "sim/viewer/server/server.h"
+
+namespace csgsim::viewer {
+
+/// A client's connection, from its first byte to its end. All is called on the thread of Server::io.
+class Connection : public std::enable_shared_from_this<Connection> {
+ public:
+  Connection(boost::asio::ip::tcp::socket socket, Server& server);
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  void begin();
+  void close();
+
+ private:
+  /// What is waited for.
+  enum class Phase : std::uint8_t {
+    reading,    ///< a request
+    answering,  ///< a worker
+    writing,    ///< the client, which takes the answer
+    staying,    ///< the end of the page
+    leaving,    ///< the client's end: what it still sends is thrown away, so that it can read why it was refused
+  };
+
+  void enter(Phase phase, std::chrono::milliseconds most);
+  void wait();
+  void out_of_time();
+  void read();
+  void advance();
+  void read_request();
+  void answer();
+  void write(Reply reply, bool keeps_alive);
+  void refuse(Reply reply) { write(std::move(reply), false); }
+  void stay();
+  void leave();
+  void throw_away();
+
+  boost::asio::ip::tcp::socket socket_;
+  boost::asio::steady_timer timer_;
+  Server& server_;
+  RequestReader reader_;
+  Phase phase_ = Phase::reading;
+  bool is_late_ = false;
+  bool is_open_ = true;
+  std::array<char, std::size_t{16} << 10U> block_{};
+  std::string head_;
+  std::string body_;
+};
+
+}  // namespace csgsim::viewer

@@ -1,0 +1,30 @@
+#include "sim/viewer/server/connections.h"
+
+#include <algorithm>
+
+#include "sim/viewer/server/connection.h"
+
+namespace csgsim::viewer {
+
+void Connections::add(const std::shared_ptr<Connection>& one) {
+  if (strangers_.size() == most_strangers) {
+    const std::shared_ptr<Connection> oldest = strangers_.front();
+    oldest->close();
+  }
+  strangers_.push_back(one);
+}
+
+bool Connections::admit(const std::shared_ptr<Connection>& one) {
+  const auto stranger = std::ranges::find(strangers_, one);
+  if (stranger == strangers_.end()) return true;
+  if (admitted_.size() == most_admitted) return false;
+  admitted_.splice(admitted_.end(), strangers_, stranger);
+  return true;
+}
+
+void Connections::remove(const std::shared_ptr<Connection>& one) {
+  strangers_.remove(one);
+  admitted_.remove(one);
+}
+
+}  // namespace csgsim::viewer

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <chrono>
+
+namespace csgsim::viewer {
+
+/// How many pages are open, and since when none is.
+class Pages {
+ public:
+  void open() {
+    ++open_;
+    has_been_ = true;
+  }
+  void close() {
+    --open_;
+    closed_ = Clock::now();
+  }
+
+  /// Whether there were pages, and the last was closed longer ago than that.
+  [[nodiscard]] bool is_left_for(std::chrono::milliseconds patience) const {
+    return has_been_ && open_ == 0 && Clock::now() - closed_ > patience;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  int open_ = 0;
+  bool has_been_ = false;
+  Clock::time_point closed_;
+};
+
+}  // namespace csgsim::viewer

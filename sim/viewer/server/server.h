@@ -1,0 +1,24 @@
+#pragma once
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/thread_pool.hpp>
+#include <cstddef>
+
+#include "sim/viewer/module.h"
+#include "sim/viewer/server/connections.h"
+#include "sim/viewer/server/pages.h"
+
+namespace csgsim::viewer {
+
+/// What the connections share. One thread reads and writes all of them; others work out the answers.
+struct Server {
+  static constexpr std::size_t workers_count = 8;  ///< a browser asks for six things at a time
+
+  const Serving& serving;
+  boost::asio::io_context io{};
+  Connections connections{};
+  Pages pages{};
+  boost::asio::thread_pool workers{workers_count};
+};
+
+}  // namespace csgsim::viewer

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "sim/viewer/session.h"
+
+namespace csgsim::testing {
+
+struct Answer {
+  int status = 0;
+  viewer::Json json;
+};
+
+/// The answer to a question that the page asks by a POST.
+inline Answer ask(viewer::Session& session, std::string_view what, const viewer::Json& wish) {
+  const viewer::Reply reply = session.answer({.method = "POST", .body = wish.dump()}, what);
+  return {reply.status, viewer::Json::parse(reply.body)};
+}
+
+}  // namespace csgsim::testing

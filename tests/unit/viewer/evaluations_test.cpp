@@ -1,0 +1,94 @@
+#include "sim/viewer/evaluations.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "hw/base/interruption.h"
+
+using namespace csgsim;
+using namespace std::chrono_literals;
+using viewer::Doing;
+using viewer::Ended;
+
+namespace {
+
+bool is_interrupted() {
+  try {
+    end_if_interrupted();
+  } catch (const Interrupted&) {
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("an evaluation that is cancelled by its name ends its thread's work, and no other") {
+  viewer::Evaluations all(1h);
+  viewer::Evaluation one(all, "one");
+  all.cancel("two");
+  all.cancel("");
+  CHECK_FALSE(is_interrupted());
+  CHECK(one.ended() == Ended::not_yet);
+  all.cancel("one");
+  CHECK(is_interrupted());
+  CHECK(one.ended() == Ended::cancelled);
+  std::thread([&] {
+    const viewer::Evaluation unnamed(all, "");
+    all.cancel("");
+    CHECK_FALSE(is_interrupted());
+    CHECK(unnamed.ended() == Ended::not_yet);
+  }).join();
+}
+
+TEST_CASE("only evaluating has a limit of time, and each evaluation has it anew") {
+  viewer::Evaluations all(20ms);
+  viewer::Evaluation one(all, "one");
+  const auto is_overdue_after = [&](Doing doing, std::chrono::milliseconds time) {
+    one.begin(doing);
+    std::this_thread::sleep_for(time);
+    all.end_overdue();
+    return one.ended() == Ended::overdue;
+  };
+  CHECK_FALSE(is_overdue_after(Doing::waiting, 40ms));
+  CHECK_FALSE(is_overdue_after(Doing::evaluating, 0ms));
+  CHECK_FALSE(is_overdue_after(Doing::drawing, 40ms));
+  CHECK_FALSE(is_overdue_after(Doing::evaluating, 0ms));
+  CHECK_FALSE(is_interrupted());
+  CHECK(is_overdue_after(Doing::evaluating, 40ms));
+  CHECK(is_interrupted());
+  // The first reason stays.
+  all.cancel("one");
+  CHECK(one.ended() == Ended::overdue);
+}
+
+TEST_CASE("a session that ends leaves no work, neither what has begun nor what begins") {
+  viewer::Evaluations all(1h);
+  {
+    const viewer::Evaluation before(all, "");
+    all.close();
+    CHECK(is_interrupted());
+    CHECK(before.ended() == Ended::closed);
+  }
+  CHECK_FALSE(is_interrupted());
+  const viewer::Evaluation behind(all, "");
+  CHECK(is_interrupted());
+}
+
+TEST_CASE("the progress of an evaluation is what it does, for how long, and of how much") {
+  viewer::Evaluations all(4s);
+  CHECK(all.progress("one") == viewer::Json::object());
+  viewer::Evaluation one(all, "one");
+  CHECK(all.progress("") == viewer::Json::object());
+  CHECK(all.progress("one")["doing"] == "waiting");
+  CHECK_FALSE(all.progress("one").contains("most"));
+  one.begin(Doing::evaluating);
+  CHECK(all.progress("one")["doing"] == "evaluating the model");
+  CHECK(all.progress("one")["most"] == 4);
+  CHECK(all.progress("one")["seconds"] < 4);
+  one.begin(Doing::drawing);
+  CHECK(all.progress("one")["doing"] == "drawing");
+  CHECK_FALSE(all.progress("one").contains("most"));
+}

@@ -1,0 +1,53 @@
+#include "sim/shell/json_text.h"
+
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+
+namespace {
+
+std::string nested(std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); }
+
+std::string nested_objects(std::size_t depth) {
+  std::string text = "1";
+  for (std::size_t i = 0; i < depth; ++i) text = "{\"a\":" + text + "}";
+  return text;
+}
+
+std::string error_of(const std::string& text, const shell::JsonLimits& limits) {
+  return testing::error_of([&] { static_cast<void>(shell::parsed_json(text, limits)); });
+}
+
+}  // namespace
+
+TEST_CASE("brackets in brackets are counted, of arrays and of objects") {
+  for (const std::size_t depth : {1U, 2U, 5U}) {
+    const shell::JsonLimits limits{.depth = static_cast<int>(depth)};
+    CHECK(error_of(nested(depth), limits) == "");
+    CHECK(error_of(nested_objects(depth), limits) == "");
+    CHECK(error_of(nested(depth + 1), limits) == "too many brackets in brackets, more than " + std::to_string(depth));
+    CHECK(error_of(nested_objects(depth + 1), limits) != "");
+    CHECK(error_of("[" + nested_objects(depth) + "]", limits) != "");
+  }
+  // Side by side they are not.
+  CHECK(error_of("[[],[],[[]],{}]", {.depth = 3}) == "");
+  CHECK(error_of(std::string(1'000'000, '['), {}) != "");
+}
+
+TEST_CASE("values are counted: keys, values and brackets") {
+  CHECK(error_of(R"([1,2,3])", {.values = 4}) == "");
+  CHECK(error_of(R"([1,2,3])", {.values = 3}) == "too many values, more than 3");
+  CHECK(error_of(R"({"a":1,"b":{}})", {.values = 5}) == "");
+  CHECK(error_of(R"({"a":1,"b":{}})", {.values = 4}) != "");
+}
+
+TEST_CASE("within its limits a text is what it says") {
+  CHECK(shell::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
+        R"({"b":[1,2.5,"x",null,true],"a":{}})");
+  CHECK_THROWS_AS(static_cast<void>(shell::parsed_json("{", {})), nlohmann::ordered_json::exception);
+  CHECK_THROWS_AS(static_cast<void>(shell::parsed_json("{}{}", {})), nlohmann::ordered_json::exception);
+}
