@@ -140,7 +140,7 @@ TEST_CASE("list priority draws each event once, and its wrong pixels have surfac
 // of few bits there may be a whole face of them. So how many pixels are wrong is asked of these scenes alone.
 TEST_CASE("list priority has faults of each cause in scenes with few bits, and a depth buffer mends most of them") {
   Wrong wrong;
-  const auto seeds = testing::cases<std::uint64_t>(60, 15);
+  const auto seeds = testing::cases<std::uint64_t>(240, 15);
   for (std::uint64_t seed = 1; seed <= seeds; ++seed) CHECK(fault_of_seed(seed, wrong) == "");
   tell(wrong);
   if (!testing::draws_usual_cases()) return;

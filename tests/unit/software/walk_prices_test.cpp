@@ -15,17 +15,17 @@ using namespace csgsim;
 
 namespace {
 
-/// Two squares across the x axis, 10 apart.
-software::Facets two_squares() {
+/// Four squares across the x axis, two and two of them near each other.
+software::Facets four_squares() {
   software::Facets facets;
-  for (const double x : {0.0, 10.0}) {
+  for (const double x : {0.0, 0.1, 9.9, 10.0}) {
     const auto number = static_cast<std::uint32_t>(facets.facets.size());
     facets.of_primitives.push_back(number);
     facets.facets.push_back({number, {}, facets.corners.size(), facets.corners.size() + 4});
     for (const auto& [y, z] : {std::pair{-1.0, -1.0}, std::pair{1.0, -1.0}, std::pair{1.0, 1.0}, std::pair{-1.0, 1.0}})
       facets.corners.push_back({x, y, z});
   }
-  facets.of_primitives.push_back(2);
+  facets.of_primitives.push_back(4);
   return facets;
 }
 
@@ -48,7 +48,7 @@ struct Walk {
 
 /// Along the x axis, beside the walls that halve y and z.
 Walk walk(const char* directory, std::uint32_t bucket_size) {
-  const software::Facets facets = two_squares();
+  const software::Facets facets = four_squares();
   const software::FacetShapes shapes(facets);
   const auto space = software::directory_of(directory).make(shapes, {bucket_size});
   Seen seen;
@@ -80,9 +80,9 @@ TEST_CASE("a ray through a k-d tree takes what it takes by hand") {
   const Walk one_cell = walk("kd-tree", 8);
   CHECK(one_cell.cells == 1);
   CHECK(one_cell.clocks == begun + clipped + taken + node + visited);
-  const Walk two_cells = walk("kd-tree", 1);
+  const Walk two_cells = walk("kd-tree", 2);
   REQUIRE(two_cells.cells == 2);
-  CHECK(two_cells.facets == 2);
+  CHECK(two_cells.facets == 4);
   CHECK(two_cells.clocks == begun + clipped + 3 * (taken + node) + halved + 2 * visited);
 }
 TEST_CASE("a ray through boxes around facets takes what it takes by hand") {
@@ -91,7 +91,7 @@ TEST_CASE("a ray through boxes around facets takes what it takes by hand") {
   const Walk one_box = walk("bvh", 8);
   CHECK(one_box.cells == 1);
   CHECK(one_box.clocks == begun + clipped + met + node + visited);
-  const Walk two_boxes = walk("bvh", 1);
+  const Walk two_boxes = walk("bvh", 2);
   REQUIRE(two_boxes.cells == 2);
   // The second box comes onto a heap that has one; when the first is taken, the heap of the other is put in order.
   constexpr double put_on = comparison;
@@ -112,12 +112,12 @@ TEST_CASE("a ray through EXCELL, by query points and by halves, takes what it ta
   CHECK(by_halves.cells == 1);
   CHECK(by_halves.clocks == begun + clipped + taken + looked + 16 + visited);
   // Of two cells, the first is left through its wall to the next query point, which takes two places of the ray.
-  const Walk two_points = walk("excell", 1);
+  const Walk two_points = walk("excell", 2);
   REQUIRE(two_points.cells == 2);
   constexpr double next_left = 3 * (16 + 8) + (8 + 2 * 4) + 2 * 8 + 2 * product + comparison;
   constexpr double stepped = 4 * product + 4 * 8 + 2 * comparison;
   CHECK(two_points.clocks == begun + clipped + 6 * product + 2 * (located + next_left + visited) + stepped);
-  const Walk two_halves = walk("excell-recursive", 1);
+  const Walk two_halves = walk("excell-recursive", 2);
   REQUIRE(two_halves.cells == 2);
   constexpr double wall = (8 + 2) + product + 2 * 8;
   CHECK(two_halves.clocks == begun + clipped + 3 * (taken + looked) + wall + halved + 2 * (16 + visited));
