@@ -152,6 +152,16 @@ TEST_CASE("list priority has faults of each cause in scenes with few bits, and a
   CHECK(wrong.with_depth_buffer.all() < wrong.faults.all() / 20);
   CHECK(wrong.pieces > 2 * wrong.polygons);
 }
+TEST_CASE("a pixel whose surface is lost with its cell is wrong for its bits of depth, not for its order") {
+  Wrong wrong;
+  constexpr std::uint64_t lost_everywhere = 39098682285;  // of 3 by 15 pixels
+  CHECK(fault_of_seed(lost_everywhere, wrong) == "");
+  CHECK(wrong.conflicts == 0);
+  CHECK(wrong.lost > 0);
+  CHECK(wrong.faults.depth_bits == 45);
+  CHECK(wrong.with_depth_buffer.depth_bits == 45);
+  CHECK(wrong.faults.all() == 45);
+}
 TEST_CASE("list priority draws the thesis's objects but for surfaces near each other") {
   Wrong wrong;
   for (const auto projection : {view::Projection::orthographic, view::Projection::perspective}) {
