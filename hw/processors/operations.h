@@ -74,6 +74,11 @@ struct Operations {
     for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] += more.counts[i];
     return *this;
   }
+  /// What is left without `part`, which is a part of it.
+  constexpr Operations& operator-=(const Operations& part) {
+    for (std::size_t i = 0; i < operation_kinds; ++i) counts[i] -= part.counts[i];
+    return *this;
+  }
   bool operator==(const Operations&) const = default;
 };
 

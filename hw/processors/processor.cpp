@@ -30,24 +30,43 @@ struct Row {
   std::int64_t most;
   std::string_view meaning;
   void (*store)(Processor& processor, std::size_t kind, std::int64_t value);
-  std::size_t kind = 0;  ///< of operation, where it is a price
+  std::size_t kind = 0;  ///< of operation, where it is a price; of program, where it is a compiler's factor
 };
 
 void store_price(Processor& processor, std::size_t kind, std::int64_t value) {
   processor.prices[kind] = static_cast<std::uint32_t>(value);
 }
 
+void store_factor(Processor& processor, std::size_t program, std::int64_t value) {
+  processor.compiler_factors[program] = static_cast<std::uint32_t>(value);
+}
+
+struct FactorRow {
+  Compiled program;
+  const char* key;
+  const char* meaning;
+};
+
+/// In the order of the enumerators.
+constexpr std::array factor_rows{
+    FactorRow{Compiled::general, "compiler.factor",
+              "clocks of a compiled program for a thousand of one that is written by hand"},
+    FactorRow{Compiled::standard, "compiler.standard", "the same of the standard traversal"},
+    FactorRow{Compiled::early_out, "compiler.early_out", "the same of the traversal with early out"},
+    FactorRow{Compiled::positional, "compiler.positional", "the same of positional coding"},
+    FactorRow{Compiled::status, "compiler.status", "the same of the status tree"},
+    FactorRow{Compiled::bit_parallel, "compiler.bit_parallel", "the same of the bit-parallel methods"}};
+static_assert(factor_rows.size() == compiled_kinds);
+
 std::vector<Row> make_rows() {
   std::vector<Row> rows{
       {"clock.frequency", "Hz", 1, most_hz, "clocks a second",
        [](Processor& one, std::size_t, std::int64_t value) { one.clock_hz = static_cast<std::uint64_t>(value); }},
-      {"compiler.factor", "thousandths", least_factor, most_factor,
-       "clocks of a compiled program for a thousand of one that is written by hand",
-       [](Processor& one, std::size_t, std::int64_t value) {
-         one.compiler_factor = static_cast<std::uint32_t>(value);
-       }},
       {"memory.price", "dollars a Mbyte", 1, most_dollars, "what memory costs, in the processor's year",
        [](Processor& one, std::size_t, std::int64_t value) { one.memory_price = static_cast<std::uint32_t>(value); }}};
+  for (const FactorRow& factor : factor_rows)
+    rows.push_back({factor.key, "thousandths", least_factor, most_factor, factor.meaning, store_factor,
+                    static_cast<std::size_t>(factor.program)});
   for (std::size_t kind = 0; kind < operation_kinds; ++kind)
     rows.push_back({fmt::format("price.{}", operation_rows[kind].name), "clocks", 0, most_clocks,
                     operation_rows[kind].meaning, store_price, kind});
@@ -92,15 +111,15 @@ std::string_view meaning_of_figure(std::string_view key) {
   return found->meaning;
 }
 
-double clocks(const Operations& operations, const Processor& processor) {
+double clocks(const Operations& operations, const Processor& processor, Compiled program) {
   double sum = 0;
   for (std::size_t kind = 0; kind < operation_kinds; ++kind)
     sum += static_cast<double>(operations.counts[kind]) * processor.prices[kind];
-  return sum * processor.compiler_factor / thousandths;
+  return sum * processor.compiler_factors[static_cast<std::size_t>(program)] / thousandths;
 }
 
-double seconds(const Operations& operations, const Processor& processor) {
-  return clocks(operations, processor) / static_cast<double>(processor.clock_hz);
+double seconds(const Operations& operations, const Processor& processor, Compiled program) {
+  return clocks(operations, processor, program) / static_cast<double>(processor.clock_hz);
 }
 
 }  // namespace csgsim::processors

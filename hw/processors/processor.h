@@ -12,13 +12,26 @@
 
 namespace csgsim::processors {
 
+/// Programs whose compiler's factor differs, as it was measured of each (docs/processors.md).
+enum class Compiled : std::uint8_t {
+  general,  ///< all programs without a measurement of their own
+  standard,
+  early_out,
+  positional,
+  status,
+  bit_parallel,
+};
+
+inline constexpr std::size_t compiled_kinds = static_cast<std::size_t>(Compiled::bit_parallel) + 1;
+
 /// A processor of its time, as its description in hw/processors/NAME.toml says.
 struct Processor {
   std::string name;
   std::string description;
   std::uint64_t clock_hz = 0;                           ///< clocks a second
   std::array<std::uint32_t, operation_kinds> prices{};  ///< clocks of one operation of each kind
-  std::uint32_t compiler_factor = 0;      ///< thousandths: what a program takes of the clocks of one written by hand
+  /// Thousandths, by Compiled: what a program takes of the clocks of one that is written by hand.
+  std::array<std::uint32_t, compiled_kinds> compiler_factors{};
   std::uint32_t memory_price = 0;         ///< dollars a Mbyte, of its year
   std::vector<machines::Figure> figures;  ///< every figure of the file, in its order
 };
@@ -42,10 +55,10 @@ std::vector<std::string_view> processor_names();
 /// or machines::ChangeError.
 Processor load_processor(const std::string& said);
 
-/// Clocks that the operations take, the compiler's factor included.
-double clocks(const Operations& operations, const Processor& processor);
+/// Clocks that the operations of a program take, the compiler's factor included.
+double clocks(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
 
 /// The same in seconds.
-double seconds(const Operations& operations, const Processor& processor);
+double seconds(const Operations& operations, const Processor& processor, Compiled program = Compiled::general);
 
 }  // namespace csgsim::processors

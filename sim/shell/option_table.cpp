@@ -94,6 +94,7 @@ constexpr auto options = std::to_array<KnownOption>({
     {varied, "directories", "LIST"},
     {varied, "bucket-sizes", "LIST"},
     {varied, "cast", "LIST"},
+    {varied, "facet-test", "LIST"},
     {varied, "item-buffer", "LIST"},
     {varied, "mailboxes", "LIST"},
     {varied, "reflections"},

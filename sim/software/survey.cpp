@@ -33,12 +33,16 @@ void Surveyor::add_ray(std::span<const Event> events, const Seen& seen) {
   if (survey_.sequences > 0 && sequence_ == last_) return;
   ++survey_.sequences;
   last_ = sequence_;
-  found_.insert(sequence_);
+  if (!found_.insert(sequence_).second) return;
+  std::ranges::sort(sequence_);
+  sequence_.erase(std::ranges::unique(sequence_).begin(), sequence_.end());
+  combinations_.insert(sequence_);
 }
 
 Survey Surveyor::result() const {
   Survey survey = survey_;
   survey.different_sequences = found_.size();
+  survey.combinations = combinations_.size();
   return survey;
 }
 

@@ -19,7 +19,8 @@ struct Survey {
   std::uint64_t points = 0;     ///< events at one depth are one, until a ray gets into the solid
   std::uint64_t sequences = 0;  ///< rays whose sequence is not that of the last ray that met something
   std::uint64_t different_sequences = 0;
-  std::uint64_t most_points = 0;  ///< of a ray
+  std::uint64_t combinations = 0;  ///< of primitives, in whatever order and however often rays meet them
+  std::uint64_t most_points = 0;   ///< of a ray
 };
 
 /// Goes through rays in the order of pixels.
@@ -39,6 +40,7 @@ class Surveyor {
   std::vector<std::uint32_t> last_;
   std::vector<std::uint32_t> sequence_;
   std::unordered_set<std::vector<std::uint32_t>, Hash> found_;
+  std::unordered_set<std::vector<std::uint32_t>, Hash> combinations_;
 };
 
 }  // namespace csgsim::software

@@ -40,10 +40,13 @@ std::string hash_of(const Priced& processor) {
   return hash.text();
 }
 
-PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Operations& classification,
+PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Classifying& classification,
                          const Seconds& measured, const Priced& processor) {
   if (!processor.processor) return {measured.classification, measured.rays + measured.classification};
-  const double alone = processors::seconds(classification, *processor.processor);
+  Operations others = classification.operations;
+  others -= classification.traversal;
+  const double alone = processors::seconds(others, *processor.processor) +
+                       processors::seconds(classification.traversal, *processor.processor, classification.compiled);
   return {alone,
           alone + processors::seconds(rays, *processor.processor) + processors::seconds(sorting, *processor.processor)};
 }

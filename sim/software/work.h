@@ -39,8 +39,15 @@ struct PricedSeconds {
   double all = 0;
 };
 
+/// Operations of classification, and whose compiler's factor its traversal has.
+struct Classifying {
+  Operations operations;
+  Operations traversal;  ///< of these
+  processors::Compiled compiled = processors::Compiled::general;
+};
+
 /// Of operations on a processor, or of what was measured on this computer.
-PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Operations& classification,
+PricedSeconds seconds_of(const Operations& rays, const Operations& sorting, const Classifying& classification,
                          const Seconds& measured, const Priced& processor);
 
 }  // namespace csgsim::software

@@ -34,7 +34,7 @@ std::string study_title(const shell::Command& command, const std::set<std::strin
 
 /// Options of studies that change no result.
 inline constexpr auto options_without_effect = std::to_array<std::string_view>(
-    {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time"});
+    {"output", "threads", "progress", "no-plots", "report", "quiet", "shard", "openscad-time", "json"});
 
 /// The reason, behind the model's name if it does not begin with that.
 std::string told_of(const std::string& model, const std::string& reason);

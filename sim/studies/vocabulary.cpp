@@ -20,6 +20,7 @@ constexpr report::PointColumn words[] = {
     {"directory", "directory"},
     {"bucket_size", "bucket"},
     {"cast", "rays cast"},
+    {"facet_test", "facets tested in"},
     {"item_buffer", "item buffer"},
     {"mailboxes", "mailboxes"},
     {"memory_bits", "memory bits"},

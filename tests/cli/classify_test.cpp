@@ -1,7 +1,9 @@
 #include <doctest/doctest.h>
 
+#include <cstdint>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -137,4 +139,43 @@ TEST_CASE("the manual tells of all processors, of those that are named, and refu
   CHECK(one.out.find("i486dx2") == std::string::npos);
   misused("manual processors mc68001", "did you mean mc68000");
   CHECK(run("manual methods").out.find("csg-buffer") != std::string::npos);
+}
+
+TEST_CASE("the rays that classify writes give its counts when they are counted again") {
+  const Folder folder;
+  REQUIRE(run(classify(few + " --json " + (folder / "rays.json") + " -o " + (folder / "c"))).code == 0);
+  const nlohmann::json point = json(folder / "c/classify.json")["points"][0];
+  const nlohmann::json rays = json(folder / "rays.json");
+  CHECK(rays["width"] == 48);
+  CHECK(rays["height"] == 36);
+  CHECK(rays["primitives"] == point["primitives"]);
+  std::uint64_t hits = 0;
+  std::uint64_t sequences = 0;
+  std::uint64_t points = 0;
+  std::vector<std::uint64_t> last;
+  std::set<std::vector<std::uint64_t>> different;
+  std::set<std::set<std::uint64_t>> combinations;
+  for (const nlohmann::json& ray : rays["rays"]) {
+    const bool is_hit = !ray["seen"].is_null();
+    hits += is_hit ? 1U : 0U;
+    std::vector<std::uint64_t> sequence;
+    std::set<std::uint64_t> depths;
+    for (const nlohmann::json& event : ray["events"]) {
+      if (is_hit && event[0] > ray["seen"][0]) break;
+      sequence.push_back(event[1]);
+      depths.insert(event[0].get<std::uint64_t>());
+    }
+    points += depths.size();
+    if (sequences == 0 || sequence != last) ++sequences;
+    last = sequence;
+    different.insert(sequence);
+    combinations.emplace(sequence.begin(), sequence.end());
+  }
+  CHECK(rays["rays"].size() == point["met_rays"]);
+  CHECK(hits == point["hit_rays"]);
+  CHECK(points == point["points"]);
+  CHECK(sequences == point["sequences"]);
+  CHECK(different.size() == point["different_sequences"]);
+  CHECK(combinations.size() == point["combinations"]);
+  misused(classify(" --json " + model("thesis_fig_2_3")), "");
 }

@@ -1,7 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <fstream>
+#include <map>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -78,4 +84,30 @@ TEST_CASE("files of commands are drawn as their .csg, and their errors tell the 
   CHECK(bad.code == 1);
   CHECK(bad.err.find("bad.jan:1:14: expected a block's length along z, found the end of the line") !=
         std::string::npos);
+}
+
+TEST_CASE("the mesh that mesh writes has the vertices and elements that are counted, and each edge twice at most") {
+  const Folder folder;
+  REQUIRE(run("mesh " + commands("thesis_fig_3_9") + " --tolerances 0.1 --repairs filter --json " +
+              (folder / "m.json") + " -o " + (folder / "m"))
+              .code == 0);
+  const nlohmann::json point = json(folder / "m/mesh.json")["points"][0];
+  const nlohmann::json mesh = json(folder / "m.json")["meshes"][0];
+  CHECK(mesh["tolerance"] == 0.1);
+  CHECK(mesh["elements"].size() == point["elements"]);
+  std::set<std::uint64_t> used;
+  std::map<std::pair<std::uint64_t, std::uint64_t>, int> edges;
+  for (const nlohmann::json& element : mesh["elements"]) {
+    for (std::size_t i = 0; i < element.size(); ++i) {
+      const std::uint64_t from = element[i];
+      const std::uint64_t to = element[(i + 1) % element.size()];
+      used.insert(from);
+      ++edges[{std::min(from, to), std::max(from, to)}];
+    }
+  }
+  CHECK(used.size() == point["vertices"]);
+  CHECK(used.size() == mesh["vertices"].size());
+  // A patch is a disc: vertices less edges and elements are one. With a vertex on a side that is none, they are not.
+  CHECK(used.size() - edges.size() + mesh["elements"].size() == 1);
+  for (const auto& [edge, elements] : edges) CHECK(elements <= 2);
 }

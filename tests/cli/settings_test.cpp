@@ -108,6 +108,7 @@ const std::map<std::string, std::string> samples{{"projection", "\"perspective\"
                                                  {"directories", "\"excell\""},
                                                  {"bucket-sizes", "\"4\""},
                                                  {"cast", "\"primary\""},
+                                                 {"facet-test", "\"projected\""},
                                                  {"item-buffer", "\"without\""},
                                                  {"mailboxes", "\"without\""},
                                                  {"reflections", "2"},

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <set>
 #include <sstream>
@@ -39,7 +40,7 @@ TEST_CASE("trace counts by every directory, rays and item buffer, prices the par
     CHECK(seconds["all"] > point["seconds"]["i486dx2"]["all"]);
     CHECK((point["shadow_rays"] > 0) == (point["cast"] != "primary"));
     CHECK((point["mirror_rays"] > 0) == (point["cast"] == "mirror"));
-    const bool has_items = point["item_buffer"] == "with";
+    const bool has_items = point["item_buffer"] == "list-priority";
     if (has_items && point["cast"] == "primary") CHECK(point["facet_tests"] == point["hit_rays"]);
     CHECK((seconds["projection"] > 0) == has_items);
     std::istringstream counts(point["rays_by_cells"].get<std::string>());
@@ -97,4 +98,73 @@ TEST_CASE("trace refuses what it does not know, with the nearest that there is")
   misused(trace(" --bucket-sizes 0"), "1");
   misused(trace(" --processors mc68001"), "mc68000");
   misused(trace(" --reflections 5"), "4");
+}
+
+TEST_CASE("the directory that trace writes has each corner of a facet in its cell, and as many cells as are counted") {
+  const Folder folder;
+  REQUIRE(run(trace(" --directories excell --bucket-sizes 4 --cast primary --item-buffer without --processors mc68000 "
+                    "--json " +
+                    (folder / "cells.json") + " -o " + (folder / "t")))
+              .code == 0);
+  const nlohmann::json point = json(folder / "t/trace.json")["points"][0];
+  const nlohmann::json directory = json(folder / "cells.json");
+  CHECK(directory["directory"] == "excell");
+  std::uint64_t cells = 0;
+  std::uint64_t references = 0;
+  std::uint64_t corners_in_cells = 0;
+  for (const nlohmann::json& part : directory["parts"]) {
+    if (!part.contains("facets")) continue;
+    ++cells;
+    references += part["facets"].size();
+    const std::set<std::uint64_t> held(part["facets"].begin(), part["facets"].end());
+    for (std::uint64_t facet = 0; facet < directory["facets"].size(); ++facet) {
+      for (const nlohmann::json& corner : directory["facets"][facet]["corners"]) {
+        bool is_in = true;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          is_in = is_in && corner[axis] >= part["box"][0][axis].get<double>() &&
+                  corner[axis] <= part["box"][1][axis].get<double>();
+        }
+        if (!is_in) continue;
+        ++corners_in_cells;
+        CHECK(held.contains(facet));
+      }
+    }
+  }
+  CHECK(cells == point["cells"]);
+  CHECK(references == point["references"]);
+  CHECK(corners_in_cells > 20);
+}
+
+TEST_CASE("trace counts list priority for an item buffer, and projection where facets are tested in the picture") {
+  const Folder folder;
+  REQUIRE(run(trace(" --directories kd-tree --cast primary --facet-test space,projected --item-buffer "
+                    "without,list-priority,depth-lists --processors mc68000 -o " +
+                    (folder / "t")))
+              .code == 0);
+  REQUIRE(
+      run("display " + model("thesis_fig_2_3") +
+          " --camera 42,-38,41,10,5.5,2 --size 48x36 --methods list-priority/depth-buffer --processors mc68000 -o " +
+          (folder / "d"))
+          .code == 0);
+  const nlohmann::json drawn = json(folder / "d/display.json")["points"][0];
+  const double total = drawn["seconds"]["mc68000"]["total"];
+  const nlohmann::json points = json(folder / "t/trace.json")["points"];
+  REQUIRE(points.size() == 6);
+  for (const nlohmann::json& point : points) {
+    CAPTURE(point["facet_test"]);
+    CAPTURE(point["item_buffer"]);
+    const double projection = point["seconds"]["mc68000"]["projection"];
+    const double pointers = point["hit_rays"].get<double>() * 16 * 2 / 8e6;
+    if (point["item_buffer"] == "list-priority") {
+      CHECK(point["items"] == drawn["pixel_events"]);
+      CHECK(point["item_faults"] == drawn["wrong"]);
+    }
+    if (point["facet_test"] != "space") {
+      CHECK(projection > 0);
+    } else if (point["item_buffer"] == "without") {
+      CHECK(projection == 0);
+    } else if (point["item_buffer"] == "list-priority") {
+      CHECK(projection == doctest::Approx(total + pointers));
+    }
+  }
 }

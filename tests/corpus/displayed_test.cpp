@@ -131,7 +131,7 @@ void check_traced(const Drawn& drawn) {
     CAPTURE(row->name);
     const std::unique_ptr<software::Directory> directory = row->make(scene.shapes(), {});
     software::TraceOptions options;
-    options.has_item_buffer = has_item_buffer;
+    options.item_pass = has_item_buffer ? software::ItemPass::depth_lists : software::ItemPass::none;
     has_item_buffer = !has_item_buffer;
     const software::Traced traced = software::trace(scene, *directory, options, false);
     CHECK(wrong_pixels(drawn.frame, [&](std::size_t pixel) { return traced.pixels[pixel].seen; }) == 0);

@@ -29,7 +29,7 @@ std::string description_of(const processors::Processor& processor) {
 
 bool same_processor(const processors::Processor& one, const processors::Processor& other) {
   return one.name == other.name && one.description == other.description && one.clock_hz == other.clock_hz &&
-         one.prices == other.prices && one.compiler_factor == other.compiler_factor &&
+         one.prices == other.prices && one.compiler_factors == other.compiler_factors &&
          one.memory_price == other.memory_price && fuzz::same_figures(one.figures, other.figures);
 }
 
@@ -40,7 +40,8 @@ void check(const processors::Processor& processor) {
     fuzz::require(found != processor.figures.end(), "every operation has its price");
     fuzz::require(found->value == fmt::format("{}", processor.prices[kind]), "an operation has the price of the file");
   }
-  fuzz::require(processor.clock_hz > 0 && processor.compiler_factor > 0, "a second has clocks, and work takes some");
+  fuzz::require(processor.clock_hz > 0 && std::ranges::min(processor.compiler_factors) > 0,
+                "a second has clocks, and work takes some");
   try {
     fuzz::require(same_processor(processors::read_processor(description_of(processor), "again.toml"), processor),
                   "a processor described again is the same");

@@ -22,6 +22,9 @@ constexpr unsigned swap = 0x4840 >> 3;
 constexpr unsigned ext_word = 0x4880 >> 3;
 constexpr unsigned ext_long = 0x48c0 >> 3;
 
+/// Kind of a shift: ROXL and ROXR.
+constexpr unsigned rotation_through_x = 2;
+
 }  // namespace
 
 void Processor::miscellaneous(Operation operation) {
@@ -150,7 +153,6 @@ void Processor::address_work(Operation operation) {
 /// Shifts and rotations by two operands of places, of registers; by one place, of memory.
 void Processor::shift(Operation operation) {
   const bool left = operation.bits(8, 1) != 0;
-  constexpr unsigned rotation_through_x = 2;
   if (operation.bits(6, 2) == 3) {
     const unsigned kind = operation.bits(9, 2);
     if (operation.bits(11, 1) != 0 || kind == rotation_through_x || operation.mode() < 2 ||
@@ -162,7 +164,6 @@ void Processor::shift(Operation operation) {
   }
   const Size size = sizes_of_one[operation.bits(6, 2)];
   const unsigned kind = operation.bits(3, 2);
-  if (kind == rotation_through_x) unknown(operation);
   const bool by_register = operation.bits(5, 1) != 0;
   const unsigned places = by_register ? d[operation.upper()] & 63U : operation.upper() == 0 ? 8 : operation.upper();
   const Place at{Place::In::data, operation.reg()};
@@ -179,14 +180,18 @@ std::uint32_t Processor::shifted(unsigned kind, bool left, std::uint32_t value, 
     const std::uint32_t high = (value >> top) & 1U;
     const std::uint32_t low = value & 1U;
     carry = (left ? high : low) != 0;
-    const std::uint32_t comes_in = kind == 3 ? (left ? high : low) : kind == 0 && !left ? high : 0;
+    const std::uint32_t through_x = conditions.extend ? 1U : 0U;
+    const std::uint32_t comes_in = kind == 3                    ? (left ? high : low)
+                                   : kind == rotation_through_x ? through_x
+                                   : kind == 0 && !left         ? high
+                                                                : 0;
     value = left ? (value << 1U | comes_in) & mask_of(size) : value >> 1U | comes_in << top;
     overflow = overflow || (kind == 0 && high != ((value >> top) & 1U));
+    if (kind != 3) conditions.extend = carry;
   }
   set_logic(value, size);
-  conditions.carry = carry;
+  conditions.carry = kind == rotation_through_x ? conditions.extend : carry;
   conditions.overflow = overflow;
-  if (kind != 3 && places > 0) conditions.extend = carry;
   return value;
 }
 

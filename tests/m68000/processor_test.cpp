@@ -87,6 +87,7 @@ const std::vector<Row> rows{
     {"lsr.w #3,d0", {0xe648}, 12},
     {"asr.l d2,d0", {0xe4a0}, 8},
     {"lsl.w (a0)", {0xe3d0}, 12},
+    {"roxl.l #1,d0", {0xe390}, 10},
     {"lea 4(a0),a1", {0x43e8, 0x0004}, 8},
     {"lea 2(a0,d1.w),a1", {0x43f0, 0x1002}, 12},
     {"lea 0x2000.l,a1", {0x43f9, 0x0000, 0x2000}, 12},
@@ -175,6 +176,23 @@ TEST_CASE("sums and comparisons set the condition codes, and branches go by them
       taken += processor.pc == program_at + 6 ? 'x' : '-';
     }
     CHECK(taken == one.taken);
+  }
+}
+
+TEST_CASE("a rotation through X shifts X in, and what it shifts out becomes X and C") {
+  for (const bool extend : {false, true}) {
+    Processor left = before({0xe390});  // roxl.l #1,d0
+    left.d[0] = 0x8000'0001;
+    left.conditions.extend = extend;
+    left.step();
+    CHECK(left.d[0] == (extend ? 3U : 2U));
+    CHECK(left.conditions == Conditions{true, false, false, false, true});
+    Processor right = before({0xe250});  // roxr.w #1,d0
+    right.d[0] = 0xabcd'0002;
+    right.conditions.extend = extend;
+    right.step();
+    CHECK(right.d[0] == (extend ? 0xabcd'8001U : 0xabcd'0001U));
+    CHECK(right.conditions == Conditions{false, false, false, extend, false});
   }
 }
 

@@ -200,3 +200,16 @@ change_list:
         cmpi.w  #no_code,d1
         bne.s   3b
 4:      rts
+
+| A number of 64 bits, d0 and d1, divided by the long d2, which is more than d0 and at most 2 to the 31st: d1 becomes the
+| quotient, d0 the remainder. Takes d3.
+divide_long:
+        moveq   #31,d3
+1:      add.l   d1,d1
+        roxl.l  #1,d0
+        cmp.l   d2,d0
+        bcs.s   2f
+        sub.l   d2,d0
+        addq.w  #1,d1
+2:      dbra    d3,1b
+        rts

@@ -60,7 +60,7 @@ class SoftwareScene {
   const facet::Geometry& geometry_;
   const view::View& view_;
   software::RayCaster rays_;
-  std::array<software::Tree, 3> trees_;  ///< by shape
+  std::array<software::Tree, 4> trees_;  ///< by shape
 };
 
 /// What some methods of software, others for each text, and those that draw facet by facet, draw of a model that is not

@@ -66,7 +66,7 @@ void draw_by_lists(const DisplaySubject& subject, const ScreenFacets& seen, Ledg
   ledger[Phase::initialisation](Operation::store_long, subject.pixels());
   Count& scanning = ledger[Phase::scan_conversion];
   for (const ScreenFacet& facet : seen.facets) {
-    scan(seen, facet, longs, scanning, [&](std::int32_t column, std::int32_t row, const Event& event) {
+    scan(seen, facet, longs, ledger, true, [&](std::int32_t column, std::int32_t row, const Event& event) {
       lists.add(static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column), event, scanning);
     });
   }

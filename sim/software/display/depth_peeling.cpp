@@ -51,11 +51,10 @@ class Peeling {
     const std::size_t width = subject_.view.sampling.width;
     ++result_.counts.passes;
     for (const ScreenFacet& facet : facets_.facets) {
-      scan(facets_, facet, longs, ledger_[Phase::scan_conversion],
-           [&](std::int32_t column, std::int32_t row, const Event& event) {
-             ++result_.counts.pixel_events;
-             use(pixels_[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)], event);
-           });
+      scan(facets_, facet, longs, ledger_, true, [&](std::int32_t column, std::int32_t row, const Event& event) {
+        ++result_.counts.pixel_events;
+        use(pixels_[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)], event);
+      });
     }
   }
 

@@ -159,18 +159,18 @@ class ListPriority {
   }
 
   void draw_piece(const ScreenFacets& facets, const ScreenFacet& facet) {
-    Count& count = ledger_[Phase::scan_conversion];
     const std::size_t width = subject_.view.sampling.width;
     const std::uint64_t longs = longs_of(subject_.view.sampling);
-    scan(facets, facet, longs, count, [&](std::int32_t column, std::int32_t row, const Event& event) {
-      ++result_.counts.pixel_events;
-      const std::size_t pixel = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
-      if constexpr (has_depth_buffer) {
-        draw_by_depth(pixels_[pixel], result_.picture.seen[pixel], event);
-      } else {
-        draw_next(pixels_[pixel], result_.picture.seen[pixel], event);
-      }
-    });
+    scan(facets, facet, longs, ledger_, has_depth_buffer,
+         [&](std::int32_t column, std::int32_t row, const Event& event) {
+           ++result_.counts.pixel_events;
+           const std::size_t pixel = static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+           if constexpr (has_depth_buffer) {
+             draw_by_depth(pixels_[pixel], result_.picture.seen[pixel], event);
+           } else {
+             draw_next(pixels_[pixel], result_.picture.seen[pixel], event);
+           }
+         });
   }
 
   void draw_next(PriorityPixel& pixel, Seen& seen, const Event& event) {
@@ -198,7 +198,7 @@ class ListPriority {
     pixel.is_set = sequences_.is_in(pixel.element, at, count);
     if (pixel.is_set) {
       seen = {pixel.depth, at == 1 ? primitive : sequences_.owner(pixel.element, at, count)};
-      count(Operation::store_long, 2);
+      count(Operation::store_long, has_depth_buffer ? 2 : 1);
     } else {
       seen = {subject_.farthest(), Seen::nothing_seen};
     }

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "sim/software/cost/operations.h"
+#include "sim/software/display/phases.h"
 #include "sim/software/facets/screen_facets.h"
 #include "sim/software/rays/span.h"
 
@@ -35,37 +36,37 @@ void count_row_further(Count& count, std::size_t bounds, std::uint64_t longs) {
   count(Operation::branch_taken);
 }
 
-/// A depth at a column: the value a column further, shifted, within range, and held against so many opposites.
+/// A step to the next pixel of a span.
 template <class Count>
-void count_depth(Count& count, std::size_t opposites, unsigned fraction_bits, std::uint64_t longs) {
-  count(Operation::add_long, longs);
-  for (std::uint64_t i = 0; i < longs; ++i) count.shift(fraction_bits);
-  count(Operation::compare_long, 2);
-  count(Operation::branch, 2);
-  count(Operation::branch_taken);
-  for (std::size_t i = 0; i < opposites; ++i) {
-    count(Operation::load_long, 2 * longs);
-    count(Operation::add_long, longs);
-    count(Operation::store_long, longs);
-    for (std::uint64_t shifted = 0; shifted < longs; ++shifted) count.shift(fraction_bits);
-    count(Operation::compare_long);
-    count(Operation::branch);
-  }
+void count_columns(Count& count, std::uint64_t columns) {
+  count(Operation::branch_taken, columns);
 }
 
-/// Calls use(column, row, event) at each pixel of a facet.
+/// Interpolation of a depth: the value a column further, shifted, within range. That a primitive may be thinner than a
+/// step of depth is no matter of polygons: csgsim checks it so that pictures are the machines', and does not count it.
+template <class Count>
+void count_depths(Count& count, std::uint64_t columns, unsigned fraction_bits, std::uint64_t longs) {
+  count(Operation::add_long, longs * columns);
+  count(Operation::shift_long, longs * columns);
+  count(Operation::shifted_bit, longs * columns * fraction_bits);
+  count(Operation::compare_long, 2 * columns);
+  count(Operation::branch, 2 * columns);
+}
+
+/// Calls use(column, row, event) at each pixel of a facet. Depths are counted where the method needs them.
 template <class Count, class Use>
-void scan(const ScreenFacets& facets, const ScreenFacet& facet, std::uint64_t longs, Count& count, const Use& use) {
+void scan(const ScreenFacets& facets, const ScreenFacet& facet, std::uint64_t longs, Ledger<Count>& ledger,
+          bool needs_depths, const Use& use) {
+  Count& count = ledger[Phase::scan_conversion];
   const std::size_t bounds = facets.bounds_of(facet).size();
-  const std::size_t opposites = facets.opposites_of(facet).size();
   count_edges(count, bounds, longs);
   for (std::int32_t row = facet.pixels.y0; row <= facet.pixels.y1; ++row) {
     count_row_further(count, bounds, longs);
     const Span span =
         facets.for_row(facet, row, [&](std::int32_t column, const Event& event) { use(column, row, event); });
-    if constexpr (Count::counts) {
-      for (std::int32_t i = 0; i < span.columns(); ++i) count_depth(count, opposites, facets.fraction_bits, longs);
-    }
+    const auto columns = static_cast<std::uint64_t>(std::max(0, span.columns()));
+    count_columns(count, columns);
+    if (needs_depths) count_depths(ledger[Phase::depth_test], columns, facets.fraction_bits, longs);
   }
 }
 

@@ -161,7 +161,8 @@ class ScanLines {
     left_.clear();
     for (const std::size_t active : inside_) {
       const ActiveFacet& one = active_[active];
-      count_depth(scanning, facets_.opposites_of(*one.facet).size(), facets_.fraction_bits, longs_);
+      count_depths(ledger_[Phase::depth_test], 1, facets_.fraction_bits, longs_);
+      count_columns(scanning, 1);
       scanning(Operation::multiply, longs_);
       scanning(Operation::load_long, longs_);
       const std::optional<Event> event = facets_.event_at(*one.facet, column, row_, one.value(column));
@@ -259,9 +260,8 @@ class ScanLines {
       std::fill_n(pixel, columns, seen);
       return;
     }
-    if constexpr (Count::counts) {
-      for (std::uint64_t i = 0; i < columns; ++i) count_depth(count, 0, facets_.fraction_bits, longs_);
-    }
+    count_columns(count, columns);
+    count_depths(ledger_[Phase::depth_test], columns, facets_.fraction_bits, longs_);
     std::int64_t value = surface->value(span.first);
     for (std::uint64_t i = 0; i < columns; ++i, value += surface->facet->depth.a)
       pixel[i] = {static_cast<std::uint32_t>(std::max<std::int64_t>(0, value >> facets_.fraction_bits)), seen.owner};

@@ -20,6 +20,7 @@ struct Counts {
   std::uint64_t ties = 0;           ///< points at which several surfaces could be the seen one
   std::uint64_t words = 0;          ///< of memory, at most at one time
   Operations operations;            ///< of classification: rays and events are there before
+  Operations traversal;             ///< of these, the traversal's own: its flips and evaluations
 };
 
 /// What methods are compiled with to count.
@@ -35,6 +36,16 @@ class CountingMethod : public Counting {
   void list_step() { ++counts_.list_steps; }
   void list_element() { ++counts_.list_elements; }
   void tie() { ++counts_.ties; }
+  /// Does what is part of a traversal. Returns what it returns.
+  template <class Step>
+  auto traverse(const Step& step) {
+    const Operations before = done();
+    const auto result = step();
+    Operations added = done();
+    added -= before;
+    counts_.traversal += added;
+    return result;
+  }
 
   [[nodiscard]] Counts counts_so_far() const {
     Counts all = counts_;
@@ -59,6 +70,10 @@ class UncountedMethod : public Uncounted {
   void list_step() const {}
   void list_element() const {}
   void tie() const {}
+  template <class Step>
+  auto traverse(const Step& step) const {
+    return step();
+  }
   [[nodiscard]] Counts counts_so_far() const { return {}; }
 };
 

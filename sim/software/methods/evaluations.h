@@ -31,7 +31,12 @@ class Evaluator {
   }
 
   void start(Count& count) {
-    if (traversal_) take_back(*traversal_, in_, count);
+    if (traversal_) {
+      count.traverse([&] {
+        take_back(*traversal_, in_, count);
+        return true;
+      });
+    }
     in_.clear();
   }
 
@@ -52,8 +57,11 @@ class Evaluator {
       *place = in_.back();
       in_.pop_back();
     }
-    count(Operation::call);
-    traversal_->flip(primitive, count);
+    count.traverse([&] {
+      count(Operation::call);
+      traversal_->flip(primitive, count);
+      return true;
+    });
   }
 
   bool evaluate(Count& count) {
@@ -62,8 +70,10 @@ class Evaluator {
       return tree_->complemented;
     }
     count.evaluation();
-    count(Operation::call);
-    return traversal_->evaluate(count) != tree_->complemented;
+    return count.traverse([&] {
+      count(Operation::call);
+      return traversal_->evaluate(count);
+    }) != tree_->complemented;
   }
 
   [[nodiscard]] std::uint64_t words() const { return traversal_ ? traversal_->words() : 1; }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/processors/processor.h"
 #include "sim/software/methods/method.h"
 
 namespace csgsim::software {
@@ -35,6 +36,7 @@ struct MethodRow {
   std::string_view help;
   std::string_view source;
   Takes takes = Takes::events;
+  processors::Compiled compiled = processors::Compiled::general;  ///< whose compiler's factor its traversal has
   /// `counts`: it tells what it does, and is slower. The coherence and the pruning are those of methods that take
   /// events. Throws InputError for a tree that has too many levels for it.
   std::unique_ptr<Method> (*make)(Coherent coherence, const Subject& subject, bool counts) = nullptr;

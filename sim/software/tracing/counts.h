@@ -35,7 +35,7 @@ struct TraceCounts {
   std::uint64_t items = 0;  ///< events of the projective pass that makes an item buffer
   Counts classification;
   std::uint64_t words = 0;  ///< of 32 bits, without the directory
-  Operations projection;    ///< of an item buffer
+  Operations projection;    ///< of facets into the picture, and of the pass that makes an item buffer
   Operations traversal;
   Operations intersection;
   Operations shading;

@@ -66,8 +66,7 @@ class ItemBuffer {
     count_(Operation::add_long, (longs_ + 2) * bounds + longs_);
     count_(Operation::compare, bounds);
     count_(Operation::branch, bounds);
-    const std::uint64_t values = columns * (1 + scene_.screen().opposites_of(facet).size());
-    count_(Operation::add_long, longs_ * values);
+    count_(Operation::add_long, longs_ * columns);
     for (std::uint64_t i = 0; i < longs_ * columns; ++i) count_.shift(scene_.screen().fraction_bits);
     count_(Operation::compare_long, 2 * columns);
     count_(Operation::branch, 2 * columns);

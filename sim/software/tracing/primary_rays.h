@@ -10,6 +10,8 @@
 #include "sim/software/rays/longs.h"
 #include "sim/software/space/arithmetic.h"
 #include "sim/software/tracing/counts.h"
+#include "sim/software/tracing/piercing.h"
+#include "sim/software/tracing/trace.h"
 #include "sim/software/tracing/trace_scene.h"
 
 namespace csgsim::software {
@@ -75,11 +77,11 @@ class PointsOfRay {
   std::uint32_t element_ = 0;
 };
 
-/// Of a facet at a pixel: the rectangle, then bound after bound until one says no, and the depth. A coefficient times a
-/// column takes two products of words for each of its longs.
+/// Of a facet in the picture at a pixel: the rectangle, then bound after bound until one says no, and the depth. A
+/// coefficient times a column takes two products of words for each of its longs.
 template <class Count>
-void count_facet_test(const ScreenFacets& facets, const ScreenFacet& facet, std::int32_t column, std::int32_t row,
-                      std::uint64_t longs, Count& count) {
+void count_projected_test(const ScreenFacets& facets, const ScreenFacet& facet, std::int32_t column, std::int32_t row,
+                          std::uint64_t longs, Count& count) {
   if constexpr (!Count::counts) return;
   count(Operation::load, 4);
   count(Operation::compare, 4);
@@ -97,7 +99,7 @@ void count_facet_test(const ScreenFacets& facets, const ScreenFacet& facet, std:
     value();
     if (value_at(bound, column, row) < 0) return;
   }
-  for (std::size_t i = 0; i < 1 + facets.opposites_of(facet).size(); ++i) value();
+  value();
   count.shift(facets.fraction_bits);
 }
 
@@ -106,11 +108,12 @@ void count_facet_test(const ScreenFacets& facets, const ScreenFacet& facet, std:
 template <class Count>
 class PrimaryRays final : public CellVisitor {
  public:
-  PrimaryRays(const TraceScene& scene, const Directory& directory, bool has_mailboxes, Sequences<Count>& sequences,
-              TraceMeters<Count>& meters, RaysMet& met)
+  PrimaryRays(const TraceScene& scene, const Directory& directory, const TraceOptions& options,
+              Sequences<Count>& sequences, TraceMeters<Count>& meters, RaysMet& met)
       : scene_(scene),
         directory_(directory),
-        has_mailboxes_(has_mailboxes),
+        test_(options.facet_test),
+        has_mailboxes_(options.has_mailboxes),
         longs_(longs_of(scene.view().sampling)),
         meters_(meters),
         met_(met),
@@ -127,9 +130,14 @@ class PrimaryRays final : public CellVisitor {
     settled_depth_ = -1;
     is_done_ = false;
     points_.begin();
-    ask_loose();
     count_products(meters_.traversal, 6);
-    directory_.walk(scene_.ray_of(column, row), *this, meters_.traversal);
+    const SpaceRay ray = scene_.ray_of(column, row);
+    if (test_ == FacetTest::space) {
+      piercing_.emplace(ray);
+      count_quotients(meters_.traversal, 2);
+    }
+    ask_loose();
+    directory_.walk(ray, *this, meters_.traversal);
     if (!is_done_) settle(pending_.size());
     met_.hits += points_.hit().seen.owner != Seen::nothing_seen ? 1U : 0U;
     met_.add_cells(cells_);
@@ -188,7 +196,7 @@ class PrimaryRays final : public CellVisitor {
     const ScreenFacet& facet = facets.facets[screen];
     meters_.intersection(Operation::call);
     meters_.intersection(Operation::come_back);
-    count_facet_test(facets, facet, column_, row_, longs_, meters_.intersection);
+    count_test(facet);
     const std::optional<Event> event = facets.event_at(facet, column_, row_);
     // Without mailboxes a facet may be asked again when its event has been taken.
     if (!event || static_cast<std::int64_t>(event->depth) <= settled_depth_) return;
@@ -202,6 +210,17 @@ class PrimaryRays final : public CellVisitor {
     if (place != pending_.end() && place->event == *event) return;
     ++met_.met;
     pending_.insert(place, met);
+  }
+
+  void count_test(const ScreenFacet& facet) {
+    if constexpr (!Count::counts) return;
+    if (test_ == FacetTest::projected)
+      return count_projected_test(scene_.screen(), facet, column_, row_, longs_, meters_.intersection);
+    // A ray that begins in a primitive meets no polygon there.
+    if (facet.facet == ScreenFacet::near_cap) return;
+    const std::span<const glm::dvec3> corners = scene_.facets().corners_of(facet.facet);
+    if (corners.size() < 3 || piercing_->through(corners, meters_.intersection) == 0) return;
+    count_distance(meters_.intersection);
   }
 
   /// Takes so many of the events that wait.
@@ -219,8 +238,10 @@ class PrimaryRays final : public CellVisitor {
 
   const TraceScene& scene_;
   const Directory& directory_;
+  FacetTest test_;
   bool has_mailboxes_;
   std::uint64_t longs_;
+  std::optional<Piercing> piercing_;  ///< of the ray, where facets are tested in space
   TraceMeters<Count>& meters_;
   RaysMet& met_;
   PointsOfRay<Count> points_;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -10,12 +9,12 @@
 #include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "sim/software/coherences/sequences.h"
 #include "sim/software/space/arithmetic.h"
 #include "sim/software/tracing/counts.h"
+#include "sim/software/tracing/piercing.h"
 #include "sim/software/tracing/trace_scene.h"
 
 namespace csgsim::software {
@@ -35,69 +34,6 @@ struct RealHit {
   std::uint32_t before = TraceScene::none;  ///< as of Start
 
   [[nodiscard]] bool is_in_solid() const { return t < std::numeric_limits<double>::infinity(); }
-};
-
-/// Whether a ray goes through a convex polygon, and to which side: a ray through an edge meets one of the two facets
-/// that share it, as though it went by an infinitely small distance beside it (Woop and others 2013 shear the ray into
-/// an axis, as here).
-class Piercing {
- public:
-  explicit Piercing(const SpaceRay& ray) : origin_(ray.origin) {
-    const glm::dvec3 size = glm::abs(ray.direction);
-    along_ = size.x >= size.y ? (size.x >= size.z ? 0 : 2) : (size.y >= size.z ? 1 : 2);
-    u_ = (along_ + 1) % 3;
-    v_ = (along_ + 2) % 3;
-    if (ray.direction[along_] < 0) std::swap(u_, v_);
-    shear_u_ = ray.direction[u_] / ray.direction[along_];
-    shear_v_ = ray.direction[v_] / ray.direction[along_];
-  }
-
-  /// 1 where the ray goes out through it, -1 where it goes in, 0 where it misses. Corners are counter-clockwise as seen
-  /// from outside.
-  template <class Count>
-  int through(std::span<const glm::dvec3> corners, Count& count) const {
-    int side = 0;
-    Sheared from = sheared(corners.back());
-    count_products(count, 2);
-    for (const glm::dvec3& corner : corners) {
-      const Sheared to = sheared(corner);
-      const int one = side_of(from, to);
-      count_products(count, 4);
-      count(Operation::load_long, 3);
-      count(Operation::add_long, 6);
-      count(Operation::branch);
-      if (one != 0 && side != 0 && one != side) return 0;
-      if (one != 0) side = one;
-      from = to;
-    }
-    return side;
-  }
-
- private:
-  struct Sheared {
-    double u;
-    double v;
-  };
-
-  [[nodiscard]] Sheared sheared(const glm::dvec3& corner) const {
-    const glm::dvec3 to = corner - origin_;
-    return {to[u_] - shear_u_ * to[along_], to[v_] - shear_v_ * to[along_]};
-  }
-
-  /// On which side of an edge the ray is. An edge the other way round has the other side, in doubles too.
-  static int side_of(const Sheared& from, const Sheared& to) {
-    const double area = from.u * to.v - from.v * to.u;
-    const double first = area != 0 ? area : from.v - to.v;
-    const double decides = first != 0 ? first : to.u - from.u;
-    return decides > 0 ? 1 : (decides < 0 ? -1 : 0);
-  }
-
-  glm::dvec3 origin_;
-  int along_ = 2;
-  int u_ = 0;
-  int v_ = 1;
-  double shear_u_ = 0;
-  double shear_v_ = 0;
 };
 
 /// Rays in real arithmetic that begin at a surface. What is met at one place, within the slack of the scene, is taken
@@ -196,9 +132,7 @@ class SecondaryRays final : public CellVisitor {
     if (side == 0) return;
     const facet::Plane& plane = scene_.geometry().planes.planes()[facet.halfspace.plane];
     const double t = -plane.height(ray_.origin) / glm::dot(plane.normal, ray_.direction);
-    count_products(meters_.intersection, 6);
-    count_quotients(meters_.intersection, 1);
-    count_comparisons(meters_.intersection, 2);
+    count_distance(meters_.intersection);
     if (!(t > 0 && t <= ray_.end)) return;
     if (std::ranges::find(taken_, number) != taken_.end()) return;
     const RealEvent event{t, number, side > 0};

@@ -11,6 +11,7 @@
 #include "hw/base/error.h"
 #include "hw/base/seconds.h"
 #include "sim/software/coherences/sequences.h"
+#include "sim/software/facets/transformation.h"
 #include "sim/software/tracing/item_buffer.h"
 #include "sim/software/tracing/primary_rays.h"
 #include "sim/software/tracing/secondary_rays.h"
@@ -29,9 +30,15 @@ class Tracer {
       : scene_(scene),
         options_(options),
         sequences_(scene.tree(), meters_.classification),
-        primary_(scene, directory, options.has_mailboxes, sequences_, meters_, counts_.primary),
+        primary_(scene, directory, options, sequences_, meters_, counts_.primary),
         secondary_(scene, directory, options.has_mailboxes, sequences_, meters_) {
-    if (options.has_item_buffer) items_.emplace(scene, sequences_, meters_, counts_.items);
+    if (options.facet_test == FacetTest::projected || options.item_pass == ItemPass::depth_lists) {
+      count_transformation(scene.facets().corners.size(), scene.screen().facets.size(), scene.screen().linears.size(),
+                           meters_.projection);
+    }
+    const bool is_of_lists = options.item_pass == ItemPass::depth_lists;
+    if (options.item_pass != ItemPass::none)
+      items_.emplace(scene, sequences_, is_of_lists ? meters_ : unbilled_, counts_.items);
   }
 
   void trace(std::vector<TracedPixel>& pixels) {
@@ -52,15 +59,26 @@ class Tracer {
     TraceCounts counts = counts_;
     counts.classification = meters_.classification.counts_so_far();
     counts.projection = meters_.projection.done();
+    if (options_.item_pass == ItemPass::list_priority) count_list_priority(counts);
     counts.traversal = meters_.traversal.done();
     counts.intersection = meters_.intersection.done();
     counts.shading = meters_.shading.done();
     const std::uint64_t mailboxes = options_.has_mailboxes ? scene_.facets().facets.size() : 0;
-    counts.words = sequences_.words() + mailboxes + (items_ ? items_->words() : 0);
+    counts.words += sequences_.words() + mailboxes + (items_ ? items_->words() : 0);
     return counts;
   }
 
  private:
+  /// The pass draws the items that the buffer has, and puts a pointer to the polygon into each pixel that it sets.
+  void count_list_priority(TraceCounts& counts) const {
+    Count pointers;
+    pointers(Operation::store_long, counts.primary.hits);
+    counts.projection += options_.list_priority.operations;
+    counts.projection += pointers.done();
+    counts.items = options_.list_priority.events;
+    counts.words = options_.list_priority.words;
+  }
+
   /// The facet in the buffer is all that is held against the ray.
   Hit looked_up(const Hit& hit) {
     RaysMet& met = counts_.primary;
@@ -73,6 +91,10 @@ class Tracer {
     ++met.hits;
     ++met.tested;
     ++met.met;
+    if (options_.facet_test == FacetTest::space) {
+      count_distance(meters_.intersection);
+      return hit;
+    }
     const std::uint64_t longs = longs_of(scene_.view().sampling);
     meters_.intersection(Operation::load_long, 3 * longs);
     meters_.intersection(Operation::multiply, 4 * longs);
@@ -167,6 +189,7 @@ class Tracer {
   const TraceScene& scene_;
   const TraceOptions& options_;
   TraceMeters<Count> meters_;
+  TraceMeters<Count> unbilled_;  ///< of an item buffer that is made at another pass's price
   TraceCounts counts_;
   Sequences<Count> sequences_;
   PrimaryRays<Count> primary_;

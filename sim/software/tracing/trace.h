@@ -17,9 +17,31 @@ struct TraceLight {
   glm::dvec3 where{0};
 };
 
+/// How primary rays are held against a facet. Either way the picture is that of the integers.
+enum class FacetTest : std::uint8_t {
+  space,      ///< counted as a polygon in space is tested, which is how secondary rays are
+  projected,  ///< counted in the picture, into which all facets are transformed: a rectangle first, then its edges
+};
+
+/// What takes the place of primary rays.
+enum class ItemPass : std::uint8_t {
+  none,
+  depth_lists,    ///< all facets are scan-converted, the events of a row sorted and classified
+  list_priority,  ///< the same items, at the price of TraceOptions::list_priority
+};
+
+/// A pass of the list priority algorithm over the same picture.
+struct PriorityPass {
+  Operations operations;
+  std::uint64_t events = 0;  ///< drawn at pixels
+  std::uint64_t words = 0;   ///< of 32 bits, without the items
+};
+
 /// Which rays are cast.
 struct TraceOptions {
-  bool has_item_buffer = false;
+  ItemPass item_pass = ItemPass::none;
+  PriorityPass list_priority{};
+  FacetTest facet_test = FacetTest::space;
   bool has_mailboxes = true;
   bool has_shadows = false;
   unsigned mirror_depth = 0;            ///< mirrors that are seen in one another

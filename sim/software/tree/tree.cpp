@@ -13,7 +13,8 @@ namespace {
 constexpr std::array shape_rows{
     ShapeRow{Shape::written, "written", "as the file has its nodes, each from the left"},
     ShapeRow{Shape::left_deep, "left-deep", "nodes of one operator joined, then from the left"},
-    ShapeRow{Shape::balanced, "balanced", "nodes of one operator joined, then by halves"}};
+    ShapeRow{Shape::balanced, "balanced", "nodes of one operator joined, then by halves"},
+    ShapeRow{Shape::reversed, "reversed", "as balanced, the operands of unions from the last to the first"}};
 
 std::uint32_t from_the_left(Builder& builder, model::Operator op, std::span<const std::uint32_t> parts) {
   std::uint32_t node = parts.front();
@@ -79,12 +80,14 @@ class Shaper {
     return all;
   }
 
-  std::uint32_t joined(model::Operator op, const Operands& parts) {
+  std::uint32_t joined(model::Operator op, Operands parts) {
     if (parts.size() == 1) return parts.front();
-    if (shape_ != Shape::balanced) return from_the_left(builder_, op, parts);
+    if (shape_ == Shape::written || shape_ == Shape::left_deep) return from_the_left(builder_, op, parts);
+    // What a difference takes away is a union.
+    const std::span<std::uint32_t> united = op == model::Operator::subtract ? std::span(parts).subspan(1) : parts;
+    if (shape_ == Shape::reversed && op != model::Operator::intersect) std::ranges::reverse(united);
     if (op != model::Operator::subtract) return by_halves(builder_, op, parts);
-    const std::uint32_t taken = by_halves(builder_, model::Operator::unite, std::span(parts).subspan(1));
-    return builder_.join(op, parts.front(), taken);
+    return builder_.join(op, parts.front(), by_halves(builder_, model::Operator::unite, united));
   }
 
   const model::Tree& tree_;

@@ -38,6 +38,7 @@ enum class Shape : std::uint8_t {
   written,    ///< from the left, each node of the file by itself
   left_deep,  ///< from the left, when nodes of one operator have been joined: as deep as it gets
   balanced,   ///< by halves, when they have been joined, so that a tree is as low as its operators allow
+  reversed,   ///< the same, the operands of unions from the last to the first
 };
 
 /// A row of the table of shapes.

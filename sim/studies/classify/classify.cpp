@@ -16,6 +16,7 @@
 #include "sim/shell/paths.h"
 #include "sim/shell/read_by.h"
 #include "sim/shell/version.h"
+#include "sim/studies/classify/events.h"
 #include "sim/studies/classify/show.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_names.h"
@@ -73,6 +74,7 @@ class Classify : public StudyOf<ClassifyRow> {
                 "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
         .words(software::names_in(software::prunings()), is_read_by(reductions_in));
     add_processors(command, processors_);
+    json_.add_to(command, "The surfaces that each ray meets, in order, and what it sees");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -97,6 +99,7 @@ class Classify : public StudyOf<ClassifyRow> {
       for (const std::string& reduced : reductions_in(reduced_)) add_points(shape, reduced);
     }
     for (const ClassifyPoint& point : points_) asked.push_back({to_line(point), inputs_});
+    write_events(json_, inputs(), {tree_, *geometry_, view_, survey_});
     return asked;
   }
 
@@ -160,6 +163,7 @@ class Classify : public StudyOf<ClassifyRow> {
   std::string shapes_ = "balanced";
   std::string reduced_ = "none";
   std::string processors_ = "mc68000,i486dx2,this-computer";
+  JsonExport json_;
   model::Tree tree_;
   std::optional<facet::Geometry> geometry_;
   view::View view_;

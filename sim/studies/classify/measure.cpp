@@ -24,6 +24,7 @@ void tell(const software::Counts& counts, ClassifyRow& row) {
   row.ties = counts.ties;
   row.words = counts.words;
   row.operations = {counts.operations};
+  row.traversal_operations = {counts.traversal};
 }
 
 void tell(const software::Survey& survey, ClassifyRow& row) {
@@ -32,6 +33,7 @@ void tell(const software::Survey& survey, ClassifyRow& row) {
   row.hit_rays = survey.hits;
   row.sequences = survey.sequences;
   row.different_sequences = survey.different_sequences;
+  row.combinations = survey.combinations;
   row.most_points = survey.most_points;
 }
 
@@ -58,7 +60,9 @@ void draw(const Scene& scene, ClassifyRow& row) {
 }  // namespace
 
 software::PricedSeconds seconds_of(const ClassifyRow& row, const software::Priced& processor) {
-  return software::seconds_of(row.ray_operations.operations, row.sort_operations.operations, row.operations.operations,
+  const software::Classifying classifying{row.operations.operations, row.traversal_operations.operations,
+                                          choice_of(row.point).method->compiled};
+  return software::seconds_of(row.ray_operations.operations, row.sort_operations.operations, classifying,
                               {row.wall_seconds_rays, row.wall_seconds_classification}, processor);
 }
 

@@ -45,6 +45,7 @@ struct ClassifyRow {
   std::uint64_t hit_rays = 0;
   std::uint64_t sequences = 0;
   std::uint64_t different_sequences = 0;
+  std::uint64_t combinations = 0;
   std::uint64_t most_points = 0;
   std::uint64_t points = 0;
   std::uint64_t evaluations = 0;
@@ -61,6 +62,7 @@ struct ClassifyRow {
   OperationsCell ray_operations;           ///< of finding what rays meet
   OperationsCell sort_operations;          ///< of putting it in order
   OperationsCell operations;               ///< of classifying it
+  OperationsCell traversal_operations;     ///< of these, flips and evaluations of the tree
   double wall_seconds_rays = 0;            ///< of this computer: what rays meet, in order
   double wall_seconds_classification = 0;  ///< of classifying it
   std::string surfaces;                    ///< hash of depth and owner of every pixel
@@ -79,6 +81,7 @@ struct ClassifyRow {
     visit("hit_rays", row.hit_rays);
     visit("sequences", row.sequences);
     visit("different_sequences", row.different_sequences);
+    visit("combinations", row.combinations);
     visit("most_points", row.most_points);
     visit("points", row.points);
     visit("evaluations", row.evaluations);
@@ -95,6 +98,7 @@ struct ClassifyRow {
     visit("ray_operations", row.ray_operations);
     visit("sort_operations", row.sort_operations);
     visit("operations", row.operations);
+    visit("traversal_operations", row.traversal_operations);
     visit("wall_seconds_rays", row.wall_seconds_rays);
     visit("wall_seconds_classification", row.wall_seconds_classification);
     visit("surfaces", row.surfaces);

@@ -45,6 +45,7 @@ void print_rays(Rows rows) {
   add("rays that hit the solid", drawn->hit_rays);
   add("sequences", drawn->sequences);
   add("different sequences", drawn->different_sequences);
+  add("combinations of primitives", drawn->combinations);
   lines.push_back({"points of the longest ray", grouped(drawn->most_points), ""});
   for (const std::string& coherence : coherences_of(rows)) {
     const auto row = std::ranges::find_if(

@@ -43,14 +43,16 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
   const software::Work work = software::work_of(job.software->choice, subject, rays);
   const software::Priced& processor = job.software->processor;
   const auto seconds_for = [&](const software::Operations& of_rays, const software::Operations& sorting,
-                               const software::Operations& classifying, const software::Seconds& measured) {
+                               const software::Classifying& classifying, const software::Seconds& measured) {
     return software::seconds_of(of_rays, sorting, classifying, measured, processor).all;
   };
-  const double all = seconds_for(work.rays.intersecting, work.rays.sorting, work.counts.operations, work.measured);
+  const software::Classifying classifying{work.counts.operations, work.counts.traversal,
+                                          job.software->choice.method->compiled};
+  const double all = seconds_for(work.rays.intersecting, work.rays.sorting, classifying, work.measured);
   const std::array parts{
       Part{"finding what rays meet", seconds_for(work.rays.intersecting, {}, {}, {work.measured.rays, 0})},
       Part{"sorting it", seconds_for({}, work.rays.sorting, {}, {})},
-      Part{"classifying it", seconds_for({}, {}, work.counts.operations, {0, work.measured.classification})}};
+      Part{"classifying it", seconds_for({}, {}, classifying, {0, work.measured.classification})}};
   row.primitives = tree.primitives.size();
   row.halfspaces = geometry.halfspaces();
   row.simulated_seconds = all;

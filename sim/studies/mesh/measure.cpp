@@ -1,6 +1,8 @@
 #include "sim/studies/mesh/measure.h"
 
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "host/swept/mesh.h"
 #include "sim/studies/measured_row.h"
@@ -33,14 +35,21 @@ void tell(const swept::RepairCounts& counts, MeshRow& row) {
   row.snaps = counts.snaps;
 }
 
-void mesh(const commands::NamedSurface& named, MeshRow& row) {
-  const std::unique_ptr<swept::Surface> surface =
-      named.is_sweep ? swept::surface_of(named.sweep) : swept::surface_of(named.net);
+std::unique_ptr<swept::Surface> surface_of(const commands::NamedSurface& named) {
+  return named.is_sweep ? swept::surface_of(named.sweep) : swept::surface_of(named.net);
+}
+
+swept::Patchwork meshed(swept::Surface& surface, const MeshPoint& point) {
   swept::Accuracy accuracy;
-  accuracy.tolerance = row.point.tolerance;
-  accuracy.flatness = row.point.flatness == of_plane ? swept::Flatness::plane : swept::Flatness::sides;
-  const swept::Patchwork made = swept::patchwork_of(
-      *surface, accuracy, row.point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
+  accuracy.tolerance = point.tolerance;
+  accuracy.flatness = point.flatness == of_plane ? swept::Flatness::plane : swept::Flatness::sides;
+  return swept::patchwork_of(surface, accuracy,
+                             point.repair == by_filter ? swept::Repair::filter : swept::Repair::quadtree);
+}
+
+void mesh(const commands::NamedSurface& named, MeshRow& row) {
+  const std::unique_ptr<swept::Surface> surface = surface_of(named);
+  const swept::Patchwork made = meshed(*surface, row.point);
   row.patches = surface->columns() * surface->rows();
   row.wire_vertices = made.wire_vertices;
   tell(made.wiring, row);
@@ -49,6 +58,16 @@ void mesh(const commands::NamedSurface& named, MeshRow& row) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json mesh_json(const MeshPoint& point, const commands::NamedSurface& named) {
+  using Json = nlohmann::ordered_json;
+  const std::unique_ptr<swept::Surface> surface = surface_of(named);
+  const swept::Patchwork made = meshed(*surface, point);
+  Json vertices = Json::array();
+  for (const glm::dvec3& place : made.points) vertices.push_back(Json::array({place.x, place.y, place.z}));
+  return {{"name", point.name},     {"tolerance", point.tolerance},    {"flatness", point.flatness},
+          {"repair", point.repair}, {"vertices", std::move(vertices)}, {"elements", made.elements}};
+}
 
 MeshRow measure(const MeshPoint& point, const Inputs& inputs, const commands::NamedSurface& surface) {
   return measured_row<MeshRow>(point, inputs, [&](MeshRow& row) { mesh(surface, row); });

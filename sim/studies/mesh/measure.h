@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "host/commands/read.h"
@@ -88,5 +89,9 @@ inline constexpr const char* of_sides = "sides";
 
 /// A surface that cannot be meshed is a row that says why.
 MeshRow measure(const MeshPoint& point, const Inputs& inputs, const commands::NamedSurface& surface);
+
+/// The mesh of a point: `vertices`, places in model units, and `elements`, of each the numbers of its vertices from its
+/// south-west corner on, with all that are on its sides. Throws InputError as measuring does.
+nlohmann::ordered_json mesh_json(const MeshPoint& point, const commands::NamedSurface& named);
 
 }  // namespace csgsim::studies

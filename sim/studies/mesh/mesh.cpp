@@ -20,6 +20,7 @@
 #include "sim/shell/version.h"
 #include "sim/software/work.h"
 #include "sim/studies/dimensions.h"
+#include "sim/studies/json_export.h"
 #include "sim/studies/mesh/price.h"
 #include "sim/studies/mesh/show.h"
 #include "sim/studies/plot_names.h"
@@ -57,6 +58,7 @@ class Mesh : public StudyOf<MeshRow> {
         .words(repairs, is_read_by(repairs_in));
     command.option("--processors", processors_, "List of processors that the work is priced for, by name or .toml file")
         .check(is_read_by(meshing_processors));
+    json_.add_to(command, "Vertices and elements of each mesh");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -94,6 +96,7 @@ class Mesh : public StudyOf<MeshRow> {
         }
       }
     }
+    write_meshes();
     return asked;
   }
 
@@ -131,11 +134,19 @@ class Mesh : public StudyOf<MeshRow> {
   }
 
  private:
+  void write_meshes() const {
+    const auto facts = [&] { return nlohmann::ordered_json{{"model", shown_name(model_)}}; };
+    json_.write(inputs(), facts, "meshes", [&](const JsonExport::Put& put) {
+      for (std::size_t i = 0; i < points_.size(); ++i) put(mesh_json(points_[i], surfaces_[numbers_[i]]));
+    });
+  }
+
   std::string model_;
   std::string tolerances_ = "0.1,0.05,0.01,0.001";
   std::string flatness_ = of_plane;
   std::string repairs_ = "filter,quadtree";
   std::string processors_ = "mc68000,i486dx2";
+  JsonExport json_;
   Inputs inputs_;
   std::vector<commands::NamedSurface> surfaces_;
   std::vector<MeshPoint> points_;

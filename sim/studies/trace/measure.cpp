@@ -10,6 +10,7 @@
 
 #include "host/emit/facet_geometry.h"
 #include "hw/base/seconds.h"
+#include "sim/software/display/rows.h"
 #include "sim/studies/measured_row.h"
 
 namespace csgsim::studies {
@@ -69,6 +70,7 @@ void tell(const software::SpaceBuilt& built, TraceRow& row) {
 
 void tell(const software::TraceCounts& counts, TraceRow& row) {
   row.words = counts.words;
+  row.items = counts.items;
   row.rays = counts.primary.rays;
   row.hit_rays = counts.primary.hits;
   row.shadow_rays = counts.shadow.rays;
@@ -104,6 +106,7 @@ void draw(const TraceSubject& subject, TraceRow& row) {
   const software::Traced traced = software::trace(scene, *directory, options, true);
   tell(directory->built(), row);
   tell(traced.counts, row);
+  if (options.item_pass == software::ItemPass::list_priority) row.item_faults = subject.item_faults();
   row.wall_seconds_trace = software::traced_seconds(scene, *directory, options);
   row.surfaces = software::hash_of(software::picture_of(traced));
 }
@@ -121,9 +124,29 @@ TraceSubject::TraceSubject(const model::Tree& model, facet::Geometry geometry, v
       lights_(lights_of(scene_, lighting::lighting_of(look, view_.camera))),
       mirrors_(mirrors_of(model, tree_, scene_, look)) {}
 
+const TraceSubject::DrawnFirst& TraceSubject::drawn_first() const {
+  if (drawn_first_) return *drawn_first_;
+  const software::DisplaySubject subject{model_, geometry_, view_, tree_, scene_.facets()};
+  const software::Displayed displayed = software::display_method("list-priority/depth-buffer").run(subject, true);
+  DrawnFirst drawn;
+  for (std::size_t phase = 0; phase < software::phases; ++phase) {
+    if (phase != static_cast<std::size_t>(software::Phase::preprocessing))
+      drawn.pass.operations += displayed.counts.operations[phase];
+  }
+  drawn.pass.events = displayed.counts.pixel_events;
+  drawn.pass.words = displayed.counts.words.all();
+  drawn.faults = displayed.faults.all();
+  return drawn_first_.emplace(drawn);
+}
+
 software::TraceOptions TraceSubject::options_of(const TracePoint& point) const {
   software::TraceOptions options;
-  options.has_item_buffer = point.item_buffer == "with";
+  options.facet_test = point.facet_test == "space" ? software::FacetTest::space : software::FacetTest::projected;
+  if (point.item_buffer == "depth-lists") options.item_pass = software::ItemPass::depth_lists;
+  if (point.item_buffer == "list-priority") {
+    options.item_pass = software::ItemPass::list_priority;
+    options.list_priority = drawn_first().pass;
+  }
   options.has_mailboxes = point.mailboxes == "with";
   options.has_shadows = point.cast != "primary";
   options.mirror_depth = point.cast == "mirror" ? mirror_depth_ : 0;

@@ -23,7 +23,8 @@ struct TracePoint {
   std::string directory;
   std::uint32_t bucket_size = 0;    ///< facets of a cell
   std::string cast;                 ///< rays: primary; shadow, these too; mirror, all three
-  std::string item_buffer;          ///< with or without
+  std::string facet_test{};         ///< of primary rays: space or projected
+  std::string item_buffer{};        ///< without, list-priority or depth-lists
   std::string mailboxes;            ///< with or without
   std::optional<double> tolerance;  ///< model units, that curved solids are faceted with; the options' if empty
 
@@ -33,6 +34,7 @@ struct TracePoint {
     visit("directory", point.directory);
     visit("bucket_size", point.bucket_size);
     visit("cast", point.cast);
+    visit("facet_test", point.facet_test);
     visit("item_buffer", point.item_buffer);
     visit("mailboxes", point.mailboxes);
     visit("tolerance", point.tolerance);
@@ -41,7 +43,7 @@ struct TracePoint {
 
 /// What it takes. Operations are told by kind, so that they can be priced for any processor.
 struct TraceRow {
-  static constexpr std::size_t point_columns = 6;
+  static constexpr std::size_t point_columns = 7;
 
   TracePoint point;
   Inputs inputs;
@@ -69,6 +71,8 @@ struct TraceRow {
   std::uint64_t loose_tests = 0;
   std::uint64_t facets_met = 0;
   std::uint64_t repeats = 0;
+  std::uint64_t items = 0;        ///< surfaces that a projective pass drew at pixels
+  std::uint64_t item_faults = 0;  ///< pixels that list priority has otherwise
   std::uint64_t evaluations = 0;
   std::uint64_t list_elements = 0;
   OperationsCell build_operations;
@@ -111,6 +115,8 @@ struct TraceRow {
     visit("loose_tests", row.loose_tests);
     visit("facets_met", row.facets_met);
     visit("repeats", row.repeats);
+    visit("items", row.items);
+    visit("item_faults", row.item_faults);
     visit("evaluations", row.evaluations);
     visit("list_elements", row.list_elements);
     visit("build_operations", row.build_operations);
@@ -128,7 +134,7 @@ struct TraceRow {
 
 /// Seconds of a picture by what they are for; of this computer `all` alone.
 struct TraceSeconds {
-  double projection = 0;  ///< of an item buffer
+  double projection = 0;  ///< of facets, and of an item buffer
   double traversal = 0;
   double intersection = 0;
   double classification = 0;
@@ -152,9 +158,20 @@ class TraceSubject {
 
   [[nodiscard]] const software::TraceScene& scene() const { return scene_; }
   [[nodiscard]] std::size_t primitives() const { return model_.primitives.size(); }
+  /// Throws InputError as list priority does, where that makes the item buffer.
   [[nodiscard]] software::TraceOptions options_of(const TracePoint& point) const;
+  /// Pixels that list priority does not have as machines do.
+  [[nodiscard]] std::uint64_t item_faults() const { return drawn_first().faults; }
 
  private:
+  /// What list priority takes of the picture, and its wrong pixels.
+  struct DrawnFirst {
+    software::PriorityPass pass;
+    std::uint64_t faults = 0;
+  };
+  /// Drawn when it is asked for first.
+  const DrawnFirst& drawn_first() const;
+
   const model::Tree& model_;
   facet::Geometry geometry_;
   view::View view_;
@@ -163,6 +180,7 @@ class TraceSubject {
   unsigned mirror_depth_;
   std::vector<software::TraceLight> lights_;
   std::vector<std::uint8_t> mirrors_;
+  mutable std::optional<DrawnFirst> drawn_first_;
 };
 
 /// Builds the directory and traces the picture, once counting and then to take the time.

@@ -29,7 +29,7 @@ std::vector<const TraceRow*> plain(Rows rows) {
   std::vector<const TraceRow*> found;
   for (const TraceRow& row : rows) {
     if (row.drawn() && row.point.item_buffer == "without" && row.point.cast == rows.front().point.cast &&
-        row.point.mailboxes == rows.front().point.mailboxes)
+        row.point.mailboxes == rows.front().point.mailboxes && row.point.facet_test == rows.front().point.facet_test)
       found.push_back(&row);
   }
   return found;

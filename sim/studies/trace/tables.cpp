@@ -60,11 +60,12 @@ void print_directories(Rows rows, std::span<const software::Priced> processors) 
 }
 
 std::vector<std::string> names_of(const TraceRow& row) {
-  return {row.point.directory, std::to_string(row.point.bucket_size), tolerance_text(row), row.point.cast,
-          row.point.item_buffer};
+  return {row.point.directory,  std::to_string(row.point.bucket_size),
+          tolerance_text(row),  row.point.cast,
+          row.point.facet_test, row.point.item_buffer};
 }
 
-const std::vector<std::string> name_titles{"directory", "bucket", "tolerance", "rays", "item buffer"};
+const std::vector<std::string> name_titles{"directory", "bucket", "tolerance", "rays", "test", "item buffer"};
 
 /// What rays meet, by ray of a pixel.
 void print_rays(Rows rows) {
@@ -81,14 +82,14 @@ void print_rays(Rows rows) {
          {row.cell_visits, row.facet_tests, row.facets_met, row.shadow_rays, row.mirror_rays})
       lines.back().push_back(a_ray(count, row));
   }
-  print_lines(lines, 5);
+  print_lines(lines, 6);
 }
 
 void print_seconds(Rows rows, const software::Priced& processor) {
   Lines lines{name_titles};
   lines.front().push_back(processor.name + ", s");
   if (processor.processor) {
-    for (const char* const title : {"item buffer made", "traversal", "intersection", "classification", "shading"})
+    for (const char* const title : {"projection", "traversal", "intersection", "classification", "shading"})
       lines.front().emplace_back(title);
   }
   for (const TraceRow& row : rows) {
@@ -101,7 +102,7 @@ void print_seconds(Rows rows, const software::Priced& processor) {
          {seconds.projection, seconds.traversal, seconds.intersection, seconds.classification, seconds.shading})
       lines.back().push_back(seconds_text(part));
   }
-  print_lines(lines, 5);
+  print_lines(lines, 6);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -23,6 +24,7 @@
 #include "sim/studies/plot_names.h"
 #include "sim/studies/processors.h"
 #include "sim/studies/study.h"
+#include "sim/studies/trace/directory_json.h"
 #include "sim/studies/trace/show.h"
 
 namespace csgsim::studies {
@@ -33,6 +35,8 @@ constexpr unsigned most_mirror_depth = 4;
 
 const std::vector<std::string> cast_names{"primary", "shadow", "mirror"};
 const std::vector<std::string> switch_names{"without", "with"};
+const std::vector<std::string> facet_test_names{"space", "projected"};
+const std::vector<std::string> item_names{"without", "list-priority", "depth-lists"};
 
 std::vector<std::string> directories_in(const std::string& text) {
   return parse_names(text, "directory", software::names_in(software::directories()));
@@ -42,6 +46,8 @@ std::vector<unsigned> bucket_sizes_in(const std::string& text) {
   return parse_numbers(text, 1, most);
 }
 std::vector<std::string> cast_in(const std::string& text) { return parse_names(text, "ray", cast_names); }
+std::vector<std::string> facet_tests_in(const std::string& text) { return parse_names(text, "test", facet_test_names); }
+std::vector<std::string> items_in(const std::string& text) { return parse_names(text, "item buffer", item_names); }
 std::vector<std::string> switches_in(const std::string& text) { return parse_names(text, "choice", switch_names); }
 
 /// Pictures do not depend on how rays find what they meet, so all of one tolerance have to be the same.
@@ -68,8 +74,16 @@ class Trace : public StudyOf<TraceRow> {
         .check(is_read_by(bucket_sizes_in));
     command.option("--cast", cast_, "List of the rays that are cast, each with those before it")
         .words(cast_names, is_read_by(cast_in));
-    command.option("--item-buffer", item_buffer_, "List: primary rays, or in their place a projective pass")
-        .words(switch_names, is_read_by(switches_in));
+    command
+        .option(
+            "--facet-test", facet_test_,
+            "List: primary rays are held against facets in space, or in the picture, into which these are projected")
+        .words(facet_test_names, is_read_by(facet_tests_in));
+    command
+        .option("--item-buffer", item_buffer_,
+                "List: primary rays, or in their place a projective pass: list priority with a depth buffer, or lists "
+                "of all depths")
+        .words(item_names, is_read_by(items_in));
     command.option("--mailboxes", mailboxes_, "List: a facet of several cells is held against a ray again, or once")
         .words(switch_names, is_read_by(switches_in));
     command.option("--reflections", reflections_, "Number: mirrors that are seen in one another, 1 to 4")
@@ -78,13 +92,15 @@ class Trace : public StudyOf<TraceRow> {
         .check(is_read_by(tolerances_in))
         .excludes("--tolerance");
     add_processors(command, processors_);
+    json_.add_to(command, "The facets, and the cells of the first of the directories that halves space");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return inputs_with_processors(options_, processors_);
   }
   [[nodiscard]] std::set<std::string> varied() const override {
-    return {"directories", "bucket-sizes", "cast", "item-buffer", "mailboxes", "tolerances", "processors"};
+    return {"directories", "bucket-sizes", "cast",       "facet-test",
+            "item-buffer", "mailboxes",    "tolerances", "processors"};
   }
   [[nodiscard]] std::string table_model() const override { return options_.model; }
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
@@ -103,6 +119,7 @@ class Trace : public StudyOf<TraceRow> {
     for (const std::optional<double>& tolerance : tolerances) add_points(tolerance);
     std::vector<Asked> asked;
     for (const TracePoint& point : points_) asked.push_back({to_line(point), inputs_});
+    write_cells();
     return asked;
   }
 
@@ -160,12 +177,38 @@ class Trace : public StudyOf<TraceRow> {
       for (const unsigned bucket_size : bucket_sizes_in(bucket_sizes_)) {
         for (const std::string& cast : cast_in(cast_)) {
           for (const std::string& mailboxes : switches_in(mailboxes_)) {
-            for (const std::string& item_buffer : switches_in(item_buffer_))
-              points_.push_back({directory, bucket_size, cast, item_buffer, mailboxes, tolerance});
+            add_points({.directory = directory,
+                        .bucket_size = bucket_size,
+                        .cast = cast,
+                        .mailboxes = mailboxes,
+                        .tolerance = tolerance});
           }
         }
       }
     }
+  }
+
+  /// By each test and each item buffer.
+  void add_points(TracePoint point) {
+    for (const std::string& facet_test : facet_tests_in(facet_test_)) {
+      for (const std::string& item_buffer : items_in(item_buffer_)) {
+        point.facet_test = facet_test;
+        point.item_buffer = item_buffer;
+        points_.push_back(point);
+      }
+    }
+  }
+
+  /// Of the first tolerance and bucket size.
+  void write_cells() {
+    if (!json_.is_asked()) return;
+    const std::vector<std::string> halving = software::halving_directories();
+    const auto found = std::ranges::find_if(
+        points_, [&](const TracePoint& point) { return std::ranges::find(halving, point.directory) != halving.end(); });
+    if (found == points_.end())
+      throw InputError("--json: take one of --directories " + fmt::format("{}", fmt::join(halving, ", ")));
+    make_subject(found->tolerance);
+    write_directory(json_, inputs(), *subject_, found->directory, found->bucket_size);
   }
 
   void make_subject(const std::optional<double>& tolerance) {
@@ -182,11 +225,13 @@ class Trace : public StudyOf<TraceRow> {
   std::string directories_ = "excell,excell-recursive,boxes,octree,grid,kd-tree,bvh";
   std::string bucket_sizes_ = "8";
   std::string cast_ = "primary,shadow,mirror";
-  std::string item_buffer_ = "without,with";
+  std::string facet_test_ = "space";
+  std::string item_buffer_ = "without,list-priority";
   std::string mailboxes_ = "with";
   std::string tolerances_;
   std::string processors_ = "mc68000,i486dx2,this-computer";
   unsigned reflections_ = 1;
+  JsonExport json_;
   machines::Machine machine_;
   model::Tree tree_;
   facet::Faceting faceting_;  ///< of points without a tolerance of their own

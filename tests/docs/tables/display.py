@@ -79,6 +79,18 @@ def rivals(figures):
     return ruled(head, lines)
 
 
+def small(figures):
+    """All methods of a picture that the suite makes: exact counts, and seconds by phase."""
+    points = figures.display("fig_2_3", "--size 64x48")
+    rows = []
+    for method in METHODS:
+        one = of(points, method)
+        seconds = one.seconds.mc68000
+        rows.append((f"`{method}`", whole(one.pixel_events), whole(one.points), whole(one.evaluations), whole(one.words), whole(one.wrong),
+                     *(f"{seconds[key]:.4f}" for key in SECONDS)))
+    return ruled(["", "events at pixels", "points", "evaluations", "words", "wrong", *(f"mc68000: {name}" for name in SECONDS.values())], rows)
+
+
 def shown(figures, name, method):
     wanted = {"fragments": 32} if name == "cylinders" else {}
     points = cylinders(figures) if name == "cylinders" else figures.display(name, "--size 256x256")

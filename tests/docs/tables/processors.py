@@ -23,3 +23,11 @@ def prices(_):
             for kind in described[0]["price"]]
     head = [row("figure", "an operation", *(cell for name in NAMES for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(NAMES)]
     return "\n".join(head + [row(*cells) for cells in rows])
+
+
+def factors(_):
+    """Of each program, and where the figure is from."""
+    described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+    rows = [row(f"`compiler.{key}`", *(f"{one['compiler'][key]['value'] / 1000:.2f}" for one in described), described[0]["compiler"][key]["source"].partition(";")[0])
+            for key in described[0]["compiler"]]
+    return "\n".join([row("figure", *(f"`{name}`" for name in NAMES), "of `mc68000`"), "|---" + "|--:" * len(NAMES) + "|---|", *rows])

@@ -38,9 +38,14 @@ def of_classification(figures):
              for method, coherence in (("status", kept), (standard, all_points))]
     spread = [[max(taken) / min(taken) for taken in ([seconds(model, method, kept) for method in software.TABLE_4_10[model]] for model in THESIS_MODELS)]
               for seconds in both]
+    evaluations = [[software.TABLE_4_9[model]["evaluations"][:2] for model in THESIS_MODELS],
+                   [[software.of(figures.classify(model), standard, coherence).evaluations for coherence in (all_points, "first-point")]
+                    for model in THESIS_MODELS]]
+    first_points = [[100 * (1 - later / every) for every, later in each] for each in evaluations]
     times = lambda over, under: [listed(quotients(seconds, (over, all_points), (under, all_points)), ".2g") for seconds in both]  # noqa: E731
     return [("4.1, p. 37", "classifying takes a small part of a picture's time", "",
              f"{listed(parts[0], '.0f')} % by `status`, `list-structure`; {listed(parts[1], '.0f')} % by `standard`, `all-points`"),
+            ("4.5.1, p. 50", "most evaluations are of first points: their share of all, %", *(listed(each, ".0f") for each in first_points)),
             ("4.6.1, p. 56", "bit-parallel is slightly faster than standard: times as fast", *times(standard, "bit-parallel")),
             ("4.6.1, p. 56", "and, with status, than the status tree: times as fast", *times("status", "bit-parallel-status")),
             ("4.6.1, p. 56", "with the list structure the method hardly matters: slowest by fastest", *(listed(each, ".2f") for each in spread)),
@@ -67,12 +72,30 @@ def of_list_priority(figures):
             ("5.2.1, p. 63", "no improvement on scan lines: what these take, by list priority", "", span(scan_line, ".2f"))]
 
 
+def of_projection(figures):
+    """Sections 2.4 and 7.4.1: what primary rays take by what projective methods do."""
+    rays = [point(tracing.primary(figures, model), directory="excell").seconds.mc68000.all for model in THESIS_MODELS]
+    shares = {method: [taken / display.shown(figures, model, method).seconds.mc68000.total for taken, model in zip(rays, THESIS_MODELS)]
+              for method in ("list-priority/depth-buffer", "scan-line")}
+    return [("2.4, p. 18; 7.4.1, p. 88", "projective methods are an order of magnitude faster than ray tracing", "",
+             f"list priority {span(shares['list-priority/depth-buffer'], '.1f')} times as fast, scan lines {span(shares['scan-line'], '.1f')} times")]
+
+
 def of_rays(figures):
-    """Section 5.3."""
+    """Sections 5.1.3 and 5.3."""
     by_steps, by_halves = ([point(tracing.primary(figures, model), directory=name) for model in THESIS_MODELS] for name in ("excell", "excell-recursive"))
     grown = {each.polygons: each for each in tracing.growing(figures) if each.directory == "excell"}
     few, many = sorted(grown)[2:4]
-    return [("5.3, p. 66", "more than two or three cells a ray", "", listed([each.cell_visits / each.rays for each in by_steps], ".2f")),
+    least, most = min(grown), max(grown)
+    boxes = {each.polygons: each for each in tracing.growing(figures) if each.directory == "boxes"}
+    slower = lambda points: f"{points[most].seconds.mc68000.all / points[least].seconds.mc68000.all:.1f}"  # noqa: E731
+    descent = [point(tracing.primary(figures, model), directory="octree") for model in THESIS_MODELS]
+    a_cell = lambda one: one.seconds.mc68000.traversal / one.cell_visits  # noqa: E731
+    return [("5.1.3, p. 60", "cells take constant time, boxes logarithmic", "",
+             f"from {least:,} to {most:,} polygons: EXCELL {slower(grown)} times the seconds, boxes {slower(boxes)}"),
+            ("5.3, p. 64", "an address is better than descending an octree (Glassner 1984): clocks a cell of the octree by EXCELL's", "",
+             listed([a_cell(b) / a_cell(a) for a, b in zip(by_steps, descent)], ".2f")),
+            ("5.3, p. 66", "more than two or three cells a ray", "", listed([each.cell_visits / each.rays for each in by_steps], ".2f")),
             ("5.3, p. 66", "no clear difference between going by steps and by halves: by halves, %", "",
              listed([per_cent(b.seconds.mc68000.traversal, a.seconds.mc68000.traversal) for a, b in zip(by_steps, by_halves)], ".0f")),
             ("5.3, p. 67", "holding polygons against rays takes most of the time: %", "",
@@ -105,7 +128,11 @@ def of_machines(figures):
 def claims(figures):
     held = [[sweeps.held_by_root(*each) for each in zip(most, elements)] for most, elements in (
         (sweeps.TABLE_3_1["most_elements"], sweeps.TABLE_3_1["elements"]), sweeps.held_and_elements(figures))]
+    patch = sweeps.patch(figures)
+    an_element = ([float(taken.rstrip("?")) / elements for taken, elements in zip(sweeps.SECONDS, sweeps.TABLE_3_1["elements"])],
+                  [patch["filter", tolerance].seconds.mc68000.repairing / patch["filter", tolerance].elements for tolerance in sweeps.TOLERANCES])
     rows = [("3.3.3, p. 35", "what is held grows with the root of the elements: held by √elements", *(span(each, ".1f") for each in held)),
-            *of_classification(figures), *of_list_priority(figures), *of_rays(figures), *of_trees(figures), *of_machines(figures)]
+            ("3.3.3, p. 35", "the filter takes O(L) time: most ms an element by least", *(f"{max(each) / min(each):.2f}" for each in an_element)),
+            *of_projection(figures), *of_classification(figures), *of_list_priority(figures), *of_rays(figures), *of_trees(figures), *of_machines(figures)]
     return ruled(("section", "the thesis's text says", "*its tables*", "ours"),
                  [(section, text, f"*{theirs}*" if theirs else "", ours) for section, text, theirs, ours in rows], 4)

@@ -56,8 +56,12 @@ def three_digits(value):
     return f"{value:,.{digits}f}"
 
 
-def beside(figures, rows):
-    """Ours and the thesis's, model by model; a row is a name, ours of a model's points, the thesis's of the model."""
+def near(model):
+    return f"{model}, near"
+
+
+def beside(figures, rows, seen=lambda model: model):
+    """Ours and the thesis's, model by model; a row is a name, ours of a model's points, the thesis's of the model. `seen` names the view."""
     head = [""]
     for model in THESIS_MODELS:
         head += [model, italic("thesis")]
@@ -65,7 +69,7 @@ def beside(figures, rows):
     for name, ours, thesis in rows:
         cells = []
         for model in THESIS_MODELS:
-            cells += [ours(figures.classify(model)), italic(thesis(model)) if thesis else ""]
+            cells += [ours(figures.classify(seen(model))), italic(thesis(model)) if thesis else ""]
         lines.append((name, *cells))
     return ruled(head, lines)
 
@@ -83,7 +87,8 @@ def table_4_9(figures):
             ("rays with points", first("met_rays"), thesis("met")),
             ("rays that hit the solid", first("hit_rays"), None),
             ("sequences", first("sequences"), thesis("sequences")),
-            ("different sequences", first("different_sequences"), thesis("different"))]
+            ("different sequences", first("different_sequences"), None),
+            ("combinations of primitives", first("combinations"), thesis("different"))]
     for coherence in OF_THESIS:
         ours, theirs = evaluations(coherence)
         rows.append((f"evaluations, {coherence}", lambda points, get=ours: whole(get(points)), lambda model, get=theirs: whole(get(model))))
@@ -105,14 +110,69 @@ def share(part, all_of):
     return f"{part / all_of:.2f}" if part / all_of >= 0.1 else f"{part / all_of:.2g}"
 
 
-def per_ray(figures):
+def per_ray(figures, seen=lambda model: model):
     rows = [("sequences", lambda points: share(points[0].sequences, points[0].met_rays),
              lambda model: share(TABLE_4_9[model]["sequences"], TABLE_4_9[model]["met"]))]
     for coherence in OF_THESIS:
         ours, theirs = evaluations(coherence)
         rows.append((f"evaluations, {coherence}", lambda points, get=ours: share(get(points), points[0].met_rays),
                      lambda model, get=theirs: share(get(model), TABLE_4_9[model]["met"])))
-    return beside(figures, rows)
+    return beside(figures, rows, seen)
+
+
+def per_ray_near(figures):
+    """The same from cameras whose rays meet as much as the thesis's."""
+    met = ("% of rays that have points", lambda points: f"{100 * points[0].met_rays / points[0].rays:.1f}",
+           lambda model: f"{100 * TABLE_4_9[model]['met'] / 262_144:.1f}")
+    head, rule, *others = per_ray(figures, near).splitlines()
+    return "\n".join([head, rule, beside(figures, [met], near).splitlines()[2], *others])
+
+
+def seconds_near(figures):
+    """The thesis's cells of table 4.10, from those cameras."""
+    lines = [row("mc68000, s", *(cell for coherence in OF_THESIS for cell in (coherence, italic("thesis")))), "|---" + "|--:" * 8 + "|"]
+    for model in THESIS_MODELS:
+        for method, theirs in TABLE_4_10[model].items():
+            cells = []
+            for coherence, thesis in zip(OF_THESIS, theirs):
+                cells += [three_digits(of(figures.classify(near(model)), method, coherence).seconds.mc68000.classification), italic(thesis)]
+            lines.append(row(f"{model}, {method}", *cells))
+    return "\n".join(lines)
+
+
+def early_out(figures):
+    """What early out saves, with the operands of unions as they come and from the last to the first."""
+    rows = []
+    for shape in ("balanced", "reversed"):
+        cells = []
+        for model in THESIS_MODELS:
+            points = figures.classify(model, "--methods standard,early-out --coherences all-points --shapes balanced,reversed", "mc68000")
+            taken = [of(points, method, "all-points", shape=shape).seconds.mc68000.classification for method in ("early-out", "standard")]
+            cells.append(f"{100 - 100 * taken[0] / taken[1]:.0f}")
+        rows.append((f"saved, %: {shape}", *cells))
+    thesis = [[float(TABLE_4_10[model][method][0]) for method in ("early-out", "standard")] for model in THESIS_MODELS]
+    rows.append((italic("thesis"), *(italic(f"{100 - 100 * each[0] / each[1]:.0f}") for each in thesis)))
+    return ruled(["", *THESIS_MODELS], rows)
+
+
+CLOSED = " --methods standard,positional,status --coherences all-points --processors mc68000 --shapes balanced,written --no-plots --progress none -o closed"
+
+
+def closed(figures):
+    """The vehicle as it is, and closed, in a low tree and as the file has it: seconds of all points."""
+    methods = ("standard", "positional", "status")
+    commands = figures.shown("docs/software.md", "  sed -E").replace("classify closed.csg", "classify $MODEL")
+    rows = []
+    for name, file in (("open", "tests/models/terrain_vehicle.csg"), ("closed", "closed.csg")):
+        points = figures.runs.run(f"ln -s $PWD/tests $OUT/tests; cd $OUT; MODEL={file}; {commands}{CLOSED}").json("closed/classify.json").points
+        for shape in ("balanced", "written"):
+            own = [of(points, method, "all-points", shape=shape) for method in methods]
+            rows.append((f"{name}, {shape}", own[0].tree_levels, f"{own[0].evaluations / own[0].met_rays:.2f}",
+                         *(three_digits(each.seconds.mc68000.classification / each.met_rays * 1e3) for each in own)))
+    met = TABLE_4_9["vehicle"]["met"]
+    thesis = [f"{float(TABLE_4_10['vehicle'][method][0]) / met * 1e3:.2f}" for method in methods]
+    rows.append((italic("thesis"), "", italic(f"{TABLE_4_9['vehicle']['evaluations'][0] / met:.2f}"), *(italic(each) for each in thesis)))
+    return ruled(["ms a ray with points", "levels", "evaluations a ray", *methods], rows)
 
 
 def table_4_10(figures):
@@ -206,11 +266,17 @@ def file_of(processor):
     return tomllib.loads((ROOT / "hw/processors" / f"{processor}.toml").read_text(encoding="utf-8"))
 
 
-def priced(processor, operations):
-    """Seconds of operations, by the processor's file."""
+def priced(processor, operations, program="factor"):
+    """Seconds of operations, by the processor's file; a program has a compiler's factor."""
     file = file_of(processor)
     clocks = sum(count * file["price"][name]["value"] for name, count in operations.items())
-    return clocks * file["compiler"]["factor"]["value"] / 1000 / file["clock"]["frequency"]["value"]
+    return clocks * file["compiler"][program]["value"] / 1000 / file["clock"]["frequency"]["value"]
+
+
+def classifying(processor, one, program):
+    """Seconds of classification, of which the traversal has a compiler's factor of its own."""
+    traversal = priced(processor, one.traversal_operations)
+    return priced(processor, one.operations) - traversal + priced(processor, one.traversal_operations, program)
 
 
 def parts(figures):
@@ -219,7 +285,7 @@ def parts(figures):
     for processor in PROCESSORS:
         for model in THESIS_MODELS:
             one = of(figures.classify(model), "status", "list-structure")
-            seconds = [priced(processor, one[key]) for key in ("ray_operations", "sort_operations", "operations")]
+            seconds = [*(priced(processor, one[key]) for key in ("ray_operations", "sort_operations")), classifying(processor, one, "status")]
             rows.append((f"{processor}, {model}", three_digits(sum(seconds)), *(f"{100 * each / sum(seconds):.0f} %" for each in seconds)))
     return ruled(("", "picture, s", "finding what rays meet", "sorting it", "classifying it"), rows)
 

@@ -16,7 +16,7 @@ TABLE_5_2 = {"primary": (("15.70", "0.32"), ("0.59", "0.32"), ("81.88", "18.12")
 
 def excell(figures, model):
     """Points of EXCELL, all rays, with and without item buffer."""
-    return figures.trace(model, "--directories excell")
+    return figures.trace(model, "--directories excell --item-buffer without,list-priority,depth-lists --facet-test space,projected")
 
 
 def minutes(one):
@@ -35,12 +35,42 @@ def table_5_2(figures):
         for (name, get), theirs in zip(measures, TABLE_5_2[cast]):
             cells = [italic(each) for each in theirs]
             for model in THESIS_MODELS:
-                cells += [get(point(excell(figures, model), cast=cast, item_buffer=buffer)) for buffer in ("without", "with")]
+                cells += [get(point(excell(figures, model), cast=cast, facet_test="space", item_buffer=buffer)) for buffer in ("without", "list-priority")]
             rows.append((f"{NAMES[cast]}: {name}", *cells))
     head = ["without, with item buffer", "*thesis*", ""]
     for model in THESIS_MODELS:
         head += [model, ""]
     return ruled(head, rows)
+
+
+def passes(figures):
+    """Primary rays by the test of facets and by what makes the item buffer."""
+    rows = []
+    for test in ("space", "projected"):
+        for buffer in ("without", "list-priority", "depth-lists"):
+            own = [point(excell(figures, model), cast="primary", facet_test=test, item_buffer=buffer) for model in THESIS_MODELS]
+            rows.append((f"`{test}`, `{buffer}`", *(three_digits(each) for one in own for each in (one.seconds.mc68000.projection / 60, minutes(one)))))
+    return ruled(("mc68000, minutes", *(cell for model in THESIS_MODELS for cell in (f"{model}: projection", "all"))), rows)
+
+
+def fitted(tested, seconds, rays=65_536):
+    """Of seconds = rays (a + b tested): a and b in ms, by least squares."""
+    n, values = len(tested), [1e3 * each / rays for each in seconds]
+    mean, middle = sum(tested) / n, sum(values) / n
+    slope = sum((x - mean) * (y - middle) for x, y in zip(tested, values)) / sum((x - mean) ** 2 for x in tested)
+    return middle - slope * mean, slope
+
+
+def fit(figures):
+    """What a ray takes besides tests, and what a test takes."""
+    thesis = [(float(tested[i]), 60 * float(taken[i])) for tested, _, taken in TABLE_5_2.values() for i in (0, 1)]
+    rows = [(italic("thesis, six cells"), *(italic(f"{each:.{digits}f}") for each, digits in zip(fitted(*zip(*thesis)), (1, 2))), "")]
+    for model in THESIS_MODELS:
+        own = [point(excell(figures, model), cast=cast, facet_test="space", item_buffer="without") for cast in CAST]
+        constant, slope = fitted([one.facet_tests / one.rays for one in own], [one.seconds.mc68000.all for one in own])
+        shading = own[0].seconds.mc68000.classification + own[0].seconds.mc68000.shading
+        rows.append((f"{model}, without item buffer", f"{constant:.2f}", f"{slope:.2f}", f"{1e3 * shading / own[0].rays:.2f}"))
+    return ruled(("ms", "a ray", "a facet tested", "of a primary ray, classification and shading"), rows)
 
 
 def primary(figures, model):
@@ -113,7 +143,7 @@ def nodes(figures):
     """Ray tracing on the multi-processor, on paper: all rays, with item buffer, shared evenly."""
     rows = []
     for model in THESIS_MODELS:
-        one = {cast: point(excell(figures, model), cast=cast, item_buffer="with") for cast in CAST}
+        one = {cast: point(excell(figures, model), cast=cast, facet_test="space", item_buffer="depth-lists") for cast in CAST}
         drawn = figures.render(model, f"{PERSPECTIVE} --size 256x256 --machine multi-processor")
         words = one["mirror"].words + one["mirror"].directory_words + one["mirror"].bucket_words
         rows.append((model, *(three_digits(each.seconds.mc68000.all / NODES) for each in one.values()),

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -67,7 +69,7 @@ TEST_CASE("every processor that comes with csgsim prices every operation, and sa
     CAPTURE(name);
     const Processor processor = load_processor(std::string(name));
     CHECK(processor.name == name);
-    CHECK(processor.figures.size() == software::operation_kinds + 3);
+    CHECK(processor.figures.size() == software::operation_kinds + 2 + processors::compiled_kinds);
     for (std::size_t kind = 0; kind < software::operation_kinds; ++kind) {
       const machines::Figure& figure =
           figure_of(processor, fmt::format("price.{}", software::operation_rows[kind].name));
@@ -81,14 +83,15 @@ TEST_CASE("every processor that comes with csgsim prices every operation, and sa
       // A shift takes the same for any number of places on some.
       if (kind != static_cast<std::size_t>(Operation::shifted_bit)) CHECK(processor.prices[kind] > 0);
     }
-    CHECK(figure_of(processor, "compiler.factor").provenance == "assumed");
+    for (const char* const program : {"factor", "standard", "early_out", "positional", "status", "bit_parallel"})
+      CHECK(figure_of(processor, fmt::format("compiler.{}", program)).provenance == "assumed");
   }
 }
 
 TEST_CASE("the MC68000 has the clocks of its manual") {
   const Processor processor = load_processor("mc68000");
   CHECK(processor.clock_hz == 8'000'000);
-  CHECK(processor.compiler_factor == 2000);
+  CHECK(processor.compiler_factors == std::array<std::uint32_t, 6>{2000, 2090, 2210, 2960, 2520, 4870});
   CHECK(price_of(processor, Operation::load) == 12);
   CHECK(price_of(processor, Operation::load_long) == 16);
   CHECK(price_of(processor, Operation::store) == 12);
@@ -104,6 +107,7 @@ TEST_CASE("the MC68000 has the clocks of its manual") {
   CHECK(price_of(processor, Operation::shifted_bit) == 2);
   CHECK(price_of(processor, Operation::multiply) == 70);
   CHECK(price_of(processor, Operation::divide) == 140);
+  CHECK(price_of(processor, Operation::divide_long) == 1576);
   CHECK(price_of(processor, Operation::branch) == 8);
   CHECK(price_of(processor, Operation::branch_taken) == 10);
   CHECK(price_of(processor, Operation::call) == 18);
@@ -123,6 +127,8 @@ TEST_CASE("operations take their prices, times the compiler's factor, at the pro
   CHECK(processors::clocks(count.done(), compiled) == 155);
   CHECK(processors::seconds(count.done(), compiled) == 155 / 10e6);
   CHECK(processors::clocks(Operations{}, by_hand) == 0);
+  CHECK(processors::clocks(count.done(), by_hand, processors::Compiled::bit_parallel) == doctest::Approx(62 * 4.87));
+  CHECK(processors::seconds(count.done(), by_hand, processors::Compiled::status) == doctest::Approx(62 * 2.52 / 8e6));
 }
 
 TEST_CASE("errors of a processor's file say where, and what to write instead") {
@@ -157,7 +163,10 @@ TEST_CASE("figures take what they say they take, and are kept where they belong"
   };
   const std::vector<Range> ranges{
       {"clock.frequency", 1, 10'000'000'000, [](const Processor& one) { return one.clock_hz; }},
-      {"compiler.factor", 100, 100'000, [](const Processor& one) { return std::uint64_t{one.compiler_factor}; }},
+      {"compiler.factor", 100, 100'000,
+       [](const Processor& one) { return std::uint64_t{one.compiler_factors.front()}; }},
+      {"compiler.bit_parallel", 100, 100'000,
+       [](const Processor& one) { return std::uint64_t{one.compiler_factors.back()}; }},
       {"memory.price", 1, 10'000'000, [](const Processor& one) { return std::uint64_t{one.memory_price}; }},
       {"price.load", 0, 1'000'000, [](const Processor& one) { return std::uint64_t{one.prices.front()}; }},
       {"price.come_back", 0, 1'000'000, [](const Processor& one) { return std::uint64_t{one.prices.back()}; }}};

@@ -315,6 +315,9 @@ software::Survey surveyed(const std::vector<RecordedRay>& rays) {
     of_rays.push_back(ray.sequence(ray.end()));
   }
   survey.different_sequences = std::set<Sequence>(of_rays.begin(), of_rays.end()).size();
+  std::set<Active> combinations;
+  for (const Sequence& sequence : of_rays) combinations.emplace(sequence.begin(), sequence.end());
+  survey.combinations = combinations.size();
   of_rays.erase(std::unique(of_rays.begin(), of_rays.end()), of_rays.end());
   survey.sequences = of_rays.size();
   return survey;

@@ -78,6 +78,7 @@ void check_survey(const Counted& counted) {
   CHECK(found.points == expected.points);
   CHECK(found.sequences == expected.sequences);
   CHECK(found.different_sequences == expected.different_sequences);
+  CHECK(found.combinations == expected.combinations);
   CHECK(found.most_points == expected.most_points);
 }
 

@@ -47,7 +47,7 @@ std::string fault_of(const Scene& scene, std::uint32_t bucket_size, Tally& tally
     for (const bool has_mailboxes : {true, false}) {
       for (const bool has_item_buffer : {false, true}) {
         software::TraceOptions options;
-        options.has_item_buffer = has_item_buffer;
+        options.item_pass = has_item_buffer ? software::ItemPass::depth_lists : software::ItemPass::none;
         options.has_mailboxes = has_mailboxes;
         const software::Traced traced = software::trace(traced_scene, *directory, options, has_mailboxes);
         tally.tested += traced.counts.primary.tested;

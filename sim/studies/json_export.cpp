@@ -1,0 +1,36 @@
+#include "sim/studies/json_export.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "hw/base/output_file.h"
+#include "sim/shell/options.h"
+#include "sim/shell/paths.h"
+
+namespace csgsim::studies {
+
+void JsonExport::add_to(shell::Command& command, const std::string& what) {
+  command.option("--json", file_, what + ", .json; - prints it").check(shell::not_empty);
+}
+
+void JsonExport::write(std::span<const std::filesystem::path> inputs,
+                       const std::function<nlohmann::ordered_json()>& facts, std::string_view list,
+                       const std::function<void(const Put& put)>& items) const {
+  if (file_.empty()) return;
+  shell::refuse_clashes(inputs, std::to_array<std::filesystem::path>({file_}));
+  OutputFile file(file_);
+  std::string begin = facts().dump();
+  begin.back() = ',';
+  file.write(fmt::format("{}\"{}\":[", begin, list));
+  const char* between = "\n";
+  items([&](const nlohmann::ordered_json& item) {
+    file.write(between + item.dump());
+    between = ",\n";
+  });
+  file.write("\n]}\n");
+  file.commit();
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,112 @@
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+
+#include "host/read/read.h"
+#include "host/view/eye_space.h"
+#include "hw/isa/depth_scale.h"
+#include "sim/software/tracing/trace_scene.h"
+#include "sim/software/tree/tree.h"
+#include "tests/support/drawing.h"
+#include "tests/unit/software/scenes.h"
+
+using namespace csgsim;
+using testing::Scene;
+
+namespace {
+
+/// Of a convex polygon: exact beside an edge, and too near by a factor of the root of two at most beside a corner.
+double distance_to(const glm::dvec3& point, std::span<const glm::dvec3> corners) {
+  const glm::dvec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const double height = glm::dot(normal, point - corners[0]);
+  const glm::dvec3 foot = point - normal * height;
+  double beside = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3 out = glm::normalize(glm::cross(corners[(i + 1) % corners.size()] - corners[i], normal));
+    beside = std::max(beside, glm::dot(out, foot - corners[i]));
+  }
+  return std::hypot(height, beside);
+}
+
+struct Found {
+  std::uint64_t loose = 0;
+  std::uint64_t tight = 0;
+  std::uint64_t near_the_limit = 0;  ///< facets whose depths are a quarter of the reach to twice the reach off
+};
+
+/// How far the depths of a facet, at pixels that it covers, are from its place.
+double farthest_off(const Scene& scene, const software::TraceScene& traced, const software::ScreenFacet& facet) {
+  const view::EyeSpace eye = view::eye_space(scene.view.camera, scene.view.sampling);
+  const double one = std::ldexp(1.0, static_cast<int>(scene.view.sampling.fraction_bits));
+  const std::span<const glm::dvec3> corners = traced.facets().corners_of(facet.facet);
+  double farthest = 0;
+  for (std::int32_t y = facet.pixels.y0; y <= facet.pixels.y1; ++y) {
+    for (std::int32_t x = facet.pixels.x0; x <= facet.pixels.x1; ++x) {
+      const bool is_covered = std::ranges::all_of(
+          traced.screen().bounds_of(facet), [&](const view::FixedLinear& bound) { return value_at(bound, x, y) >= 0; });
+      if (!is_covered) continue;
+      const double depth = static_cast<double>(value_at(facet.depth, x, y)) / one;
+      const double distance = isa::distance_at(scene.view.depth, scene.view.sampling.z_bits, depth);
+      const glm::dvec3 place =
+          eye.to_model(eye.from_picture({static_cast<double>(x), static_cast<double>(y), distance})) -
+          scene.geometry.planes.centre();
+      farthest = std::max(farthest, distance_to(place, corners));
+    }
+  }
+  return farthest;
+}
+
+void check_loose(const Scene& scene, Found& found) {
+  const software::Tree tree = software::make_tree(scene.tree, software::Shape::written);
+  const software::TraceScene traced(scene.tree, scene.geometry, scene.view, tree);
+  const double limit = traced.shapes().reach() / 2;
+  for (std::uint32_t i = 0; i < traced.screen().facets.size(); ++i) {
+    const software::ScreenFacet& facet = traced.screen().facets[i];
+    if (facet.facet == software::ScreenFacet::near_cap) continue;
+    const double off = farthest_off(scene, traced, facet);
+    const bool is_loose = traced.screen_of(facet.facet) != i;
+    found.near_the_limit += off > limit / 2 && off < 4 * limit ? 1U : 0U;
+    (is_loose ? found.loose : found.tight) += 1U;
+    // A corner is taken for nearer than it is, by a factor of the root of two at most.
+    if (off > 1.001 * limit) CHECK(is_loose);
+    if (off * std::sqrt(2.0) < 0.999 * limit) CHECK(!is_loose);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a facet is loose where its depths are more than half the reach of cells off its place, and only there") {
+  Found found;
+  for (unsigned turn = 1; turn <= 12; ++turn) {
+    for (const unsigned fraction_bits : {0U, 1U, 2U, 3U}) {
+      for (const unsigned z_bits : {14U, 15U, 16U, 17U, 18U}) {
+        CAPTURE(turn);
+        CAPTURE(fraction_bits);
+        CAPTURE(z_bits);
+        view::Sampling sampling;
+        sampling.width = 48;
+        sampling.height = 32;
+        sampling.z_bits = z_bits;
+        sampling.fraction_bits = fraction_bits;
+        const double angle = 0.1 * turn;
+        const Scene scene = testing::make_scene(
+            read::read_csg_text("cube(size=[9,7,5],center=true);", "block"),
+            {{60 * std::cos(angle), 60 * std::sin(angle), 20 + turn}, {0, 0, 0}, view::Projection::orthographic},
+            sampling);
+        check_loose(scene, found);
+      }
+    }
+  }
+  MESSAGE(found.loose, " loose, ", found.tight, " not, ", found.near_the_limit, " near the limit");
+  CHECK(found.loose > 100);
+  CHECK(found.tight > 100);
+  CHECK(found.near_the_limit > 50);
+}
