@@ -13,7 +13,6 @@
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
-#include "tests/support/rounds.h"
 #include "tests/support/usual_cases.h"
 #include "tests/unit/view/held.h"
 #include "tests/unit/view/quadric_subject.h"
@@ -55,7 +54,6 @@ TEST_CASE("what the integers hold is what the shape holds, but for rounding, fro
   int unfit = 0;
   for (int round = 0; round < 8; ++round) {
     CHECK(rc::check([&] {
-      testing::begin_round(round);
       const Subject subject = random_subject();
       const facet::Geometry scene = facet::make_geometry(subject.tree, exact());
       const view::View view = view::make_view(scene, subject.tree, subject.camera, subject.sampling);
