@@ -31,7 +31,7 @@ constexpr const char* list_name = ".csgsim-files";
 constexpr InputKind list_kind{"a list of files", std::size_t{1} << 20U, "delete it"};
 constexpr InputKind listed_kind{"a file of the folder", std::size_t{1} << 30U, "delete it"};
 
-void check(const fs::path& path, const std::error_code& error) {
+void require_done(const fs::path& path, const std::error_code& error) {
   if (error) fail_to_write(path, error);
 }
 
@@ -41,7 +41,7 @@ std::string hash_of(std::string_view content) {
   return hash.text();
 }
 
-[[noreturn]] void refuse(const fs::path& path, std::string_view why) {
+[[noreturn]] void refuse_folder(const fs::path& path, std::string_view why) {
   throw InputError(fmt::format("{}: {}; name a folder that is empty or not there", printable(path.native()), why));
 }
 
@@ -62,21 +62,21 @@ void check_unedited(const fs::path& asked, const fs::path& folder) {
   for (const auto& [name, hash] : listed(folder)) {
     const fs::path path = folder / name;
     if (fs::is_regular_file(fs::symlink_status(path)) && hash_of(read_regular_file(path, listed_kind)) != hash)
-      refuse(asked / name, "it has been edited, and would be replaced");
+      refuse_folder(asked / name, "it has been edited, and would be replaced");
   }
 }
 
-void check_place(const fs::path& asked, const fs::path& place) {
+void require_replaceable(const fs::path& asked, const fs::path& place) {
   std::error_code error;
   const fs::file_status status = fs::status(place, error);
   if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) refuse(asked, "it is not a folder");
+  if (!fs::is_directory(status)) refuse_folder(asked, "it is not a folder");
   const auto [end, ignored] = std::ranges::mismatch(place, fs::current_path());
-  if (end == place.end()) refuse(asked, "the current folder is in it, so no other can take its place");
+  if (end == place.end()) refuse_folder(asked, "the current folder is in it, so no other can take its place");
   const bool is_empty = fs::is_empty(place, error);
-  check(asked, error);
+  require_done(asked, error);
   if (!is_empty && !fs::exists(fs::symlink_status(place / list_name)))
-    refuse(asked, "it has files that csgsim did not write");
+    refuse_folder(asked, "it has files that csgsim did not write");
   check_unedited(asked, place);
 }
 
@@ -85,9 +85,9 @@ void check_place(const fs::path& asked, const fs::path& place) {
 OutputFolder::OutputFolder(fs::path folder) : asked_(std::move(folder)) {
   std::error_code error;
   final_ = fs::weakly_canonical(fs::absolute(without_links(asked_)), error);
-  check(asked_, error);
+  require_done(asked_, error);
   if (!final_.has_filename()) final_ = final_.parent_path();
-  check_place(asked_, final_);
+  require_replaceable(asked_, final_);
   make_folder(final_.parent_path());
   const fs::path partial = final_.parent_path() / unused_name();
   if (::mkdir(partial.c_str(), 0777) != 0) fail_to_write(asked_, last_error());
@@ -109,16 +109,16 @@ void OutputFolder::commit() {
   write_file(partial_ / list_name, list_);
   std::error_code error;
   if (!fs::exists(final_) || fs::is_empty(final_, error)) {
-    check(asked_, error);
+    require_done(asked_, error);
     fs::rename(partial_, final_, error);
-    check(asked_, error);
+    require_done(asked_, error);
     partial_.clear();
   } else {
     exchange();
     take_others_back();
   }
   const Descriptor parent(::open(final_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (parent.is_open()) check(asked_, sync(parent));
+  if (parent.is_open()) require_done(asked_, sync(parent));
 }
 
 /// Where the file system cannot exchange folders, the old one is away for a moment.
@@ -130,11 +130,11 @@ void OutputFolder::exchange() {
   const fs::path away = final_.parent_path() / unused_name();
   std::error_code error;
   fs::rename(final_, away, error);
-  check(asked_, error);
+  require_done(asked_, error);
   fs::rename(partial_, final_, error);
   std::error_code ignored;
   if (error) fs::rename(away, final_, ignored);
-  check(asked_, error);
+  require_done(asked_, error);
   partial_ = away;
 }
 
@@ -149,9 +149,9 @@ void OutputFolder::take_others_back() {
       continue;
     make_folder((final_ / name).parent_path());
     fs::rename(entry->path(), final_ / name, error);
-    check(asked_, error);
+    require_done(asked_, error);
   }
-  check(asked_, error);
+  require_done(asked_, error);
 }
 
 }  // namespace csgsim
