@@ -74,7 +74,7 @@ TEST_CASE("the suite's seed is fixed, and one that RC_PARAMS names is kept") {
 
 TEST_CASE("the seed of a property is another with every seed, case, description and number") {
   std::set<std::uint64_t> seeds;
-  for (const std::uint64_t seed : {1, 2}) {
+  for (const std::uint64_t seed : {1U, 2U}) {
     for (const char* const name : {"a", "b"}) {
       testing::begin_case(name);
       for (const char* const description : {"", "c", "d"}) seeds.insert(testing::next_seed(seed, description));
