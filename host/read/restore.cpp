@@ -36,6 +36,15 @@ bool is_written_as(const glm::dmat3& matrix, const glm::dmat3& written, double e
   return true;
 }
 
+bool is_finite(const glm::dmat3& matrix) {
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!std::isfinite(matrix[column][row])) return false;
+    }
+  }
+  return true;
+}
+
 /// Hundredths of a degree. 0 where only rounding keeps both entries from 0.
 int angle(double sine, double cosine) {
   if (std::abs(sine) <= noise && std::abs(cosine) <= noise) return 0;
@@ -88,7 +97,9 @@ std::optional<glm::dmat3> restored(const glm::dmat3& written, Order order) {
   const auto scaled = [&](const glm::dmat3& matrix, const glm::dvec3& by) {
     return order == Order::scale_turn ? matrix * diagonal(by) : diagonal(by) * matrix;
   };
-  const glm::dmat3 turn = rotation(euler_angles(scaled(written, 1.0 / scale)));
+  const glm::dmat3 unit = scaled(written, 1.0 / scale);
+  if (!is_finite(unit)) return std::nullopt;  // of a scale of 0, say
+  const glm::dmat3 turn = rotation(euler_angles(unit));
   const glm::dmat3 whole = scaled(turn, scale);
   const double greatest = std::max({1.0, std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
   return is_written_as(whole, written, noise * greatest) ? std::optional(whole) : std::nullopt;

@@ -121,7 +121,7 @@ void OutputFolder::commit() {
   if (parent.is_open()) require_done(asked_, sync(parent));
 }
 
-/// Where the file system cannot exchange folders, the old one is away for a moment.
+/// Exchanges the folders; a file system that cannot do so has neither in the place for a moment.
 void OutputFolder::exchange() {
   struct stat old {};
   if (::stat(final_.c_str(), &old) == 0) static_cast<void>(::chmod(partial_.c_str(), old.st_mode & 0777U));

@@ -223,7 +223,7 @@ TEST_CASE("designs that cannot draw the model say why, and do not stop the other
   CHECK(file["fronts"][0]["refused"] == 1);
   CHECK(outcome.out.find("1 cannot be drawn") != std::string::npos);
   const std::string reason = file["points"][0]["reason"];
-  CHECK(outcome.out.find("\n  array.memory_bits=20 cannot be drawn: " + reason + "\n") != std::string::npos);
+  CHECK(outcome.out.find("\n  array.memory_bits=20, memory-bits=20 cannot be drawn: " + reason + "\n") != std::string::npos);
   const Outcome none = run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "n") +
                            " --vary array.memory_bits=20,21");
   CHECK(none.code == 1);

@@ -160,7 +160,7 @@ def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen, and in which order (%(default)s)")
     parser.add_argument("--count", type=int, default=400, help="mutants that compile, of all rooms (%(default)s)")
-    parser.add_argument("--per-room", type=int, metavar="N", help="so many of each room instead")
+    parser.add_argument("--per-room", type=int, metavar="N", help="N mutants of each room instead")
     parser.add_argument("--room", action="append", default=[], help="only this room, or those of a pattern, sim/software/*; may be repeated")
     parser.add_argument("--list", action="store_true", help="print the rooms, with the tests that judge each, and nothing else")
     parser.add_argument("--judge", action="append", help="only this test executable, without test_; may be repeated")

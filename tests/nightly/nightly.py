@@ -59,8 +59,11 @@ def parameters_of(test, seed):
 def run(test, seed):
     """(what ended it, its output): exit code, signal or time-out; nothing if it passed."""
     environment = {**os.environ, **test.environment, "RC_PARAMS": parameters_of(test, seed)}
-    process = subprocess.Popen(test.command, cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+    try:
+        process = subprocess.Popen(test.command, cwd=test.folder, env=environment, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+    except OSError as error:
+        return f"cannot be run: {error.strerror}", b""
     try:
         output, _ = process.communicate(timeout=test.timeout)
     except subprocess.TimeoutExpired:

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
-/// Which random numbers rapidcheck's properties draw. Every property has a stream of its own, made from the seed, the
-/// name of the test case that it is in, its description and how many properties were checked there before. The seed is
+/// The random numbers that rapidcheck's properties draw. Every property has a separate stream, made from the seed, the
+/// name of its test case, its description and the number of properties checked there before. The seed is
 /// fixed unless RC_PARAMS names one, so that the suite draws the same cases each time; ./setup.sh nightly names others.
 namespace csgsim::testing {
 
@@ -15,7 +15,7 @@ void add_parameters(std::string_view parameters = {});
 /// Properties that are checked from now on are in this test case.
 void begin_case(std::string_view name);
 
-/// As begin_case() with the words of a program's command line, but for its name.
+/// Calls begin_case() with the words of a program's command line, without the program's name.
 void begin_program(int count, const char* const* words);
 
 /// The seed of the next property of the test case.

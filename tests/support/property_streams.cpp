@@ -4,7 +4,7 @@
 
 namespace csgsim::testing {
 
-/// Stands in for rapidcheck's function of that symbol, which rc::check calls: the linker is told so (CMakeLists.txt).
+/// Stands in for rapidcheck's function of that symbol, which rc::check calls: the linker replaces it (CMakeLists.txt).
 /// rapidcheck gives each property that a process checks the same numbers, and has no other place to set that.
 rc::detail::TestResult check_in_own_stream(
     const rc::detail::Property& property,

@@ -20,7 +20,7 @@ inline std::string_view parameter(std::string_view key) {
 /// The seed of all properties unless RC_PARAMS names another.
 inline constexpr std::string_view fixed_seed = "1";
 
-/// Whether properties draw as many cases as they do by themselves; sanitized runs set max_success to fewer.
+/// Whether properties draw their default number of cases; sanitized runs set max_success to fewer.
 inline bool draws_usual_number() { return parameter("max_success").empty(); }
 
 inline bool draws_from_fixed_seed() {

@@ -91,7 +91,7 @@ std::set<std::string> texts_in(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a folder is written where none is, where an empty one is, and over one of its own") {
+TEST_CASE("a folder is written where none is, where an empty one is, and over one that it wrote before") {
   const Scratch scratch;
   fs::create_directory(scratch / "empty");
   for (const char* const name : {"new", "empty", "in/another", "slash/"}) {
@@ -115,7 +115,7 @@ TEST_CASE("a link to a folder stays one") {
   CHECK(scratch.files() == 2);
 }
 
-TEST_CASE("a folder with files of somebody else's is refused by name, and stays as it is") {
+TEST_CASE("a folder with files that csgsim did not write is refused by name, and stays as it is") {
   const Scratch scratch;
   put(scratch / "d/Makefile", "mine");
   const std::string why = refusal(scratch / "d");
