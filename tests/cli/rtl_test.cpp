@@ -73,8 +73,8 @@ TEST_CASE("a design with a Program is written whole, again over itself, and says
     CHECK(outcome.out.find("pixel-planes-4, 8 x 4 pixels with a Program; make -C d icarus") != std::string::npos);
   }
   CHECK(files_below(folder.path() / "d") ==
-        with_modules({".csgsim-files", "Makefile", "README.md", "begins.hex", "beside.py", "board.v", "hx8k.pcf", "png.py",
-                      "program.hex", "system.v", "testbench.v", "up5k.pcf"}));
+        with_modules({".csgsim-files", "Makefile", "README.md", "begins.hex", "beside.py", "board.v", "hx8k.pcf",
+                      "png.py", "program.hex", "system.v", "testbench.v", "up5k.pcf"}));
   check_filled(folder.path() / "d");
   const std::string system = content(folder / "d/system.v");
   CHECK(system.find(".WIDTH(8), ") != std::string::npos);
