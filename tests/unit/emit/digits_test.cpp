@@ -9,7 +9,6 @@
 #include <limits>
 #include <vector>
 
-
 using namespace csgsim;
 using emit::Digits;
 

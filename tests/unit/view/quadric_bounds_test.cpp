@@ -66,7 +66,8 @@ TEST_CASE("middle and discriminant are within their bounds of the truth") {
 }
 
 // The quadric's value at the eye, which everything is divided by, is 1e-9 of what it is the difference of, so that D
-// would be another one by 20,000 if the model's last binary digits were others: its bound is relative to the scene's quadric.
+// would be another one by 20,000 if the model's last binary digits were others: its bound is relative to the scene's
+// quadric.
 TEST_CASE("middle and discriminant are within their bounds where the eye is near the surface") {
   glm::dmat4 place(1.0);
   place[0] = {-0.30222739025581363, 0.40350680047607401, -2.9425074762668277, 0};
