@@ -19,6 +19,9 @@ Usage: ./setup.sh COMMAND
          suite; with core, only what reads users' files, compiles and simulates
   fuzz MINUTES [RUNS]
          build the fuzzers and run them for so long in all, each for RUNS cases at most
+  nightly [HOURS]
+         repeat all property tests with random seeds, which it prints, for so long (2 hours); what fails is kept in
+         build/release/nightly/, with the command that repeats it, and the exit code is 1 then
   tsan   run under the thread sanitizer what works on several threads
   flags  build without optimisation, and for this very processor, and hold both against the golden figures
   faults fail every write, fsync and rename of every command, one at a time, and print what came of it
@@ -118,6 +121,20 @@ fuzz() {
   cmake --build --preset fuzz
   fuzzers=$(wc -l <build/fuzz/fuzzers.txt)
   tests/fuzz/run.sh build/fuzz $(($1 * 60 * 2 / fuzzers)) ${2:+"$2"}
+}
+
+# nightly [HOURS]
+nightly() {
+  case "${1:-2}" in
+    *[!0-9.]* | *.*.* | .)
+      usage
+      exit 2
+      ;;
+  esac
+  # shellcheck disable=SC2086
+  need $build_packages $test_packages
+  build release -DCSGSIM_BUILD_TESTS=ON
+  exec python3 tests/nightly/nightly.py build/release --hours "${1:-2}"
 }
 
 tsan() {
@@ -381,6 +398,7 @@ case "${1:-}" in
     exec /usr/bin/python3 tests/corpus/openscad_tests.py "$@"
     ;;
   fuzz) fuzz "${2:-}" "${3:-}" ;;
+  nightly) nightly "${2:-}" ;;
   tsan) tsan ;;
   lint) lint "${2:-}" ;;
   mutate)

@@ -1,5 +1,6 @@
 #include "host/model/degrees.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -30,12 +31,25 @@ TwoDoubles alternating_series(double x, int start) {
 double sine(double x) { return (TwoDoubles{x, 0.0} * alternating_series(x, 1)).high; }
 double cosine(double x) { return alternating_series(x, 0).high; }
 
+/// The sines of a sum, whose second part is below 2^-52: its square is too small to count.
+double sine(const TwoDoubles& x) {
+  return (TwoDoubles{x.high, 0.0} * alternating_series(x.high, 1) + TwoDoubles{x.low * cosine(x.high), 0.0}).high;
+}
+double cosine(const TwoDoubles& x) {
+  return (alternating_series(x.high, 0) + TwoDoubles{-x.low * sine(x.high), 0.0}).high;
+}
+
 /// Sine of an angle in [0, 90]. The angle in radians is rounded once, as OpenSCAD's, and its sine once.
 double sin_first_quadrant(double angle) {
   constexpr double radians = std::numbers::pi / 180.0;
   if (angle == 30.0) return 0.5;
   if (angle == 45.0) return std::numbers::sqrt2 / 2.0;
   return angle < 45.0 ? sine(angle * radians) : cosine((90.0 - angle) * radians);
+}
+
+TwoDoubles radians_of(int hundredths) {
+  constexpr TwoDoubles pi{std::numbers::pi, 1.2246467991473532e-16};
+  return TwoDoubles{static_cast<double>(hundredths), 0.0} * pi / 18000.0;
 }
 
 }  // namespace
@@ -51,5 +65,17 @@ double sin_degrees(double angle) {
 }
 
 double cos_degrees(double angle) { return sin_degrees(std::fmod(angle, 360.0) + 90.0); }
+
+double sin_hundredths(int hundredths) {
+  constexpr int half_turn = 18000;
+  const int turn = (hundredths % (2 * half_turn) + 2 * half_turn) % (2 * half_turn);
+  const int rest = turn % half_turn;
+  const int quadrant = std::min(rest, half_turn - rest);
+  const double sine_of_rest =
+      quadrant <= half_turn / 4 ? sine(radians_of(quadrant)) : cosine(radians_of(half_turn / 2 - quadrant));
+  return turn >= half_turn ? -sine_of_rest : sine_of_rest;
+}
+
+double cos_hundredths(int hundredths) { return sin_hundredths(hundredths % 36000 + 9000); }
 
 }  // namespace csgsim::model

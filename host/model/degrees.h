@@ -7,4 +7,9 @@ namespace csgsim::model {
 double sin_degrees(double angle);
 double cos_degrees(double angle);
 
+/// Sine and cosine of whole hundredths of a degree: the double nearest to the exact one, as far as 80 bits tell. In
+/// contrast to those above, they lose nothing to the rounding of the angle.
+double sin_hundredths(int hundredths);
+double cos_hundredths(int hundredths);
+
 }  // namespace csgsim::model

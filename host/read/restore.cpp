@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,39 +16,62 @@ namespace csgsim::read {
 
 namespace {
 
-/// What the rounding of sines and of their products may leave of 0: files write it as 6.12323e-17.
+/// What the rounding of sines and of their products may take from an entry of a rotation, or leave of 0: files write
+/// that as 6.12323e-17.
 constexpr double noise = 1e-15;
-
-constexpr double steps_per_degree = 100.0;
 
 double to_digits(double number, int digits) { return *parse_number(fmt::format("{:.{}g}", number, digits)); }
 
-bool is_written_as(double number, double written) {
-  return std::abs(number - written) <= noise || to_digits(number, 6) == written;
+/// Whether a number that is known to within the error may have been written with those six digits.
+bool is_written_as(double number, double written, double error) {
+  return to_digits(number - error, 6) <= written && written <= to_digits(number + error, 6);
 }
 
-bool is_written_as(const glm::dmat3& matrix, const glm::dmat3& written) {
+bool is_written_as(const glm::dmat3& matrix, const glm::dmat3& written, double error) {
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) {
-      if (!is_written_as(matrix[column][row], written[column][row])) return false;
+      if (!is_written_as(matrix[column][row], written[column][row], error)) return false;
     }
   }
   return true;
 }
 
-/// Degrees, to a hundredth. 0 where only rounding keeps both entries from 0.
-double angle(double sine, double cosine) {
-  if (std::abs(sine) <= noise && std::abs(cosine) <= noise) return 0.0;
-  const double degrees = std::atan2(sine, cosine) * (180.0 / std::numbers::pi);
-  return std::round(degrees * steps_per_degree) / steps_per_degree;
+bool is_finite(const glm::dmat3& matrix) {
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      if (!std::isfinite(matrix[column][row])) return false;
+    }
+  }
+  return true;
 }
 
-/// The angles nearest to a matrix that is nearly a rotation. Where y is a right angle, x and z turn about one axis, and
-/// x is 0.
-glm::dvec3 euler_angles(const glm::dmat3& matrix) {
-  const double y = angle(-matrix[0][2], model::hypotenuse(matrix[0][0], matrix[0][1]));
-  if (std::abs(y) == 90.0) return {0.0, y, angle(-matrix[1][0], matrix[1][1])};
+/// Hundredths of a degree. 0 where only rounding keeps both entries from 0.
+int angle(double sine, double cosine) {
+  if (std::abs(sine) <= noise && std::abs(cosine) <= noise) return 0;
+  return static_cast<int>(std::round(std::atan2(sine, cosine) * (18000.0 / std::numbers::pi)));
+}
+
+/// The angles nearest to a matrix that is nearly a rotation, in hundredths of a degree. Where y is a right angle, x and
+/// z turn about one axis, and x is 0.
+glm::ivec3 euler_angles(const glm::dmat3& matrix) {
+  const int y = angle(-matrix[0][2], model::hypotenuse(matrix[0][0], matrix[0][1]));
+  if (std::abs(y) == 9000) return {0, y, angle(-matrix[1][0], matrix[1][1])};
   return {angle(matrix[1][2], matrix[2][2]), y, angle(matrix[0][1], matrix[0][0])};
+}
+
+/// The rotation about x, then y, then z by angles in hundredths of a degree. An entry is off by 7e-16 at most: each
+/// sine and cosine is rounded once (u = 2^-53 of it), and so are products and sums, so that of c c' s + s' s'', whose
+/// two products are 1 at most together, no more than 5 u of the first, 3 u of the second and u of the sum is lost.
+glm::dmat3 rotation(const glm::ivec3& hundredths) {
+  const double sx = model::sin_hundredths(hundredths.x);
+  const double sy = model::sin_hundredths(hundredths.y);
+  const double sz = model::sin_hundredths(hundredths.z);
+  const double cx = model::cos_hundredths(hundredths.x);
+  const double cy = model::cos_hundredths(hundredths.y);
+  const double cz = model::cos_hundredths(hundredths.z);
+  return {{cy * cz, cy * sz, -sy},
+          {cz * sx * sy - cx * sz, cx * cz + sx * sy * sz, cy * sx},
+          {cx * cz * sy + sx * sz, cx * sy * sz - cz * sx, cx * cy}};
 }
 
 glm::dmat3 diagonal(const glm::dvec3& entries) {
@@ -73,24 +97,15 @@ std::optional<glm::dmat3> restored(const glm::dmat3& written, Order order) {
   const auto scaled = [&](const glm::dmat3& matrix, const glm::dvec3& by) {
     return order == Order::scale_turn ? matrix * diagonal(by) : diagonal(by) * matrix;
   };
-  const glm::dmat3 turn = rotation(euler_angles(scaled(written, 1.0 / scale)));
+  const glm::dmat3 unit = scaled(written, 1.0 / scale);
+  if (!is_finite(unit)) return std::nullopt;  // of a scale of 0, say
+  const glm::dmat3 turn = rotation(euler_angles(unit));
   const glm::dmat3 whole = scaled(turn, scale);
-  return is_written_as(whole, written) ? std::optional(whole) : std::nullopt;
+  const double greatest = std::max({1.0, std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});
+  return is_written_as(whole, written, noise * greatest) ? std::optional(whole) : std::nullopt;
 }
 
 }  // namespace
-
-glm::dmat3 rotation(const glm::dvec3& degrees) {
-  const double sx = model::sin_degrees(degrees.x);
-  const double sy = model::sin_degrees(degrees.y);
-  const double sz = model::sin_degrees(degrees.z);
-  const double cx = model::cos_degrees(degrees.x);
-  const double cy = model::cos_degrees(degrees.y);
-  const double cz = model::cos_degrees(degrees.z);
-  return {{cy * cz, cy * sz, -sy},
-          {cz * sx * sy - cx * sz, cx * cz + sx * sy * sz, cy * sx},
-          {cx * cz * sy + sx * sz, cx * sy * sz - cz * sx, cx * cy}};
-}
 
 bool is_along_axes(const glm::dmat4& matrix) {
   for (int column = 0; column < 3; ++column) {

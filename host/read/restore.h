@@ -8,9 +8,6 @@
 
 namespace csgsim::read {
 
-/// The rotation about x, then y, then z by angles in degrees, as OpenSCAD's rotate([x, y, z]) works it out.
-glm::dmat3 rotation(const glm::dvec3& degrees);
-
 /// Whether all that the matrix turns, mirrors and swaps are whole axes, so that six digits lost nothing of its
 /// rotation.
 bool is_along_axes(const glm::dmat4& matrix);
@@ -18,7 +15,9 @@ bool is_along_axes(const glm::dmat4& matrix);
 /// The matrix before OpenSCAD wrote it with six significant digits, if its linear part is known: R, R S or S R, R a
 /// rotation by Euler angles in steps of 0.01 degrees, S a scaling along the axes by numbers of three significant
 /// digits, which mirrors if one is negative. Known is what has the same six digits in every entry: none moves by more
-/// than half a unit of its sixth digit. The column of the translation stays as written.
+/// than half a unit of its sixth digit. The entries of R are right to 7e-16, and those of the product to 1e-15 times
+/// the greatest factor of S, as that factor and the product are rounded once each. The column of the translation stays
+/// as written.
 std::optional<glm::dmat4> restored(const glm::dmat4& written);
 
 /// Counts the matrices of a file that are not along the axes.

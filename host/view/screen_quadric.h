@@ -66,8 +66,8 @@ struct ScreenQuadric {
   unsigned unit = 0;        ///< depth is right to 2^unit steps; more than 0 only of cylinders in orthographic
                             ///< views that are so steep that this is less than Sampling::edge_on_fraction sideways
   bool eye_inside = false;  ///< the coefficient of depth squared is negative: between its depths a ray is outside
-  double middle_error = 0;  ///< bounds of what rounding does before the floor, over `pixels`: of the middle,
-  double discriminant_error = 0;  ///< and of D, in its own units
+  double middle_error = 0;  ///< bounds of what rounding the scene's quadric does before the floor, over
+  double discriminant_error = 0;  ///< `pixels`: of the middle, and of D in its own units. Its doubles count as exact
   PixelRect pixels;               ///< that solids which it bounds can touch
   TwoPowers factor;               ///< of a paraboloid
   bool eye_on_axis_nappe = true;  ///< eye_inside of a cone: the eye is in the nappe that the axis points into

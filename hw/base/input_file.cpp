@@ -24,6 +24,11 @@ namespace {
   throw InputError(fmt::format("{}: cannot be read: {}", path.native(), why));
 }
 
+/// The system would take what is before it.
+void refuse_zero_byte(const std::filesystem::path& path) {
+  if (path.native().find('\0') != std::string::npos) fail(path, "its name has a zero byte; leave it out");
+}
+
 std::string all_of(const Descriptor& file, const std::filesystem::path& path, const InputKind& kind) {
   struct stat status {};
   if (!file.is_open() || ::fstat(file.number(), &status) != 0)
@@ -54,6 +59,7 @@ std::string read_file(const Descriptor& file, const std::filesystem::path& path,
 }
 
 std::string read_file(const std::filesystem::path& path, const InputKind& kind) {
+  refuse_zero_byte(path);
   if (path.native() != standard_stream)
     return read_file(Descriptor(::open(path.c_str(), O_RDONLY | O_CLOEXEC)), path, kind);
   static std::optional<std::string> kept;
@@ -77,6 +83,7 @@ void require_regular(const Descriptor& file, const std::filesystem::path& path, 
 }  // namespace
 
 Descriptor open_regular_file(const std::filesystem::path& path, const InputKind& kind) {
+  refuse_zero_byte(path);
   // What is there is looked at before it is opened: that of a device may have effects.
   const Descriptor seen(::open(path.c_str(), O_PATH | O_CLOEXEC));
   if (!seen.is_open()) {

@@ -99,6 +99,8 @@ fs::path without_links(const fs::path& path) {
 
 OutputFile::OutputFile(fs::path path) : asked_(std::move(path)), final_(asked_) {
   if (asked_.empty()) throw InputError("an output has an empty name; name the file");
+  if (asked_.native().find('\0') != std::string::npos)
+    throw InputError(asked_.native() + ": an output's name has a zero byte; leave it out");
   is_stream_ = is_stream(asked_);
   if (is_standard_output(asked_)) standard_output_ = take_standard_output();
   std::error_code error;

@@ -14,6 +14,7 @@
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/base/standard_streams.h"
+#include "hw/base/text.h"
 #include "sim/shell/lists.h"
 #include "sim/shell/manual/description.h"
 #include "sim/shell/manual/help.h"
@@ -222,10 +223,15 @@ std::string help_of_app(CLI::App& app) {
   return help_of_all(app.get_description(), commands);
 }
 
+/// The words as main has them, which end at their first zero byte: one within a word is refused.
 std::vector<char*> arguments_of(std::vector<std::string>& words) {
   std::vector<char*> arguments;
   arguments.reserve(words.size());
-  for (std::string& word : words) arguments.push_back(word.data());
+  for (std::string& word : words) {
+    if (word.find('\0') != word.npos)
+      throw UsageError(printable(word), "it has a zero byte, which no text on a command line has; leave it out");
+    arguments.push_back(word.data());
+  }
   return arguments;
 }
 

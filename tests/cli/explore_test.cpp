@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -109,6 +110,61 @@ TEST_CASE("the command of the knee draws the knee") {
   CHECK(knees == 1);
 }
 
+TEST_CASE("the commands of a knee for several models have memory for each of them, whichever is first") {
+  const Folder folder;
+  const std::string words = small + " --vary z-bits=16 --vary strategy=stack --no-plots -o ";
+  const auto bits_of = [&](const std::string& models, const std::string& output) {
+    REQUIRE(run("explore " + models + words + (folder / output)).code == 0);
+    const nlohmann::json file = json(folder / output + "/explore.json");
+    unsigned most = 0;
+    for (const nlohmann::json& point : file["points"]) most = std::max(most, point["used_bits"].get<unsigned>());
+    CHECK(file["points"][0]["used_bits"] != file["points"][1]["used_bits"]);
+    const nlohmann::json commands = file["fronts"].back()["knee"]["commands"];
+    REQUIRE(commands.size() == 2);
+    for (const nlohmann::json& command : commands)
+      CHECK(command.get<std::string>().find("--memory-bits " + std::to_string(most) + " ") != std::string::npos);
+    return most;
+  };
+  const std::string one = model("sphere");
+  const std::string other = model("carburettor");
+  CHECK(bits_of(one + " " + other, "a") == bits_of(other + " " + one, "b"));
+}
+
+TEST_CASE("a figure of a process file that is edited under the same name is asked for again, each of them") {
+  const Folder folder;
+  std::string process = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/process/nmos-3um.toml");
+  process.replace(process.find("\"nmos-3um\""), 10, "\"mine\"");
+  write(folder / "c.csg", "cube(size = [8, 6, 4]);\n");
+  const std::string command = "explore " + (folder / "c.csg") + " --size 16x16 --progress none --process " +
+                              (folder / "p.toml") + " --vary alu.bits=1,2 --no-plots -o ";
+  const auto measured = [&](const std::string& output) {
+    REQUIRE(run(command + (folder / output)).code == 0);
+    return json(folder / output + "/explore.json")["points"];
+  };
+  write(folder / "p.toml", process);
+  const nlohmann::json before = measured("kept");
+  std::size_t edits = 0;
+  std::size_t differ = 0;
+  for (std::size_t at = process.find("\nvalue = "); at != process.npos; at = process.find("\nvalue = ", at + 1)) {
+    const std::size_t begin = at + std::string("\nvalue = ").size();
+    const std::size_t end = process.find('\n', begin);
+    std::string digits = process.substr(begin, end - begin);
+    std::erase(digits, '_');
+    std::string edited = process;
+    edited.replace(begin, end - begin, std::to_string(std::stoull(digits) / 2));
+    write(folder / "p.toml", edited);
+    CAPTURE(edited.substr(edited.rfind('[', at), 40));
+    const nlohmann::json again = measured("kept");
+    CHECK(again[0]["process"] == "mine");
+    CHECK(again == measured("fresh" + std::to_string(++edits)));
+    differ += again == before ? 0U : 1U;
+  }
+  CHECK(edits == 13);
+  CHECK(differ > 10);  // a small machine may be the same with another fan-in
+  write(folder / "p.toml", process);
+  CHECK(measured("kept") == before);
+}
+
 TEST_CASE("explore goes on where it was, and with other values measures what is new") {
   const Folder folder;
   const std::string command =
@@ -170,10 +226,23 @@ TEST_CASE("designs that cannot draw the model say why, and do not stop the other
   CHECK(file["points"][1]["machine_memory_bits"] == 48 * 48 * 72);
   CHECK(file["fronts"][0]["refused"] == 1);
   CHECK(outcome.out.find("1 cannot be drawn") != std::string::npos);
+  const std::string reason = file["points"][0]["reason"];
+  CHECK(outcome.out.find("\n  array.memory_bits=20, memory-bits=20 cannot be drawn: " + reason + "\n") !=
+        std::string::npos);
   const Outcome none = run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "n") +
                            " --vary array.memory_bits=20,21");
   CHECK(none.code == 1);
   CHECK(one_line(none.err));
+}
+
+TEST_CASE("explore writes nothing where no model can be read") {
+  const Folder folder;
+  const std::string words = small + " --vary z-bits=8,16 --no-plots -o " + (folder / "e");
+  const Outcome missing = run("explore " + (folder / "nosuch.csg") + words);
+  CHECK(missing.code == 1);
+  CHECK(one_line(missing.err));
+  CHECK(missing.err.find("nosuch.csg: cannot be read") != std::string::npos);
+  CHECK(folder.files() == 0);
 }
 
 TEST_CASE("machines whose pixels have no price have no area, and their fronts do without") {

@@ -73,8 +73,8 @@ TEST_CASE("a design with a Program is written whole, again over itself, and says
     CHECK(outcome.out.find("pixel-planes-4, 8 x 4 pixels with a Program; make -C d icarus") != std::string::npos);
   }
   CHECK(files_below(folder.path() / "d") ==
-        with_modules({"Makefile", "README.md", "begins.hex", "beside.py", "board.v", "hx8k.pcf", "png.py",
-                      "program.hex", "system.v", "testbench.v", "up5k.pcf"}));
+        with_modules({".csgsim-files", "Makefile", "README.md", "begins.hex", "beside.py", "board.v", "hx8k.pcf",
+                      "png.py", "program.hex", "system.v", "testbench.v", "up5k.pcf"}));
   check_filled(folder.path() / "d");
   const std::string system = content(folder / "d/system.v");
   CHECK(system.find(".WIDTH(8), ") != std::string::npos);
@@ -87,11 +87,26 @@ TEST_CASE("a design without a model has a serial line, and no testbench") {
   CAPTURE(outcome.err);
   REQUIRE(outcome.code == 0);
   CHECK(files_below(folder.path() / "d") ==
-        with_modules({"Makefile", "README.md", "board.v", "hx8k.pcf", "system.v", "up5k.pcf"}));
+        with_modules({".csgsim-files", "Makefile", "README.md", "board.v", "hx8k.pcf", "system.v", "up5k.pcf"}));
   check_filled(folder.path() / "d");
   const std::string system = content(folder / "d/system.v");
   CHECK(system.find("uart_host") != std::string::npos);
   CHECK(system.find(".ALU_BITS(2), ") != std::string::npos);
+}
+
+TEST_CASE("a design is not written over files that are not its own, and the current folder is refused") {
+  refused({"pixel-planes-4", "m.csg", "--size", "8x8", "-o", "."}, 1, ".: the current folder is in it",
+          "name a folder that is empty or not there");
+  const Folder folder;
+  fs::create_directory(folder.path() / "d");
+  write(folder / "d/board.v", "mine\n");
+  const Words words{"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"};
+  const Outcome outcome = rtl(folder, words);
+  CHECK(outcome.code == 1);
+  CHECK(one_line(outcome.err));
+  CHECK(outcome.err.find("d: it has files that csgsim did not write") != std::string::npos);
+  CHECK(files_below(folder.path() / "d") == std::set<std::string>{"board.v"});
+  CHECK(content(folder / "d/board.v") == "mine\n");
 }
 
 TEST_CASE("what the Verilog does not have is refused with the mend, and nothing is written") {

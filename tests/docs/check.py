@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|lists|tasks|words"""
+"""Checks of the pages that need no run: check.py links|cells|numbers|pictures|blocks|glossary|lists|tasks|words|shells|machines"""
 
 import collections
 import json
@@ -167,7 +167,31 @@ def words():
             yield f"{name} is the word {word} of docs/developing.md, spelt otherwise"
 
 
-CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, lists, tasks, words)}
+def shells():
+    """The commands of a page mean the same in bash and in zsh, which does not split $NAME: words are in arrays. Scenes are there."""
+    for path in markdown.pages():
+        text = markdown.read(path)
+        lists = set(re.findall(r"""^    ([A-Z]+)=["'][^"'\n]* [^"'\n]*["']$""", text, re.MULTILINE))
+        arrays = set(re.findall(r"^    ([A-Z]+)=\(", text, re.MULTILINE))
+        for name in re.findall(r"(?<!\")\$([A-Z]+)\b", text):
+            if name in lists | arrays:
+                yield f'{path}: ${name} is not split in zsh: write {name}=(...), and "${{{name}[@]}}"'
+        for scene in re.findall(r"^    csgsim .*--scene (\S+)", text, re.MULTILINE):
+            if not (ROOT / scene).exists():
+                yield f"{path}: a command names the scene {scene}, which is not there"
+
+
+def machines():
+    """No page has another number of machines than come with csgsim, but for those of the eighties, on which studies run."""
+    count = len(list((ROOT / "hw/machines").glob("*.toml")))
+    words_of = "one two three four five six seven eight nine ten eleven twelve".split()
+    for path in markdown.pages():
+        for number in re.findall(r"\b(?:the|all|on|why) \[?(\w+) machines\b(?! of the eighties)", " ".join(markdown.read(path).split())):
+            if number in words_of and number != words_of[count - 1]:
+                yield f"{path}: '{number} machines', and {count} come with csgsim"
+
+
+CHECKS = {check.__name__: check for check in (links, cells, numbers, pictures, blocks, glossary, lists, tasks, words, shells, machines)}
 
 
 def main():

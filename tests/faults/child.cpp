@@ -11,7 +11,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 
+#include "hw/base/address_sanitizer.h"
 #include "places.h"
 
 namespace csgsim::testing::faults {
@@ -90,6 +92,25 @@ Ended run_apart(const std::function<void()>& work, const Conditions& conditions)
     std::_Exit(0);
   };
   return run(tell, conditions);
+}
+
+Ended run_failing(const std::vector<std::string>& words, const std::string& fault, const std::string& report) {
+  Conditions conditions;
+  conditions.environment = {{"LD_PRELOAD", CSGSIM_FAULT_LIBRARY}, {"CSGSIM_FAULT_REPORT", report}};
+  if (!fault.empty()) conditions.environment["CSGSIM_FAULT"] = fault;
+#if CSGSIM_ADDRESS_SANITIZER
+  conditions.environment["ASAN_OPTIONS"] = "verify_asan_link_order=0";
+#endif
+  return run_csgsim(words, conditions);
+}
+
+std::map<std::string, std::size_t> calls(const std::string& report) {
+  std::map<std::string, std::size_t> counts;
+  std::ifstream file(report);
+  std::string word;
+  std::string kind;
+  for (std::size_t count = 0; file >> word >> kind >> count;) counts[kind] = count;
+  return counts;
 }
 
 }  // namespace csgsim::testing::faults

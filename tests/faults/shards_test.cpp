@@ -3,13 +3,10 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <map>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "hw/base/address_sanitizer.h"
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
 
@@ -18,9 +15,10 @@ namespace {
 namespace fs = std::filesystem;
 using csgsim::testing::cli::content;
 using csgsim::testing::cli::Folder;
-using csgsim::testing::faults::Conditions;
+using csgsim::testing::faults::calls;
 using csgsim::testing::faults::Ended;
 using csgsim::testing::faults::run_csgsim;
+using csgsim::testing::faults::run_failing;
 
 std::vector<std::string> sweep(const std::string& out, const std::vector<std::string>& more) {
   std::vector<std::string> words{
@@ -28,25 +26,6 @@ std::vector<std::string> sweep(const std::string& out, const std::vector<std::st
       out};
   words.insert(words.end(), more.begin(), more.end());
   return words;
-}
-
-Ended run_with(const std::vector<std::string>& words, const std::string& fault, const std::string& report) {
-  Conditions conditions;
-  conditions.environment = {{"LD_PRELOAD", CSGSIM_FAULT_LIBRARY}, {"CSGSIM_FAULT_REPORT", report}};
-  if (!fault.empty()) conditions.environment["CSGSIM_FAULT"] = fault;
-#if CSGSIM_ADDRESS_SANITIZER
-  conditions.environment["ASAN_OPTIONS"] = "verify_asan_link_order=0";
-#endif
-  return run_csgsim(words, conditions);
-}
-
-std::map<std::string, std::size_t> calls(const std::string& report) {
-  std::map<std::string, std::size_t> counts;
-  std::ifstream file(report);
-  std::string word;
-  std::string kind;
-  for (std::size_t count = 0; file >> word >> kind >> count;) counts[kind] = count;
-  return counts;
 }
 
 /// Half-written files would have such names.
@@ -66,7 +45,7 @@ TEST_CASE("a shard leaves whole rows, and goes on from them, whichever call fail
   const std::string out = folder / "out";
   REQUIRE(run_csgsim(sweep(folder / "one", {}), {}).code == 0);
   const std::string wanted = content(folder / "one/sweep.csv");
-  REQUIRE(run_with(sweep(folder / "counted", {"--shard", "1/1"}), "", report).code == 0);
+  REQUIRE(run_failing(sweep(folder / "counted", {"--shard", "1/1"}), "", report).code == 0);
   std::map<std::string, std::size_t> counts = calls(report);
   REQUIRE(counts["write"] >= 3);
   REQUIRE(counts["fsync"] >= 3);
@@ -79,7 +58,7 @@ TEST_CASE("a shard leaves whole rows, and goes on from them, whichever call fail
       CAPTURE(fault);
       fs::remove_all(out);
       fs::remove(report);
-      const Ended ended = run_with(sweep(out, {"--shard", "1/1"}), fault, report);
+      const Ended ended = run_failing(sweep(out, {"--shard", "1/1"}), fault, report);
       CAPTURE(ended.err);
       CHECK(content(report).starts_with("failed "));
       CHECK(ended.code == 1);

@@ -5,13 +5,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tests/lockstep/lockstep.h"
+#include "tests/support/properties.h"
 #include "tests/support/random_program.h"
 
 namespace csgsim::test {
@@ -30,7 +30,7 @@ bool agree_on_random_programs(const machines::Machine& machine, std::size_t inst
 
 int run(std::span<const std::uint32_t> arguments) {
   const isa::ArrayShape shape{arguments[0], arguments[1], arguments[2]};
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", arguments[5]).c_str(), 0);
+  testing::add_parameters(fmt::format("max_success={}", arguments[5]));
   return agree_on_random_programs(machine_of(shape, arguments[3], arguments[4]), arguments[6]) ? 0 : 1;
 }
 
@@ -40,6 +40,7 @@ int run(std::span<const std::uint32_t> arguments) {
 
 int main(int argc, char** argv) {
   try {
+    csgsim::testing::begin_program(argc, argv);
     std::vector<std::uint32_t> arguments;
     for (int i = 1; i < argc; ++i) arguments.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
     if (arguments.size() == 7) return csgsim::test::run(arguments);

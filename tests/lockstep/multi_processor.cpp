@@ -16,6 +16,7 @@
 #include "hw/multi_processor/kind.h"
 #include "tests/lockstep/agree.h"
 #include "tests/lockstep/row.h"
+#include "tests/support/properties.h"
 
 namespace csgsim::test {
 
@@ -92,6 +93,7 @@ bool runs_on(const isa::Program& program, const machines::Machine& machine) {
 int main(int argc, char** argv) {
   try {
     if (argc != 3) throw std::invalid_argument("give a seed and a number of Programs");
+    csgsim::testing::begin_program(argc, argv);
     const csgsim::machines::Machine machine =
         csgsim::test::random_machine(static_cast<std::uint32_t>(std::stoul(argv[1])));
     const auto programs = static_cast<unsigned>(std::stoul(argv[2]));

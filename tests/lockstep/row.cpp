@@ -3,13 +3,15 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <stdexcept>
+
+#include "tests/support/properties.h"
 
 namespace csgsim::test {
 
 void read_row(int count, char** words, const std::map<std::string, std::uint32_t*>& known) {
+  testing::begin_program(count, words);
   for (int i = 1; i < count; ++i) {
     const std::string word = words[i];
     const std::size_t equals = word.find('=');
@@ -20,7 +22,7 @@ void read_row(int count, char** words, const std::map<std::string, std::uint32_t
 }
 
 int exit_code_of(unsigned programs, const std::function<bool()>& agree) {
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", programs).c_str(), 0);
+  testing::add_parameters(fmt::format("max_success={}", programs));
   return agree() ? 0 : 1;
 }
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
 #include "tests/lockstep/agree.h"
+#include "tests/support/properties.h"
 
 namespace csgsim::test {
 
@@ -49,7 +49,7 @@ machines::Machine scan_line_machine(std::span<const std::uint32_t> figures) {
 
 int run(std::span<const std::uint32_t> figures) {
   const machines::Machine machine = scan_line_machine(figures);
-  ::setenv("RC_PARAMS", fmt::format("max_success={} noshrink=0", figures[19]).c_str(), 0);
+  testing::add_parameters(fmt::format("max_success={}", figures[19]));
   const bool agree = agree_scan_line(machine, figures[20]);
   return agree && agree_scan_line_in_sequences(machine, figures[20]) ? 0 : 1;
 }
@@ -60,6 +60,7 @@ int run(std::span<const std::uint32_t> figures) {
 
 int main(int argc, char** argv) {
   try {
+    csgsim::testing::begin_program(argc, argv);
     std::vector<std::uint32_t> figures;
     for (int i = 1; i < argc; ++i) figures.push_back(static_cast<std::uint32_t>(std::stoul(argv[i])));
     if (figures.size() == 21) return csgsim::test::run(figures);

@@ -24,6 +24,8 @@
 #include "tests/lockstep/agree.h"
 #include "tests/lockstep/random_machine.h"
 #include "tests/lockstep/row.h"
+#include "tests/support/properties.h"
+#include "tests/support/usual_cases.h"
 
 namespace csgsim::test {
 
@@ -129,6 +131,7 @@ int run(const std::string& name, std::uint64_t first, std::uint64_t last, unsign
   std::uint64_t failed = 0;
   for (std::uint64_t seed = first; seed <= last; ++seed) {
     const std::optional<machines::Machine> machine = random_machine(kind, seed);
+    testing::begin_case(fmt::format("{} {}", name, seed));
     const int code = in_a_process(machine, property, programs);
     if (code == refused) continue;
     ++drawn;
@@ -139,7 +142,8 @@ int run(const std::string& name, std::uint64_t first, std::uint64_t last, unsign
   }
   fmt::print("{} of {} machines drew, {} of them failed\n", drawn, last - first + 1, failed);
   // More than every third machine draws, or the test is none.
-  return failed == 0 && 3 * drawn > last - first + 1 ? 0 : 1;
+  const bool are_few = testing::draws_from_fixed_seed() && 3 * drawn <= last - first + 1;
+  return failed == 0 && !are_few ? 0 : 1;
 }
 
 }  // namespace

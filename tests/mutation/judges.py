@@ -5,6 +5,7 @@ import json
 import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import time
@@ -101,7 +102,6 @@ BY_CASE = {  # as ctest runs them, mostly a process a test case: SystemC elabora
 BY_FILE = {"cli"}  # takes minutes, and has a file of tests for most files that it judges
 TOO_SLOW = ["*half a million facets*", "*turned by a hair*"]
 LEFT_OUT = {"hard_cases": ["--source-file-exclude=*hard_cases_many*"]}  # trees of 10,000 nodes take minutes
-LOCKSTEP_PROGRAMS = {"lockstep_functional": 6, "lockstep_cycle": 6}  # which word of the command says how many Programs
 RANDOM = "seed=1 noshrink=1"
 PATIENCE = 10  # times the usual time
 LEAST_TIME_LIMIT = 10.0  # seconds
@@ -151,7 +151,18 @@ class Judges:
         self.usual = json.loads(self.usual_file.read_text()) if self.usual_file.exists() else {}
         self.commands = {}
 
+    def is_of_another_tree(self):
+        cache = self.build / "CMakeCache.txt"
+        return cache.exists() and f"\nCMAKE_HOME_DIRECTORY:INTERNAL={self.root}\n" not in cache.read_text()
+
     def configure(self):
+        """Configures the build folder, also one that was copied here along with another tree and would build that."""
+        if self.is_of_another_tree():
+            for entry in self.build.iterdir():
+                if entry.is_dir():
+                    shutil.rmtree(entry)
+                elif not entry.name.startswith("mutation-"):
+                    entry.unlink()
         if not (self.build / "build.ninja").exists():
             subprocess.run(["cmake", "-S", self.root, "-B", self.build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=",
                             "-DCMAKE_CXX_FLAGS=-O1", "-DCSGSIM_PRECOMPILE=ON", "-DCSGSIM_BATCH_TESTS=ON"], check=True)
@@ -182,9 +193,7 @@ class Judges:
             command = test.get("command", [""])
             if command[0] != program:
                 continue
-            if judge in LOCKSTEP_PROGRAMS:
-                environment = {"RC_PARAMS": f"{RANDOM} max_success={command[LOCKSTEP_PROGRAMS[judge]]}"}
-            elif judge == "lockstep_squares":
+            if judge == "lockstep_squares":
                 environment = {"RC_PARAMS": f"{RANDOM} max_success=30"}
             yield command, environment | environment_of(test)
 

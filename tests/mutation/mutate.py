@@ -4,6 +4,7 @@
 import argparse
 import csv
 import fcntl
+import fnmatch
 import json
 import os
 import signal
@@ -25,12 +26,13 @@ class Restored:
 
     def __init__(self, build, mutant):
         self.note = build / "mutation-in-flight.json"
+        self.file = mutant.file
         self.path = ROOT / mutant.file
         self.mutant = mutant
 
     def __enter__(self):
         self.text = self.path.read_text()
-        self.note.write_text(json.dumps({"path": str(self.path), "text": self.text}))
+        self.note.write_text(json.dumps({"file": self.file, "text": self.text}))
         self.path.write_text(self.mutant.apply(self.text))
 
     def __exit__(self, *_):
@@ -42,7 +44,7 @@ def restore_after_a_crash(build):
     note = build / "mutation-in-flight.json"
     if note.exists():
         saved = json.loads(note.read_text())
-        Path(saved["path"]).write_text(saved["text"])
+        (ROOT / saved["file"]).write_text(saved["text"])
         note.unlink()
 
 
@@ -72,12 +74,19 @@ def append(path, row):
         writer.writerow(row)
 
 
-def summary(rows):
+def table(rows, rooms):
+    """Markdown, as in README.md: what became of the mutants that compile, by room and in all."""
     counts = Counter((row["room"], row["result"]) for row in rows)
-    results = ["failed", "timeout", "survived", "uncompilable"]
-    print(f"{'room':22}" + "".join(f"{name:>14}" for name in results))
-    for room in JUDGES_OF:
-        print(f"{room:22}" + "".join(f"{counts[room, name]:14}" for name in results))
+    lines = ["| room | mutants | killed | of these by time-out | survivors | killed, % |", "|---|--:|--:|--:|--:|--:|"]
+    sums = Counter()
+    for room in [*rooms, "all"]:
+        here = sums if room == "all" else Counter({name: counts[room, name] for name in ("failed", "timeout", "survived")})
+        killed, mutants = here["failed"] + here["timeout"], here.total()
+        share = f"{100 * killed / mutants:.0f}" if mutants else "-"
+        name = room if room == "all" else f"`{room}`"
+        lines.append(f"| {name} | {mutants} | {killed} | {here['timeout']} | {here['survived']} | {share} |")
+        sums += here if room != "all" else Counter()
+    return "\n".join(lines)
 
 
 def line_text(mutant):
@@ -93,11 +102,27 @@ def chosen_mutants(rooms, seed):
     return chosen
 
 
+def shares(options, rooms):
+    """How many mutants that compile each room is to have."""
+    if options.per_room:
+        return [options.per_room] * rooms
+    return [options.count // rooms + (i < options.count % rooms) for i in range(rooms)]
+
+
+def rooms_in(patterns):
+    """The rooms that a pattern fits, as sim/software/* does; all of them if there is none."""
+    for pattern in patterns:
+        if not fnmatch.filter(JUDGES_OF, pattern):
+            raise SystemExit(f"mutate.py: no room is '{pattern}'; --list prints them")
+    return [room for room in JUDGES_OF if not patterns or any(fnmatch.fnmatch(room, pattern) for pattern in patterns)]
+
+
 def go_through(options, judges, rooms):
     """Room by room in turn, until every room has its share of mutants that compile."""
     results = read_results(options.results)
     waiting = chosen_mutants(rooms, options.seed)
-    wanted = {room: options.count // len(rooms) + (i < options.count % len(rooms)) for i, room in enumerate(rooms)}
+    wanted = dict(zip(rooms, shares(options, len(rooms))))
+    gone_through = []
     while waiting:
         for room in list(waiting):
             mutant = next(waiting[room], None) if wanted[room] > 0 else None
@@ -115,13 +140,14 @@ def go_through(options, judges, rooms):
                 print(f"{result:12} {by:20} {row['seconds']:>6} s  {mutant.file}:{mutant.line}:{mutant.column}: "
                       f"{mutant.edit}", flush=True)
             wanted[room] -= row["result"] != "uncompilable"
-    return read_results(options.results).values()
+            gone_through.append(row)
+    return gone_through
 
 
 def try_again(options, judges):
     """The mutants that the results file names, where they still are, judged by the tests as they are now."""
     rows = {key: row for key, row in read_results(options.again).items() if options.all or row["result"] == "survived"}
-    for room in options.room or JUDGES_OF:
+    for room in rooms_in(options.room):
         for place in (place for file in files_of(ROOT, room) for place in mutants_of(ROOT, file)):
             for mutant in place:
                 if mutant.key not in rows or line_text(mutant) != rows[mutant.key]["text"]:
@@ -134,7 +160,9 @@ def parsed(arguments):
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seed", type=int, default=1, help="which mutants are chosen, and in which order (%(default)s)")
     parser.add_argument("--count", type=int, default=400, help="mutants that compile, of all rooms (%(default)s)")
-    parser.add_argument("--room", action="append", choices=list(JUDGES_OF), help="only this room; may be repeated")
+    parser.add_argument("--per-room", type=int, metavar="N", help="N mutants of each room instead")
+    parser.add_argument("--room", action="append", default=[], help="only this room, or those of a pattern, sim/software/*; may be repeated")
+    parser.add_argument("--list", action="store_true", help="print the rooms, with the tests that judge each, and nothing else")
     parser.add_argument("--judge", action="append", help="only this test executable, without test_; may be repeated")
     parser.add_argument("--build", type=Path, default=ROOT / "build" / "mutants", help="the build folder (%(default)s)")
     parser.add_argument("--results", type=Path, help="the results, appended to (BUILD/mutation-results.csv)")
@@ -151,6 +179,11 @@ def parsed(arguments):
 
 def main(arguments):
     options = parsed(arguments)
+    if options.list:
+        for room in rooms_in(options.room):
+            print(f"{room:26} {' '.join(JUDGES_OF[room])}")
+        return
+    rooms = rooms_in(options.room)
     os.nice(5)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(143))
     options.build.mkdir(parents=True, exist_ok=True)
@@ -160,14 +193,13 @@ def main(arguments):
     except OSError:
         raise SystemExit(f"mutate.py: another run uses {options.build}; name another folder with --build") from None
     restore_after_a_crash(options.build)
-    rooms = options.room or list(JUDGES_OF)
     judges = Judges(ROOT, options.build, options.jobs, options.excepted)
     judges.configure()
     judges.measure(options.judge or dict.fromkeys(name for room in rooms for name in JUDGES_OF[room]))
     if options.again:
         try_again(options, judges)
         return
-    summary(go_through(options, judges, rooms))
+    print(table(go_through(options, judges, rooms), rooms))
 
 
 if __name__ == "__main__":

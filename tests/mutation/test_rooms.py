@@ -1,11 +1,15 @@
 #!/usr/bin/env python3
-"""Every room of hw, host and sim has judges, and every judge is a test that is built."""
+"""Every room of hw, host and sim has judges, every judge is a test that is built, and what is asked for is what is chosen."""
 
 import re
+import shutil
+import tempfile
 import unittest
 from pathlib import Path
 
-from judges import BY_CASE, JUDGES_OF, target_of
+import mutants
+import mutate
+from judges import BY_CASE, JUDGES_OF, Judges, target_of
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -35,6 +39,46 @@ class Rooms(unittest.TestCase):
         known = targets()
         asked = {judge for judges in JUDGES_OF.values() for judge in judges} | BY_CASE
         self.assertEqual({judge for judge in asked if target_of(judge) not in known}, set())
+
+
+class Choice(unittest.TestCase):
+    def test_each_room_gets_its_share_or_as_many_as_are_asked_for(self):
+        self.assertEqual(mutate.shares(mutate.parsed(["--count", "8"]), 3), [3, 3, 2])
+        self.assertEqual(mutate.shares(mutate.parsed(["--per-room", "10"]), 3), [10, 10, 10])
+
+    def test_rooms_are_chosen_by_name_or_pattern(self):
+        self.assertEqual(mutate.rooms_in([]), list(JUDGES_OF))
+        self.assertEqual(mutate.rooms_in(["host/view", "sim/software/t*"]),
+                         ["host/view", "sim/software/tracing", "sim/software/traversals", "sim/software/tree"])
+        with self.assertRaises(SystemExit):
+            mutate.rooms_in(["host/views"])
+
+    def test_the_table_counts_what_compiles_by_room_and_in_all(self):
+        rows = [{"room": room, "result": result} for room, result in (
+            ("host/view", "failed"), ("host/view", "timeout"), ("host/view", "survived"), ("host/view", "uncompilable"),
+            ("host/csg", "failed"))]
+        self.assertEqual(mutate.table(rows, ["host/view", "host/csg", "hw/isa"]).splitlines()[2:], [
+            "| `host/view` | 3 | 2 | 1 | 1 | 67 |", "| `host/csg` | 1 | 1 | 0 | 0 | 100 |", "| `hw/isa` | 0 | 0 | 0 | 0 | - |",
+            "| all | 4 | 3 | 1 | 1 | 75 |"])
+
+    def test_the_same_seed_chooses_the_same_mutants_in_any_copy_of_the_tree(self):
+        files = mutants.files_of(ROOT, "sim/lockstep")
+        with tempfile.TemporaryDirectory() as folder:
+            for file in files:
+                (Path(folder) / file).parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(ROOT / file, Path(folder) / file)
+            here = mutants.in_random_order(ROOT, files, 4)
+            self.assertEqual(here, mutants.in_random_order(Path(folder), files, 4))
+            self.assertNotEqual(here, mutants.in_random_order(ROOT, files, 5))
+
+    def test_a_build_folder_that_came_from_another_tree_is_noticed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            build = Path(folder)
+            self.assertFalse(Judges(ROOT, build, 1).is_of_another_tree())
+            (build / "CMakeCache.txt").write_text(f"A:STRING=1\nCMAKE_HOME_DIRECTORY:INTERNAL={ROOT}\n")
+            self.assertFalse(Judges(ROOT, build, 1).is_of_another_tree())
+            (build / "CMakeCache.txt").write_text(f"A:STRING=1\nCMAKE_HOME_DIRECTORY:INTERNAL={ROOT}2\n")
+            self.assertTrue(Judges(ROOT, build, 1).is_of_another_tree())
 
 
 if __name__ == "__main__":

@@ -277,6 +277,9 @@ class Refused(unittest.TestCase):
 
     def test_what_is_for_terminals_is_refused(self):
         self.refused(csgsim.UsageError, "--help", csgsim.render, FIGURE, help=True)
+        self.refused(csgsim.UsageError, "zero byte", csgsim.render, FIGURE, size="8x8\0x9")
+        self.refused(csgsim.UsageError, "zero byte", csgsim.render, f"{FIGURE}\0.csg")
+        self.refused(csgsim.Error, "zero byte", csgsim.Program.load, f"{FIGURE}\0.csgt")
         self.refused(csgsim.UsageError, "--output", csgsim.render, FIGURE, output="-")
         self.refused(csgsim.UsageError, "--quiet", csgsim.sweep, FIGURE, quiet=True)
         self.refused(csgsim.UsageError, "--shard", csgsim.sweep, FIGURE, shard="1/2")

@@ -6,6 +6,7 @@
 
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
+#include "tests/support/properties.h"
 
 namespace csgsim::rtl {
 
@@ -36,6 +37,7 @@ std::size_t possible_instructions(const machines::Machine& machine) {
 
 int exit_code(int count, char** words, const std::function<int(const Words&)>& run) {
   try {
+    testing::begin_program(count, words);
     return run({words + 1, words + count});
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());

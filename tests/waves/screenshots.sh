@@ -31,7 +31,10 @@ show() {
   test "$(stat -c %s "$2")" -gt 20000 || { echo "$2 shows nothing" >&2; exit 1; }
 }
 
-photograph frame_buffer pixel-planes-4 256x256 128,120
+# The first command of docs/waves.md.
+csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o "$work/frame_buffer.vcd" > /dev/null
+show frame_buffer "$pictures/frame_buffer.png"
+
 photograph scan_line scan-line 256x256 128,120
 photograph pixel_square pixel-square+divider.kind=host 256x256 128,120
 photograph multi_processor multi-processor 128x128 64,60

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -10,9 +9,8 @@
 #include <vector>
 
 #include "hw/base/error.h"
-#include "hw/base/folder.h"
 #include "hw/base/messages.h"
-#include "hw/base/output_file.h"
+#include "hw/base/output_folder.h"
 #include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
@@ -66,15 +64,10 @@ Subject subject_of(const Options& options, const Command& command) {
 }
 
 /// All of them, or none.
-void write_files(const fs::path& folder, const std::vector<rtl::DesignFile>& files) {
-  std::deque<OutputFile> open;
-  std::vector<OutputFile*> all;
-  for (const rtl::DesignFile& file : files) {
-    OutputFile& output = open.emplace_back(folder / file.path);
-    output.write(file.content);
-    all.push_back(&output);
-  }
-  commit_all(all);
+void write_files(const fs::path& path, const std::vector<rtl::DesignFile>& files) {
+  OutputFolder folder(path);
+  for (const rtl::DesignFile& file : files) folder.write(file.path, file.content);
+  folder.commit();
 }
 
 void warn_of_size(const machines::Machine& machine) {
@@ -95,8 +88,6 @@ void write_design(const Options& options, const Command& command) {
   paths.reserve(files.size());
   for (const rtl::DesignFile& file : files) paths.push_back(folder / file.path);
   refuse_clashes(options.model.inputs(), paths);
-  make_folder(folder);
-  make_folder(folder / "rtl");
   write_files(folder, files);
   warn_of_size(subject.machine);
   fmt::print("{}: {} of {}, {} x {} pixels{}; {}\n", printable(options.output), counted(files.size(), "file"),
@@ -126,7 +117,9 @@ void add_rtl(CommandLine& line) {
       "MODEL", options->model.model,
       "A model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt; without it the machine is fed "
       "over a serial line");
-  command.option("-o,--output", options->output, "The folder of the design; made if it is not there")
+  command
+      .option("-o,--output", options->output,
+              "The folder of the design: a new one, an empty one, or a design's that is replaced as a whole")
       .required()
       .check(not_empty)
       .folder();

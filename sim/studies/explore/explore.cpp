@@ -115,7 +115,9 @@ class Explore : public StudyOf<ExploreRow> {
   std::vector<Asked> ask() override {
     grid_.emplace(options_.designs());
     process_ = options_.loaded_process();
-    return ask_from(0);
+    std::vector<Asked> asked = ask_from(0);
+    refuse_unread();
+    return asked;
   }
 
   [[nodiscard]] bool looks_further() const override { return options_.search > 0; }
@@ -210,6 +212,12 @@ class Explore : public StudyOf<ExploreRow> {
     }
     if (first == 0) asked_first_ = grid_->designs().size();
     return asked;
+  }
+
+  /// Throws InputError, before anything is written, if no model can be read.
+  void refuse_unread() const {
+    if (!jobs_.empty() && std::ranges::none_of(jobs_, [](const Job& job) { return job.subject != nullptr; }))
+      throw InputError(jobs_.front().reason);
   }
 
   /// A design whose figures do not fit each other is one that says so.

@@ -101,6 +101,25 @@ std::string group_text(const ExploreGroup& group) {
   return text;
 }
 
+/// Each reason once, with the first design that it refuses.
+void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, const std::string& model) {
+  std::vector<std::pair<const ExploreRow*, std::uint64_t>> reasons;  // the first, and how many more
+  for (const ExploreRow& row : rows) {
+    if (row.drawn() || row.point.model != model) continue;
+    const auto same =
+        std::ranges::find_if(reasons, [&](const auto& known) { return known.first->reason == row.reason; });
+    if (same == reasons.end()) {
+      reasons.emplace_back(&row, 0);
+    } else {
+      ++same->second;
+    }
+  }
+  for (const auto& [row, more] : reasons) {
+    const std::string others = more > 0 ? fmt::format(", as do {}", shell::counted(more, "other design")) : "";
+    fmt::print("  {} cannot be drawn{}: {}\n", names.text(row->point), others, row->reason);
+  }
+}
+
 void print_knee(std::span<const ExploreRow> rows, const DesignNames& names, const ShownGroup& shown) {
   const ExploreGroup& group = shown.group;
   std::string values;
@@ -150,6 +169,7 @@ void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup
   for (const ShownGroup& shown : groups) {
     fmt::print("{}{}\n", is_first ? "" : "\n", group_text(shown.group));
     is_first = false;
+    if (!shown.group.model.empty()) print_refused(rows, names, shown.group.model);
     if (!shown.group.knee) continue;
     print_front(rows, names, shown.group);
     print_knee(rows, names, shown);

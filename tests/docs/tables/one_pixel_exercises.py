@@ -6,6 +6,8 @@ import by_hand
 
 from .one_pixel_story import MODEL, STEPS, VIEW, X, Y, Differs, compiled, is_in, last_keep, story, stream_and_hand
 
+SAME_VIEW = '"${VIEW[@]}"'  # what the page's VIEW holds, in bash and in zsh
+
 
 def debug(*lines):
     return "printf '" + "".join(f"{each}\\n" for each in lines) + "' | csgsim debug step.csgt"
@@ -13,7 +15,7 @@ def debug(*lines):
 
 def render(told, options):
     """A command that draws the model with other options, and prints lines of what it takes."""
-    return f"csgsim render $MODEL $VIEW --z-bits 8 {options} | grep {told}"
+    return f"csgsim render $MODEL {SAME_VIEW} --z-bits 8 {options} | grep {told}"
 
 
 def solved(told_by, coarse):
@@ -38,7 +40,7 @@ def solved(told_by, coarse):
         (f"{taken}: {taken // 2} bits, twice", debug(f"until i{keep}", "where"), []),
         (f"A's top: {before.z2}, `#{before.colour:06x}`", debug(f"until i{at['N in B test'].first}", f"print {X},{Y}"),
          [f"Z2           {before.z2} ", f"#{before.colour:06x}"]),
-        (f"{shallow}", f"csgsim explain $MODEL $VIEW --z-bits 6 --strategy bits --pixel {X},{Y} | sed -n 2p", [f"depth     {shallow} steps"]),
+        (f"{shallow}", f"csgsim explain $MODEL {SAME_VIEW} --z-bits 6 --strategy bits --pixel {X},{Y} | sed -n 2p", [f"depth     {shallow} steps"]),
         (f"{bits + 24} bits; {{clocks:,}} clocks instead of {rebroadcast:,}", render("-E '^(clocks|memory)'", "--strategy bits --colouring field"),
          [f"memory            {bits + 24} of 72 bits"]),
         (f"{{clocks:,}} clocks instead of {rebroadcast:,}, for {bits + 1} bits; N is tested, merged and shaded once, for A ∪ B",
@@ -57,7 +59,7 @@ def answers(figures):
     runs = figures.runs
     rows = []
     for n, (words, command, wanted) in enumerate(solved(story(figures), stream_and_hand(runs, 6)[2]), 1):
-        printed = runs.run(f"MODEL={MODEL}; VIEW='{VIEW}'; {compiled(8)}; R=$PWD; cd $OUT; ln -s $R/tests tests; {command}").printed
+        printed = runs.run(f"MODEL={MODEL}; VIEW=({VIEW}); {compiled(8)}; R=$PWD; cd $OUT; ln -s $R/tests tests; {command}").printed
         for each in wanted:
             if each not in printed:
                 raise Differs(f"exercise {n}: '{each}' is not in what '{command}' prints:\n{printed}")

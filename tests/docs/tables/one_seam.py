@@ -60,21 +60,25 @@ def seam(figures):
     return Record(ends=ends, begins=begins, thick=begins - ends, x=X, y=Y)
 
 
+SAME_VIEW = '"${VIEW[@]}"'  # what the page's VIEW holds, in bash and in zsh
 REACHING = "sed '/0, 0, 6/s/6/5/; s/4, 8/5, 8/' $MODEL > reach.csg; "
+
+
+def explain(options):
+    return f"csgsim explain $MODEL {SAME_VIEW}{options} --pixel {X},{Y} | head -2"
 
 
 def answers(figures):
     """Each answer, and the command that shows it, which is run: what it prints has to have the answer in it."""
     floor = shown(figures, "--snap")[1]
-    explain = f"csgsim explain $MODEL $VIEW{{}} --pixel {X},{Y} | head -2"
-    rows = [(f"{floor - seam(figures).ends:,} steps: the floor is at {floor:,}", explain.format(" --snap"), f"depth     {floor} steps"),
-            (f"No: {seam(figures).thick} steps of a million are far less than one of 256, and both planes round to the same depth", explain.format(" --z-bits 8"), "shows p1"),
-            ("No: the planes differ in the model, and more bits tell them apart the better", explain.format(" --fraction-bits 16"), "shows p2"),
+    rows = [(f"{floor - seam(figures).ends:,} steps: the floor is at {floor:,}", explain(" --snap"), f"depth     {floor} steps"),
+            (f"No: {seam(figures).thick} steps of a million are far less than one of 256, and both planes round to the same depth", explain(" --z-bits 8"), "shows p1"),
+            ("No: the planes differ in the model, and more bits tell them apart the better", explain(" --fraction-bits 16"), "shows p2"),
             ("No wall: where passes overlap it does not matter which of two planes is nearer",
-             REACHING + explain.format("").replace("$MODEL", "reach.csg"), "shows p")]
+             REACHING + explain("").replace("$MODEL", "reach.csg"), "shows p")]
     made = []
     for n, (words, command, wanted) in enumerate(rows, 1):
-        printed = figures.runs.run(f"MODEL={MODEL}; VIEW='{VIEW}'; R=$PWD; cd $OUT; ln -s $R/tests tests; {command} 2>/dev/null").printed
+        printed = figures.runs.run(f"MODEL={MODEL}; VIEW=({VIEW}); R=$PWD; cd $OUT; ln -s $R/tests tests; {command} 2>/dev/null").printed
         if wanted not in printed:
             raise Differs(f"exercise {n}: '{wanted}' is not in what '{command}' prints:\n{printed}")
         if n == 4 and f"depth     {floor} steps" not in printed:

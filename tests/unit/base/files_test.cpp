@@ -103,6 +103,8 @@ TEST_CASE("names that cannot be files are refused before anything is written") {
   CHECK(contains(refusal([&] { OutputFile{scratch / std::string(256, 'n')}; }), "too long"));
   CHECK(contains(refusal([&] { OutputFile{scratch.path()}; }), "Is a directory"));
   CHECK(contains(refusal([&] { OutputFile{scratch / "none/a"}; }), "No such file"));
+  CHECK(contains(refusal([&] { OutputFile{scratch / std::string("a\0b", 3)}; }), "zero byte"));
+  CHECK(contains(refusal([&] { read_file(scratch / std::string("a\0b", 3), {"a file", 9, ""}); }), "zero byte"));
   CHECK(refusal([&] { OutputFile{scratch / std::string(255, 'n')}; }).empty());
   CHECK(scratch.files() == 0);
 }

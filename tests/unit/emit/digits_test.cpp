@@ -9,8 +9,6 @@
 #include <limits>
 #include <vector>
 
-#include "tests/support/rounds.h"
-
 using namespace csgsim;
 using emit::Digits;
 
@@ -96,7 +94,6 @@ TEST_CASE(
 TEST_CASE("what digits leave of a number is within the error, and they are never more additions than binary digits") {
   for (int round = 0; round < 5; ++round) {
     CHECK(rc::check([&] {
-      testing::begin_round(round);
       const auto real = [] { return *rc::gen::inRange(1, 1'000'001) / 1e6; };
       const double number = std::ldexp(real(), *rc::gen::inRange(-12, 13));
       const double error = number * std::ldexp(real(), -*rc::gen::inRange(0, 13));

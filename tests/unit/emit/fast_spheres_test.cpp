@@ -21,7 +21,6 @@
 #include "hw/machines/regions.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
-#include "tests/support/rounds.h"
 #include "tests/support/usual_cases.h"
 
 using namespace csgsim;
@@ -247,7 +246,6 @@ TEST_CASE("unions, differences and intersections of fast spheres are what circle
   int seen = 0;
   for (int round = 0; round < 6; ++round) {
     CHECK(rc::check([&] {
-      testing::begin_round(round);
       const Model model = random_model();
       const view::Sampling sampling = random_sampling();
       RC_PRE(fits(model, sampling));
@@ -282,7 +280,6 @@ TEST_CASE(
   int hollow = 0;
   for (int round = 0; round < 4; ++round) {
     CHECK(rc::check([&] {
-      testing::begin_round(round);
       Model model = random_model();
       model.balls.resize(2);
       // Into the side of the first that is seen.

@@ -14,7 +14,6 @@
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "tests/support/drawing.h"
-#include "tests/support/rounds.h"
 #include "tests/support/usual_cases.h"
 
 // Spheres that nothing is compared with. The judge of depth is the formula of host/view/screen_quadric.h, worked out
@@ -110,7 +109,6 @@ TEST_CASE("spheres alone are their formula's depths on whole pictures, lines and
   int fewer_edges = 0;
   for (int round = 0; round < 2; ++round) {
     CHECK(rc::check([&] {
-      testing::begin_round(round);
       std::vector<Ball> balls;
       const int count = *rc::gen::inRange(1, 5);
       for (int i = 0; i < count; ++i) {

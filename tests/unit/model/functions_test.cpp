@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <limits>
@@ -60,4 +61,23 @@ TEST_CASE("the sine of an angle in radians that has been rounded once is the dou
     if (model::sin_degrees(degrees) != expected) ++wrong;
   }
   CHECK(wrong == 0);
+}
+
+TEST_CASE("the sine and the cosine of hundredths of a degree are the doubles nearest to them") {
+  int wrong = 0;
+  for (int hundredths = -36000; hundredths <= 36000; hundredths += 11) {
+    if (hundredths % 9000 == 0) continue;  // below
+    const Real radians = boost::math::constants::pi<Real>() * hundredths / 18000;
+    if (model::sin_hundredths(hundredths) != static_cast<double>(Real(sin(radians)))) ++wrong;
+    if (model::cos_hundredths(hundredths) != static_cast<double>(Real(cos(radians)))) ++wrong;
+  }
+  CHECK(wrong == 0);
+  for (const int turn : {-36000, 0, 36000}) {
+    CHECK(model::sin_hundredths(turn) == 0.0);
+    CHECK(model::sin_hundredths(turn + 3000) == 0.5);
+    CHECK(model::sin_hundredths(turn + 9000) == 1.0);
+    CHECK(model::sin_hundredths(turn + 18000) == 0.0);
+    CHECK(model::cos_hundredths(turn + 6000) == 0.5);
+    CHECK(model::cos_hundredths(turn + 27000) == 0.0);
+  }
 }

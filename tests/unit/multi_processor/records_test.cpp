@@ -24,6 +24,7 @@
 #include "hw/multi_processor/timing_parts.h"
 #include "hw/multi_processor/timing_passes.h"
 #include "tests/lockstep/divided_program.h"
+#include "tests/support/usual_cases.h"
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
@@ -239,8 +240,8 @@ TEST_CASE("a bit that changes on the bus is refused, or is in what the node has;
                          actual.left().halfspaces != expected.left().halfspaces || !actual.whole();
     another += differs ? 1 : 0;
   }));
-  CHECK(refused > 0);
-  CHECK(another > 0);
+  CHECK((!testing::draws_usual_cases() || refused > 0));
+  CHECK((!testing::draws_usual_cases() || another > 0));
 }
 
 TEST_CASE("a coefficient that changes on the bus changes the list") {

@@ -85,6 +85,14 @@ TEST_CASE("Euler angles of hundredths of a degree come back from six digits to w
   CHECK(rc::check([] { RC_ASSERT(most_off(turned(hundredths(), hundredths(), hundredths())) <= 1e-15); }));
 }
 
+// The products of sines in doubles lose more than 1e-15 here when each angle is rounded first.
+TEST_CASE("Euler angles come back to within 1e-15 where the rounding of the angles would lose more") {
+  constexpr int angles[][3] = {{-28516, -10315, -27566}, {7809, -23263, -28909}, {-10184, -29496, -9116},
+                               {31959, -4716, 26472},    {8284, -25166, -28009}, {7759, 10792, 16528},
+                               {7384, -26886, 16678},    {-9654, 9458, -30942},  {-27334, -25581, -18734}};
+  for (const auto& [x, y, z] : angles) CHECK(most_off(turned(x, y, z)) <= 1e-15);
+}
+
 TEST_CASE("rotations about two axes that a right angle makes one come back") {
   CHECK(rc::check([] {
     const int right = *rc::gen::element(9000, -9000, 27000);

@@ -208,6 +208,23 @@ TEST_CASE("designs are all combinations, in order, and those that draw alike are
   CHECK(studies::DesignGrid({}, dimensions, {500, 1}).designs().size() == 8);
 }
 
+TEST_CASE("designs that differ in any one option, or in one figure, are two") {
+  const std::vector<studies::Dimension> pairs{{"size", {"32x32", "48x48"}},   {"memory-bits", {"72", "96"}},
+                                              {"z-bits", {"12", "20"}},       {"fraction-bits", {"2", "12"}},
+                                              {"colour-bits", {"12", "24"}},  {"strategy", {"list", "products"}},
+                                              {"stack-bits", {"3", "4"}},     {"colouring", {"rebroadcast", "field"}},
+                                              {"curves", {"auto", "facets"}}, {"pruning", {"all", "no-space"}}};
+  REQUIRE(pairs.size() == studies::varied_options().size());
+  for (const studies::Dimension& pair : pairs) {
+    CAPTURE(pair.key);
+    CHECK(std::ranges::count(studies::varied_options(), pair.key) == 1);
+    shell::ModelOptions base;
+    if (pair.key == "stack-bits") base.strategy = "bits";
+    CHECK(studies::DesignGrid(base, {pair}, {}).designs().size() == 2);
+  }
+  CHECK(studies::DesignGrid({}, {{"alu.bits", {"1", "2"}}}, {}).designs().size() == 2);
+}
+
 TEST_CASE("neighbours of a design differ in one key, by a place in its list, each once, and as many as are asked for") {
   const std::vector<studies::Dimension> dimensions{{"alu.bits", {"1", "2", "4"}}, {"memory.reads", {"1", "2"}}};
   const std::vector<std::size_t> first{0};

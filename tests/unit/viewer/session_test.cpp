@@ -105,7 +105,8 @@ TEST_CASE("what is no wish has the status 400, what cannot be drawn 422, and wha
                            R"({"source":1})", R"({"knobs":{"scene":"x"}})", R"({"knobs":{"machine":"x.toml"}})"})
     CHECK(drawing.answer({.method = "POST", .body = body}, "draw").status == 400);
   for (const char* body :
-       {R"({"knobs":{"size":"0x0"}})", R"({"knobs":{"machine":"none"}})", R"({"knobs":{"z-bits":"x"}})"})
+       {R"({"knobs":{"size":"0x0"}})", R"({"knobs":{"machine":"none"}})", R"({"knobs":{"z-bits":"x"}})",
+        R"({"knobs":{"size":"8x8\u0000x9"}})", R"({"knobs":{"set":["link.width=8\u0000"]}})"})
     CHECK(drawing.answer({.method = "POST", .body = body}, "draw").status == 422);
   CHECK(drawing.answer({.method = "POST", .body = R"({"pixel":"1"})"}, "explain").status == 422);
   CHECK(drawing.answer({.method = "POST", .body = "{}"}, "paint").status == 404);

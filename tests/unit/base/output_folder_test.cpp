@@ -1,0 +1,187 @@
+#include "hw/base/output_folder.h"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "hw/base/error.h"
+
+using namespace csgsim;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Scratch {
+ public:
+  Scratch() {
+    std::string pattern = (fs::temp_directory_path() / "csgsim-folder-XXXXXX").string();
+    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
+    path_ = fs::canonical(pattern);
+  }
+  ~Scratch() { fs::remove_all(path_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(path_), {}); }
+
+ private:
+  fs::path path_;
+};
+
+/// The current folder for as long as the object lives.
+class Within {
+ public:
+  explicit Within(const fs::path& folder) : before_(fs::current_path()) { fs::current_path(folder); }
+  ~Within() { fs::current_path(before_); }
+  Within(const Within&) = delete;
+  Within& operator=(const Within&) = delete;
+
+ private:
+  fs::path before_;
+};
+
+std::string content(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void put(const fs::path& path, const std::string& text) {
+  fs::create_directories(path.parent_path());
+  std::ofstream(path) << text;
+}
+
+constexpr int count = 12;
+
+/// Files that all have the same text, half of them in a folder of the folder.
+void write(const fs::path& folder, const std::string& text, int files = count) {
+  OutputFolder output(folder);
+  for (int i = 0; i < files; ++i) output.write((i % 2 == 0 ? "in/" : "") + std::to_string(i), text);
+  output.commit();
+}
+
+std::string refusal(const fs::path& folder) {
+  try {
+    write(folder, "new");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The texts of the files that are there.
+std::set<std::string> texts_in(const fs::path& folder) {
+  std::set<std::string> texts;
+  for (int i = 0; i < count; ++i) texts.insert(content(folder / ((i % 2 == 0 ? "in/" : "") + std::to_string(i))));
+  return texts;
+}
+
+}  // namespace
+
+TEST_CASE("a folder is written where none is, where an empty one is, and over one that it wrote before") {
+  const Scratch scratch;
+  fs::create_directory(scratch / "empty");
+  for (const char* const name : {"new", "empty", "in/another", "slash/"}) {
+    CAPTURE(name);
+    const fs::path folder = scratch / name;
+    write(folder, "old");
+    CHECK(texts_in(folder) == std::set<std::string>{"old"});
+    write(folder, "new");
+    CHECK(texts_in(folder) == std::set<std::string>{"new"});
+  }
+  CHECK(scratch.files() == 4);
+}
+
+TEST_CASE("a link to a folder stays one") {
+  const Scratch scratch;
+  fs::create_directory(scratch / "folder");
+  fs::create_directory_symlink("folder", scratch / "link");
+  for (const char* const text : {"old", "new"}) write(scratch / "link", text);
+  CHECK(fs::is_symlink(scratch / "link"));
+  CHECK(texts_in(scratch / "folder") == std::set<std::string>{"new"});
+  CHECK(scratch.files() == 2);
+}
+
+TEST_CASE("a folder with files that csgsim did not write is refused by name, and stays as it is") {
+  const Scratch scratch;
+  put(scratch / "d/Makefile", "mine");
+  const std::string why = refusal(scratch / "d");
+  CHECK(contains(why, (scratch / "d").native() + ": it has files that csgsim did not write"));
+  CHECK(contains(why, "name a folder that is empty or not there"));
+  CHECK(content(scratch / "d/Makefile") == "mine");
+  put(scratch / "file", "mine");
+  CHECK(contains(refusal(scratch / "file"), "it is not a folder"));
+  CHECK(content(scratch / "file") == "mine");
+  CHECK(scratch.files() == 2);
+}
+
+TEST_CASE("the current folder and those that it is in are refused, even where they are empty") {
+  const Scratch scratch;
+  fs::create_directories(scratch / "d/e");
+  const Within within(scratch / "d/e");
+  for (const char* const name : {".", "..", "./", "../e"}) {
+    CAPTURE(name);
+    CHECK(contains(refusal(name), "the current folder is in it"));
+  }
+  CHECK(refusal("f").empty());
+  CHECK(refusal("../beside").empty());
+}
+
+TEST_CASE("a file of the folder that has been edited is not replaced") {
+  const Scratch scratch;
+  write(scratch / "d", "old");
+  put(scratch / "d/in/2", "edited");
+  CHECK(contains(refusal(scratch / "d"), (scratch / "d/in/2").native() + ": it has been edited"));
+  CHECK(content(scratch / "d/in/2") == "edited");
+  CHECK(content(scratch / "d/1") == "old");
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("what was made in a folder stays in it, and what the new one does not have any more goes") {
+  const Scratch scratch;
+  write(scratch / "d", "old");
+  put(scratch / "d/made", "made");
+  put(scratch / "d/in/made", "made");
+  put(scratch / "d/out/deep/made", "made");
+  fs::create_symlink("nowhere", scratch / "d/link");
+  write(scratch / "d", "new", 4);
+  for (const char* const name : {"made", "in/made", "out/deep/made"}) CHECK(content(scratch / "d" / name) == "made");
+  CHECK(fs::is_symlink(scratch / "d/link"));
+  CHECK(content(scratch / "d/3") == "new");
+  CHECK_FALSE(fs::exists(scratch / "d/5"));
+  CHECK(scratch.files() == 1);
+}
+
+TEST_CASE("what is not committed leaves nothing") {
+  const Scratch scratch;
+  { OutputFolder(scratch / "d").write("in/1", "text"); }
+  CHECK(scratch.files() == 0);
+}
+
+TEST_CASE("a process that is killed leaves the old folder or the new one, whole") {
+  const Scratch scratch;
+  write(scratch / "d", "a");
+  for (int trial = 0; trial < 40; ++trial) {
+    const ::pid_t child = ::fork();
+    if (child == 0) {
+      for (int i = 0;; ++i) write(scratch / "d", i % 2 == 0 ? "b" : "a");
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(1500 + 457 * trial));
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    CHECK(texts_in(scratch / "d").size() == 1);
+  }
+}
