@@ -206,9 +206,9 @@ TEST_CASE("a twist to one side and back to the other within a segment is not tak
 }
 
 TEST_CASE("the rims of cones are within the tolerance, whether they open or close along the trajectory") {
-  // A side between corners 22.5 degrees apart is 0.058 off the circle, and at half the height half of that; halved, it
-  // is 0.015 off.
-  constexpr double tolerance = 0.04;
+  // A side between corners 22.5 degrees apart is 0.058 off the circle, and the upper half of a patch three quarters of
+  // that in its middle: the rim alone is beyond the tolerance.
+  constexpr double tolerance = 0.05;
   for (const bool opens : {true, false}) {
     CAPTURE(opens);
     Sweep sweep{circle(3, 8), line(10)};
