@@ -18,7 +18,7 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 __extension__ using Wide = __int128;
 
-constexpr std::uint64_t side_steps = 100;
+constexpr std::uint64_t search_steps = 100;  ///< of a side
 
 /// A line through points of the grid: all points x, y with along_x * y - along_y * x == offset.
 struct Line {
@@ -152,7 +152,7 @@ class Joiner {
 
 Paths without_overlaps(Paths paths, const Work& work) {
   const std::vector<LineSide> sides = line_sides_of(paths);
-  work.charge(side_steps * sides.size(), "looking for sides of 2-D shapes that lie on each other");
+  work.charge(search_steps * sides.size(), "looking for sides of 2-D shapes that lie on each other");
   if (!overlap_anywhere(sides)) return paths;
   std::vector<Ends> parts;
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {

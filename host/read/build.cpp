@@ -48,7 +48,17 @@ TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
   return open;
 }
 
+void TreeBuilder::charge_statement(const Statement& statement) {
+  constexpr std::uint64_t statement_steps = 2'000;
+  try {
+    options_.work.charge(statement_steps, "reading statements");
+  } catch (const InputError& error) {
+    source_.fail(statement.offset, error.what());
+  }
+}
+
 void TreeBuilder::begin(const Statement& statement) {
+  charge_statement(statement);
   const NodeType& node = usable_node(source_, statement);
   if (!open_.back().takes_children) {
     source_.fail(statement.offset,

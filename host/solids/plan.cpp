@@ -106,6 +106,8 @@ void add_pieces(std::vector<Points>& plan, const facet::Geometry& geometry, cons
 
 void add_term(std::vector<Points>& plan, const model::Tree& tree, const Work& work) {
   const facet::Geometry geometry = facet::make_geometry(tree);
+  for (const facet::Convex& solid : geometry.solids)
+    work.charge(projected_corner_steps * solid.vertices.size(), "projecting solids");
   if (tree.nodes[tree.root].is_leaf) {
     plan.emplace_back(geometry.solids.front().vertices.begin(), geometry.solids.front().vertices.end());
     return;

@@ -9,6 +9,9 @@
 
 namespace csgsim::solids {
 
+/// What it takes, in steps of work, to make a corner of a solid and to find the hull of its x and y with others.
+inline constexpr std::uint64_t projected_corner_steps = 400;
+
 /// The operands of the unions at the root of a tree, by their nodes in order; none of an empty tree.
 std::vector<std::uint32_t> terms_of(const model::Tree& tree);
 

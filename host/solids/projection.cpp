@@ -148,7 +148,10 @@ class Section {
  public:
   Section(const model::Tree& tree, const Work& work) : tree_(tree), work_(work) {
     const facet::Geometry scene = facet::make_geometry(tree);
-    for (const facet::Convex& solid : scene.solids) leaves_.push_back(section_of(solid));
+    for (const facet::Convex& solid : scene.solids) {
+      work.charge(projected_corner_steps * solid.vertices.size(), "projecting solids");
+      leaves_.push_back(section_of(solid));
+    }
     find_boxes();
     terms_ = terms_of(tree);
   }
