@@ -18,7 +18,7 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 __extension__ using Wide = __int128;
 
-constexpr std::uint64_t search_steps = 100;  ///< of a side
+constexpr std::uint64_t search_steps = 200;  ///< steps of work a side
 
 /// A line through points of the grid: all points x, y with along_x * y - along_y * x == offset.
 struct Line {
@@ -95,7 +95,7 @@ void add_odd_parts(std::vector<Ends>& parts, std::span<const LineSide> sides) {
   for (std::size_t i = 0; i + 1 < odd.size(); i += 2) parts.emplace_back(odd[i], odd[i + 1]);
 }
 
-/// Joins parts, of which an even number meet at each point, to closed paths.
+/// Joins parts to closed paths. An even number of parts meet at each point.
 class Joiner {
  public:
   explicit Joiner(const std::vector<Ends>& parts) : is_used_(parts.size()) {
@@ -132,7 +132,7 @@ class Joiner {
     std::uint32_t part = 0;
   };
 
-  /// Of those that leave a point; at_.size() if all are used.
+  /// The first unused part that leaves a point; at_.size() if all are used.
   std::size_t first_unused(const IntPoint& point) {
     const auto found = std::lower_bound(at_.begin(), at_.end(), point,
                                         [](const Start& one, const IntPoint& p) { return is_before(one.from, p); });

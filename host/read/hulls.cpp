@@ -145,7 +145,7 @@ Maker read_projection(const Arguments& arguments) {
       made.warnings.push_back(
           fmt::format("an outline {:g} long is rounded to {:.2g}, which is more than 1e-6 of it, since much larger "
                       "ones reach around "
-                      "it; project it by itself",
+                      "it; project it alone",
                       projection.coarse_size, projection.coarse_step));
     return made;
   };

@@ -23,7 +23,7 @@ class ImportFolders {
   /// `named`: see read::Options.
   ImportFolders(const std::filesystem::path& model_folder, const std::filesystem::path& named);
 
-  /// Where a file of that name is looked for, in order.
+  /// The places where a file of that name is looked for, in order.
   [[nodiscard]] std::vector<ImportPlace> places_of(std::string_view name) const;
 
   /// Whether what was opened is in one of the folders, whatever links led to it. Throws InputError if the system does

@@ -11,8 +11,8 @@
 
 namespace csgsim::solids {
 
-/// Boxes, of which x and y count, in groups that lines along the x and y axes keep apart, by their numbers. What is in
-/// one group has no part in the outlines of another. Empty boxes are in none.
+/// Sorts boxes by their x and y into groups that lines along the x and y axes keep apart. Returns their numbers. What
+/// is in one group has no part in the outlines of another. Empty boxes are in none.
 std::vector<std::vector<std::uint32_t>> groups_of(std::span<const facet::Box> boxes);
 
 /// A grid of whole numbers over a part of the x, y plane: its step is 2^-36 of the part's size, or up to twice as much,

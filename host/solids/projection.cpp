@@ -29,7 +29,7 @@ constexpr double same_corner = 0x1p-20;
 /// How far, in units of its x and y, rounding may have moved a corner along z.
 constexpr double corner_rounding = 0x1p-47;
 
-/// Of the size of an outline: what is rounded more is warned of.
+/// The part of an outline's size that it may be rounded by without a warning.
 constexpr double fine_enough = 1e-6;
 
 bool is_in_plane(const glm::dvec3& corner) {
@@ -37,7 +37,7 @@ bool is_in_plane(const glm::dvec3& corner) {
          std::max(same_corner, corner_rounding * std::max(std::abs(corner.x), std::abs(corner.y)));
 }
 
-/// Where an edge that crosses the plane does, from the end that is nearer to it.
+/// The point where an edge crosses the plane, from the end that is nearer to it.
 glm::dvec2 crossing(const glm::dvec3& one, const glm::dvec3& other) {
   if (std::abs(other.z) < std::abs(one.z)) return crossing(other, one);
   return one + (other - one) * (one.z / (one.z - other.z));
@@ -48,7 +48,7 @@ flat::Outline hull_of(std::vector<glm::dvec2> points) {
   return made.empty() ? flat::Outline{} : made.outlines.front();
 }
 
-/// Of corners of a convex solid that are in the x, y plane, and where its edges cross it.
+/// The hull of the corners of a convex solid that are in the x, y plane, and of the points where its edges cross it.
 flat::Outline section_of(const facet::Convex& solid) {
   std::vector<glm::dvec2> points;
   std::vector<bool> is_in;

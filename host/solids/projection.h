@@ -6,7 +6,7 @@
 
 namespace csgsim::solids {
 
-/// What OpenSCAD's projection() makes of solids.
+/// The result of OpenSCAD's projection() of solids.
 ///
 /// Corners are rounded to 2^-36 to 2^-35 of the size of the outlines that reach across each other, and what is thinner
 /// than two of that is left out. Neither depends on z, nor on solids that are apart from these along x or y.

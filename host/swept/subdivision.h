@@ -43,7 +43,7 @@ class Subdivision : public Stream {
 
  private:
   static constexpr std::string_view subdividing = "subdividing a surface";
-  static constexpr std::uint64_t steps = 100;            ///< of a node; the rest is charged where it is done
+  static constexpr std::uint64_t steps = 100;               ///< of a node; the rest is charged where it is done
   static constexpr std::uint64_t steps_of_section = 2'000;  ///< its place along the trajectory is an integral
 
   void halve(const Part& part, const Square& square) {

@@ -49,7 +49,7 @@ struct SubdivisionCounts {
   Arithmetic arithmetic;       ///< of all of that
 };
 
-inline constexpr std::size_t most_patches = 100'000;      ///< of a surface
+inline constexpr std::size_t most_patches = 100'000;       ///< of a surface
 inline constexpr std::uint64_t most_elements = 2'000'000;  ///< of a surface
 
 /// Patches in columns (u) and rows (v), each next to the one before.

@@ -94,8 +94,8 @@ KINDS = {
         [(round(math.cos(i / 3000 * math.tau) * (50 + i % 2 * 9), 4), round(math.sin(i / 3000 * math.tau) * (50 + i % 2 * 9), 4))
          for i in range(3000)]) + ");}"},
     "a twisted star": {"m.csg": "linear_extrude(height=20,twist=90,slices=10,$fn=0,$fa=12,$fs=2){polygon(points=" + vector(
-        [(round(math.cos(i / 20 * math.tau) * (5 + i % 2 * 4), 4), round(math.sin(i / 20 * math.tau) * (5 + i % 2 * 4), 4))
-         for i in range(20)]) + ");}"},
+        [(round(math.cos(i / 60 * math.tau) * (5 + i % 2 * 4), 4), round(math.sin(i / 60 * math.tau) * (5 + i % 2 * 4), 4))
+         for i in range(60)]) + ");}"},
     "a shadow": {"m.csg": "linear_extrude(height=1){projection(cut=false){" + spheres(200, 7) + "}}"},
     "a shadow of a difference": {"m.csg": "linear_extrude(height=1){projection(cut=false){difference(){cube([20,20,20]);" +
                                           spheres(6, 8) + "}}}"},
@@ -104,7 +104,7 @@ KINDS = {
     "a sum": {"m.csg": "minkowski(){difference(){cube([20,20,20]);" + spheres(2, 11) + "}cube([1,1,1]);}"},
     "a surface": {"m.csg": 'surface(file="heights.dat",center=false,invert=false);', "heights.dat": surface(12, 12)},
     "a sweep": {"m.jan": JUG.format(tolerance=0.4, turn=0)},
-    "a sweep that turns": {"m.jan": JUG.format(tolerance=0.8, turn=400)},
+    "a sweep that turns": {"m.jan": JUG.format(tolerance=1.5, turn=200)},
 }
 
 

@@ -151,7 +151,7 @@ TEST_CASE("what is far off or reaches far changes no coordinate near the origin"
     CHECK(flat::area_of(flat::intersect(std::array{rectangle(10, 10), half})) ==
           doctest::Approx(100 - rest).epsilon(1e-5));
     CHECK(flat::area_of(flat::subtract(std::array{rectangle(10, 10), half})) == doctest::Approx(rest).epsilon(1e-5));
-    // An offset near and one far off, of which the near one is as alone.
+    // Of two offsets, one near and one far off, the near one is as alone.
     const Area alone = flat::offset(rectangle(10, 4), 1.5, flat::Corner::round, {.fn = 24});
     const Area both = flat::offset(flat::unite(std::array{rectangle(10, 4), moved(rectangle(far / 2, 8), far / 4, 0)}),
                                    1.5, flat::Corner::round, {.fn = 24});

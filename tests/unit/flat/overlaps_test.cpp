@@ -15,7 +15,7 @@ using ClipperLib::Paths;
 
 namespace {
 
-/// Whether an odd number of sides are above a point, of which no side has the x.
+/// Whether an odd number of sides are above a point. No corner has its x.
 bool is_in(const Paths& paths, double x, double y) {
   bool inside = false;
   for (const Path& path : paths) {

@@ -55,13 +55,13 @@ std::string tilted(double degrees, const std::string& text) {
                      -s, text);
 }
 
-/// Of a regular polygon in a circle.
+/// The area of a regular polygon in a circle.
 double polygon(double radius, int sides = 32) {
   return 0.5 * sides * radius * radius * std::sin(2 * std::numbers::pi / sides);
 }
 
 doctest::Approx about(double area) { return doctest::Approx(area).epsilon(1e-9); }
-/// Of what is cut with the tolerance of host/convex/clip.h.
+/// An area that is cut with the tolerance of host/convex/clip.h.
 doctest::Approx cut_about(double area) { return doctest::Approx(area).epsilon(2e-6); }
 
 }  // namespace
@@ -171,6 +171,6 @@ TEST_CASE("boxes are in one group unless lines along the axes keep them apart") 
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(0, 1.5, 1, 1)}) == Groups{{0}, {1}});
   // Only after the gap along x is there one along y.
   CHECK(groups({flat_box(0, 0, 1, 1), flat_box(0, 2, 1, 1), flat_box(5, 0, 1, 4)}) == Groups{{0}, {1}, {2}});
-  // A large one under small ones, of which it holds the first.
+  // A large one holds the first of two small ones.
   CHECK(groups({flat_box(0, 0, 9, 9), flat_box(1, 1, 1, 1), flat_box(20, 1, 1, 1)}) == Groups{{0, 1}, {2}});
 }

@@ -40,7 +40,7 @@ Curve circle(double radius, std::size_t points, bool in_xz = false) {
 
 Curve line(double length) { return {1, false, {{0, 0, 0}, {0, 0, length}}}; }
 
-/// Of numbers, as of a rotation.
+/// A function of one value, such as a rotation.
 Curve function(std::uint32_t degree, const std::vector<double>& values) {
   Curve curve{degree, false, {}};
   for (const double value : values) curve.points.emplace_back(value, 0, 0);
@@ -133,7 +133,7 @@ TEST_CASE("the limits on points and patches are exact") {
   CHECK(swept::fault_of(sweep) == "contour and trajectory are more than 100000 patches; take points out");
 }
 
-TEST_CASE("a net needs four rows and four points a row, as many in each, and 100,000 patches are the most") {
+TEST_CASE("a net needs four rows and four points a row, equal rows, and 100,000 patches are the most") {
   CHECK(swept::fault_of(net_of(4, 4)).empty());
   CHECK(swept::fault_of(net_of(3, 4)) == "a patch needs 4 rows of points or more, not 3");
   CHECK(swept::fault_of(net_of(4, 3)) == "a row of a patch needs 4 points or more, not 3");
