@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view combining = "combining 2-D shapes";
 
-/// The cost of a side at a height, and of a place where sides cross.
+/// The cost of a side, of one at a height, and of a place where sides cross.
+constexpr std::uint64_t side_steps = 500;
 constexpr std::uint64_t height_steps = 20;
 constexpr std::uint64_t crossing_steps = 400;
 
@@ -89,6 +90,7 @@ void charge_crossings(const std::vector<Side>& sides, const Work& work) {
 
 void charge_clipping(const ClipperLib::Paths& paths, const Work& work) {
   const std::vector<Side> sides = sides_of(paths);
+  work.charge(side_steps * sides.size(), combining);
   charge_heights(sides, work);
   charge_crossings(sides, work);
 }

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "host/flat/clip_steps.h"
+#include "host/flat/overlaps.h"
 #include "hw/base/error.h"
 
 namespace csgsim::flat {
@@ -32,6 +35,24 @@ Outline outline_of(const ClipperLib::Path& path) {
 bool is_empty(ClipperLib::Clipper& clipper) {
   const ClipperLib::IntRect box = clipper.GetBounds();
   return box.left == box.right && box.top == box.bottom;
+}
+
+bool is_before(const Area& one, const Area& other) {
+  const auto is_lower = [](const glm::dvec2& a, const glm::dvec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+  return std::ranges::lexicographical_compare(one.outlines, other.outlines, [&](const Outline& a, const Outline& b) {
+    return std::ranges::lexicographical_compare(a, b, is_lower);
+  });
+}
+
+/// Each area once, in order: Clipper takes long where sides lie on each other.
+std::vector<const Area*> without_repeats(std::span<const Area> areas) {
+  const auto is_less = [](const Area* a, const Area* b) { return is_before(*a, *b); };
+  std::set<const Area*, decltype(is_less)> seen(is_less);
+  std::vector<const Area*> once;
+  for (const Area& area : areas) {
+    if (seen.insert(&area).second) once.push_back(&area);
+  }
+  return once;
 }
 
 Area united(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule, const Work& work) {
@@ -88,14 +109,18 @@ Area area_of(const ClipperLib::PolyTree& tree) {
 }
 
 Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work) {
+  if (areas.empty()) return {};
   Clipping clipping;
-  for (const Area& area : areas) clipping.add(paths_of(area));
+  clipping.add(paths_of(areas.front()));
+  for (const Area* const area : without_repeats(areas.subspan(1))) clipping.add(paths_of(*area));
   ClipperLib::PolyTree result;
   clipping.execute(operation, ClipperLib::pftNonZero, result, work);
   return area_of(result);
 }
 
-Area even_odd(const ClipperLib::Paths& paths, const Work& work) { return united(paths, ClipperLib::pftEvenOdd, work); }
+Area even_odd(const ClipperLib::Paths& paths, const Work& work) {
+  return united(without_overlaps(paths, work), ClipperLib::pftEvenOdd, work);
+}
 
 Area non_zero(const ClipperLib::Paths& paths, const Work& work) { return united(paths, ClipperLib::pftNonZero, work); }
 

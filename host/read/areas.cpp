@@ -26,10 +26,11 @@ std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, s
   const std::optional<ValueView> list = arguments.find("paths");
   if (!list) return paths;
   if (!list->is(ValueKind::vector)) arguments.fail(*list, "paths of polygon() must be a vector of paths");
-  bool is_one = false;
-  list->for_each([&](ValueView value) { is_one |= value.is(ValueKind::number); });
-  if (is_one) return {read_indices(arguments, *list, points)};
-  list->for_each([&](ValueView value) { paths.push_back(read_indices(arguments, value, points)); });
+  IndexReader reader(arguments, points);
+  bool is_one = list->size() > 0;
+  list->for_each([&](ValueView value) { is_one = is_one && !value.is(ValueKind::vector); });
+  if (is_one) return {reader.read(*list)};
+  list->for_each([&](ValueView value) { paths.push_back(reader.read(value)); });
   return paths;
 }
 

@@ -7,6 +7,7 @@
 
 #include "host/flat/combine.h"
 #include "host/flat/place.h"
+#include "host/model/subtree.h"
 #include "host/read/limits.h"
 #include "host/read/placement.h"
 #include "host/solids/extrusion.h"
@@ -24,23 +25,6 @@ const NodeType& usable_node(Source& source, const Statement& statement) {
     source.fail(statement.offset, unusable_node(*node));
   }
   return *node;
-}
-
-/// What is below a node, by its first node and its first primitive.
-model::Tree subtree(const model::Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive) {
-  model::Tree part;
-  part.file = tree.file;
-  for (std::uint32_t i = node; i <= root; ++i) {
-    model::Node copy = tree.nodes[i];
-    for (std::uint32_t& child : copy.children) child -= node;
-    if (copy.is_leaf) {
-      part.primitives.push_back(tree.primitives[copy.primitive]);
-      copy.primitive -= primitive;
-    }
-    part.nodes.push_back(std::move(copy));
-  }
-  part.root = root - node;
-  return part;
 }
 
 }  // namespace
@@ -64,7 +48,17 @@ TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
   return open;
 }
 
+void TreeBuilder::charge_statement(const Statement& statement) {
+  constexpr std::uint64_t statement_steps = 2'000;
+  try {
+    options_.work.charge(statement_steps, "reading statements");
+  } catch (const InputError& error) {
+    source_.fail(statement.offset, error.what());
+  }
+}
+
 void TreeBuilder::begin(const Statement& statement) {
+  charge_statement(statement);
   const NodeType& node = usable_node(source_, statement);
   if (!open_.back().takes_children) {
     source_.fail(statement.offset,
@@ -152,7 +146,7 @@ Operands TreeBuilder::take_operands(OpenNode& open) {
   auto node = static_cast<std::uint32_t>(open.first_node);
   auto primitive = static_cast<std::uint32_t>(open.first_primitive);
   for (std::size_t child = open.first_child; child < children_.size(); ++child) {
-    operands.solids.push_back(subtree(tree_, children_[child], node, primitive));
+    operands.solids.push_back(model::subtree(tree_, children_[child], node, primitive));
     node = children_[child] + 1;
     primitive += static_cast<std::uint32_t>(operands.solids.back().primitives.size());
   }
@@ -175,6 +169,8 @@ void TreeBuilder::make(OpenNode& open) {
   } catch (const InputError& error) {
     source_.fail(open.offset, fmt::format("{}(): {}", open.name, error.what()));
   }
+  for (const std::string& warning : made.warnings)
+    source_.tell(open.offset, fmt::format("warning: {}(): {}", open.name, warning));
   open.made = made.dimensions;
   if (empties(open.outer)) return;
   add_pieces(open, std::move(made.pieces));

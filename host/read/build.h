@@ -63,6 +63,7 @@ class TreeBuilder : public StatementVisitor {
     bool is_empty = true;
   };
 
+  void charge_statement(const Statement& statement);
   [[nodiscard]] OpenNode make_open(const Statement& statement) const;
   [[nodiscard]] glm::dmat4 placement(const Arguments& arguments);
   void tell_restored() const;

@@ -54,7 +54,15 @@ std::optional<flat::Area> extruded_area(const std::optional<flat::Area>& drawn, 
   return only_area(operands);
 }
 
+/// Cutting the area into convex parts, and making solids of them.
+void charge_extrusion(const flat::Area& area, const Work& work) {
+  constexpr std::uint64_t corner_steps = 2'000;
+  for (const flat::Outline& outline : area.outlines)
+    work.charge(corner_steps * outline.size(), "extruding a 2-D shape");
+}
+
 Made extruded(const flat::Area& area, const solids::LinearExtrude& extrusion, const Work& work) {
+  charge_extrusion(area, work);
   if (std::optional<solids::HoledPrism> prism = solids::holed_prism(area, extrusion)) {
     return {{std::move(prism->whole)}, {}, std::move(prism->holes), 3};
   }
@@ -102,6 +110,7 @@ Maker read_rotate_extrude(const Arguments& arguments) {
   return [extrusion, file = drawn(arguments, scale)](const Operands& operands) {
     const std::optional<flat::Area> area = extruded_area(file, operands);
     if (!area || extrusion.angle == 0) return Made{};
+    charge_extrusion(*area, operands.work);
     return Made{solids::rotate_extrude(*area, extrusion), {}, {}, 3};
   };
 }

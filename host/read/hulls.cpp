@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -137,7 +139,15 @@ Maker read_projection(const Arguments& arguments) {
   return [cut](Operands operands) {
     const Work work = operands.work;
     const model::Tree solid = only_solid(std::move(operands));
-    return Made{{}, cut ? solids::section(solid, work) : solids::shadow(solids::pieces_of(solid, work), work)};
+    const solids::Projection projection = cut ? solids::section(solid, work) : solids::shadow(solid, work);
+    Made made{{}, projection.area};
+    if (projection.coarse_size > 0)
+      made.warnings.push_back(
+          fmt::format("an outline {:g} long is rounded to {:.2g}, which is more than 1e-6 of it, since much larger "
+                      "ones reach around "
+                      "it; project it alone",
+                      projection.coarse_size, projection.coarse_step));
+    return made;
   };
 }
 

@@ -32,13 +32,18 @@ ImportFolders::ImportFolders(const fs::path& model_folder, const fs::path& named
   if (!named.empty()) folders_.push_back(named);
 }
 
-std::vector<fs::path> ImportFolders::places_of(std::string_view name) const {
-  std::vector<fs::path> places;
+bool ImportPlace::exists() const {
+  std::error_code error;
+  return fs::status(path, error).type() != fs::file_type::not_found;
+}
+
+std::vector<ImportPlace> ImportFolders::places_of(std::string_view name) const {
+  std::vector<ImportPlace> places;
   for (const fs::path& folder : folders_) {
     const fs::path place = (folder / name).lexically_normal();
     const auto holds_it = [&](const fs::path& one) { return is_in(plain(place), plain(one)); };
-    const bool is_new = std::ranges::find(places, place) == places.end();
-    if (is_new && std::ranges::any_of(folders_, holds_it)) places.push_back(place);
+    if (std::ranges::find(places, place, &ImportPlace::path) != places.end()) continue;
+    places.push_back({place, std::ranges::any_of(folders_, holds_it)});
   }
   return places;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "host/flat/area.h"
@@ -25,6 +26,7 @@ struct Made {
   std::vector<model::Polyhedron> holes{};  ///< taken away from the one piece
   std::uint32_t dimensions =
       0;  ///< that it has though it is empty; 0 if it is nothing then, as a group() of nothing is
+  std::vector<std::string> warnings{};  ///< without a place
 };
 
 /// The union of children that are areas.

@@ -11,6 +11,7 @@ namespace csgsim::read {
 
 namespace {
 
+/// Faces of fewer than 3 corners stay, so that numbers are those of the file; a mesh drops them.
 struct Faces {
   std::vector<std::vector<std::uint32_t>> corners;
   std::vector<ValueView> places;
@@ -19,10 +20,11 @@ struct Faces {
 Faces read_faces(const Arguments& arguments, ValueView list, std::size_t points) {
   if (!list.is(ValueKind::vector)) arguments.fail(list, "faces of polyhedron() must be a vector of faces");
   Faces faces;
+  IndexReader reader(arguments, points);
   list.for_each([&](ValueView value) {
-    if (!value.is(ValueKind::vector)) arguments.fail(value, "a face must be a vector of indices of points");
-    if (value.size() < 3) arguments.fail(value, "a face needs at least 3 corners; take it out or complete it");
-    faces.corners.push_back(read_indices(arguments, value, points));
+    std::vector<std::uint32_t> corners = reader.read(value);
+    if (corners.size() < 3) reader.warn(value, "a face has fewer than 3 corners; it is left out");
+    faces.corners.push_back(std::move(corners));
     faces.places.push_back(value);
   });
   return faces;

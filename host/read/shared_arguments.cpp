@@ -12,16 +12,6 @@ namespace {
 /// OpenSCAD raises $fa and $fs to this.
 constexpr double least_facet_control = 0.01;
 
-std::uint32_t read_index(const Arguments& arguments, ValueView value, std::size_t points) {
-  const double number = arguments.read_number(value, "the index of a point");
-  if (!(number >= 0 && number < static_cast<double>(points))) {
-    arguments.fail(value, "there is no points[{}]; {}", number,
-                   points == 0 ? "there are none" : fmt::format("there are points[0] to points[{}]", points - 1));
-  }
-  if (number != std::floor(number)) arguments.fail(value, "the index of a point must be a whole number");
-  return static_cast<std::uint32_t>(number);
-}
-
 }  // namespace
 
 model::FacetControl read_facets(const Arguments& arguments) {
@@ -39,10 +29,36 @@ std::optional<double> read_radius(const Arguments& arguments, std::string_view r
   return d ? *d / 2 : r;
 }
 
-std::vector<std::uint32_t> read_indices(const Arguments& arguments, ValueView list, std::size_t points) {
-  if (!list.is(ValueKind::vector)) arguments.fail(list, "expected a vector of indices of points");
+void IndexReader::warn(ValueView value, const std::string& message) {
+  if (!has_warned_) arguments_.tell(value, "warning: " + message + ", as in OpenSCAD");
+  has_warned_ = true;
+}
+
+std::optional<std::uint32_t> IndexReader::read_index(ValueView value) {
+  if (!value.is(ValueKind::number)) warn(value, "the index of a point is no number; it is taken for 0");
+  const double number = value.is(ValueKind::number) ? value.value().number : 0;
+  const double whole = std::trunc(number);
+  if (!(whole >= 0 && whole < static_cast<double>(points_))) {
+    warn(value,
+         fmt::format("there is no points[{}]; {}; the index is left out", number,
+                     points_ == 0 ? "there are none" : fmt::format("there are points[0] to points[{}]", points_ - 1)));
+    return std::nullopt;
+  }
+  const auto index = static_cast<std::uint32_t>(whole);
+  if (whole != number)
+    warn(value, fmt::format("the index of a point is {}, not a whole number; it is taken for {}", number, index));
+  return index;
+}
+
+std::vector<std::uint32_t> IndexReader::read(ValueView list) {
   std::vector<std::uint32_t> indices;
-  list.for_each([&](ValueView value) { indices.push_back(read_index(arguments, value, points)); });
+  if (!list.is(ValueKind::vector)) {
+    warn(list, "this is no vector of indices of points; it is left out");
+    return indices;
+  }
+  list.for_each([&](ValueView value) {
+    if (const std::optional<std::uint32_t> index = read_index(value)) indices.push_back(*index);
+  });
   return indices;
 }
 

@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,8 +25,26 @@ model::FacetControl read_facets(const Arguments& arguments);
 /// A radius that the file may give as a diameter.
 std::optional<double> read_radius(const Arguments& arguments, std::string_view radius, std::string_view diameter);
 
-/// A vector of whole numbers below `points`.
-std::vector<std::uint32_t> read_indices(const Arguments& arguments, ValueView list, std::size_t points);
+/// Indices of points, as OpenSCAD 2021.01 reads them: it cuts a fraction off, takes what is no number for 0, and leaves
+/// out an index of no point, and a list that is no vector. The user is warned of the first of each node.
+class IndexReader {
+ public:
+  /// The node has `points` points.
+  IndexReader(const Arguments& arguments, std::size_t points) : arguments_(arguments), points_(points) {}
+
+  /// The indices of one face or path.
+  std::vector<std::uint32_t> read(ValueView list);
+
+  /// Warns of a value that is changed or left out, unless the node has had a warning.
+  void warn(ValueView value, const std::string& message);
+
+ private:
+  std::optional<std::uint32_t> read_index(ValueView value);
+
+  const Arguments& arguments_;
+  std::size_t points_;
+  bool has_warned_ = false;
+};
 
 /// The numbers of a vector of N; none where it is something else, or one of them is not finite.
 template <int N>

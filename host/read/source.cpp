@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -31,10 +32,10 @@ Source::Source(std::string_view text, std::string_view name, Options options)
 
 std::optional<ImportedFile> Source::import(std::string_view file, const InputKind& kind, std::string_view node,
                                            std::size_t offset) {
-  constexpr std::string_view mend = "put the file there, or below it, or name its folder: --imports-from FOLDER";
-  const std::vector<fs::path> places = folders_.places_of(file);
-  if (places.empty()) fail(offset, fmt::format("{} is not in the model's folder; {}", printable(file), mend));
-  for (const fs::path& place : places) {
+  constexpr std::string_view hint = "put the file there, or below it, or name its folder: --imports-from FOLDER";
+  const std::vector<ImportPlace> places = folders_.places_of(file);
+  for (const auto& [place, is_inside] : places) {
+    if (!is_inside) continue;
     std::optional<ImportedFile> found;
     try {
       const Descriptor opened = open_regular_file(place, kind);
@@ -44,11 +45,13 @@ std::optional<ImportedFile> Source::import(std::string_view file, const InputKin
       fail(offset, error.what());
     }
     if (!found)
-      fail(offset, fmt::format("{} is not in the model's folder: a link leads out of it; {}", printable(file), mend));
+      fail(offset, fmt::format("{} is not in the model's folder: a link leads out of it; {}", printable(file), hint));
     files_.push_back(place);
     if (imported_) imported_(found->bytes);
     return found;
   }
+  if (std::ranges::any_of(places, [](const ImportPlace& place) { return !place.is_inside && place.exists(); }))
+    fail(offset, fmt::format("{} is not in the model's folder; {}", printable(file), hint));
   tell(offset, fmt::format("warning: {} is not there; {}() is empty, as in OpenSCAD", printable(file), node));
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "host/convex/clip.h"
@@ -285,7 +286,11 @@ class SliceSides {
   Soup soup_;
 };
 
+constexpr std::string_view cutting_slices = "cutting twisted or tapered slices";
+
 std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice, const Work& work) {
+  constexpr std::uint64_t corner_steps = 2'000;
+  for (const flat::Outline& outline : area.outlines) work.charge(corner_steps * outline.size(), cutting_slices);
   SliceSides sides(area, slice, work);
   std::vector<model::Polyhedron> pieces;
   for (const convex::Polytope& polytope : sides.pieces()) pieces.push_back(polyhedron_of(polytope, sides.planes()));
@@ -343,6 +348,8 @@ std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const Linear
   for (std::uint32_t i = 1; i < count; ++i) {
     const Slice slice = slice_at(extrusion, i, count);
     if (are_alike) {
+      constexpr std::uint64_t moved_steps = 500;
+      work.charge(moved_steps * a_slice, cutting_slices);
       for (std::size_t piece = 0; piece < a_slice; ++piece) {
         pieces.push_back(moved(pieces[piece], slice_at(extrusion, 0, count), slice));
       }

@@ -57,6 +57,7 @@ Face reversed(Face face) {
 std::vector<bool> cancelled(const std::vector<Face>& faces) {
   std::vector<std::pair<Face, std::uint32_t>> by_corners;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
+    if (faces[i].size() < 3) continue;
     Face corners = faces[i];
     std::sort(corners.begin(), corners.end());
     by_corners.emplace_back(std::move(corners), i);

@@ -20,16 +20,22 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 /// Edges that no face runs back along.
 std::set<Edge> unjoined_edges(const Mesh& mesh) {
-  std::map<Edge, int> surplus;
+  std::vector<std::pair<Edge, int>> sides;
   for (const Face& face : mesh.faces) {
     for (std::size_t k = 0; k < face.size(); ++k) {
-      ++surplus[{face[k], face[(k + 1) % face.size()]}];
-      --surplus[{face[(k + 1) % face.size()], face[k]}];
+      const auto [low, high] = std::minmax(face[k], face[k + 1 < face.size() ? k + 1 : 0]);
+      if (low == high) continue;
+      sides.push_back({{low, high}, face[k] == low ? 1 : -1});
     }
   }
+  std::sort(sides.begin(), sides.end());
   std::set<Edge> found;
-  for (const auto& [edge, count] : surplus) {
-    if (count > 0) found.insert(edge);
+  for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+    const auto [low, high] = sides[begin].first;
+    int surplus = 0;
+    for (; end < sides.size() && sides[end].first == sides[begin].first; ++end) surplus += sides[end].second;
+    if (surplus > 0) found.insert({low, high});
+    if (surplus < 0) found.insert({high, low});
   }
   return found;
 }

@@ -7,64 +7,94 @@
 #include <glm/vec2.hpp>
 #include <polyclipping/clipper.hpp>
 #include <span>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "host/facet/geometry.h"
 #include "host/flat/clip_steps.h"
 #include "host/flat/hull.h"
-#include "host/solids/limits.h"
+#include "host/solids/plan.h"
+#include "host/solids/plane_grid.h"
 
 namespace csgsim::solids {
 
 namespace {
 
-using ClipperLib::IntPoint;
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-/// Up to it Clipper multiplies in 64 bits.
-constexpr int coordinate_bits = 29;
-
 /// Model units: OpenSCAD takes corners of solids to be the same within this.
-constexpr double grid = 0x1p-20;
+constexpr double same_corner = 0x1p-20;
 
-/// Corners of a convex solid that are in the x, y plane, and where its edges cross it.
-std::vector<glm::dvec2> section_of(const facet::Convex& solid, double near) {
+/// How far, in units of its x and y, rounding may have moved a corner along z.
+constexpr double corner_rounding = 0x1p-47;
+
+/// The part of an outline's size that it may be rounded by without a warning.
+constexpr double fine_enough = 1e-6;
+
+bool is_in_plane(const glm::dvec3& corner) {
+  return std::abs(corner.z) <=
+         std::max(same_corner, corner_rounding * std::max(std::abs(corner.x), std::abs(corner.y)));
+}
+
+/// The point where an edge crosses the plane, from the end that is nearer to it.
+glm::dvec2 crossing(const glm::dvec3& one, const glm::dvec3& other) {
+  if (std::abs(other.z) < std::abs(one.z)) return crossing(other, one);
+  return one + (other - one) * (one.z / (one.z - other.z));
+}
+
+flat::Outline hull_of(std::vector<glm::dvec2> points) {
+  const flat::Area made = flat::hull(std::array{flat::Area{{std::move(points)}}});
+  return made.empty() ? flat::Outline{} : made.outlines.front();
+}
+
+/// The hull of the corners of a convex solid that are in the x, y plane, and of the points where its edges cross it.
+flat::Outline section_of(const facet::Convex& solid) {
   std::vector<glm::dvec2> points;
+  std::vector<bool> is_in;
   for (const glm::dvec3& vertex : solid.vertices) {
-    if (std::abs(vertex.z) <= near) points.emplace_back(vertex);
+    is_in.push_back(is_in_plane(vertex));
+    if (is_in.back()) points.emplace_back(vertex);
   }
-  for (const auto& edge : solid.edges) {
-    const glm::dvec3& here = solid.vertices[edge[0]];
-    const glm::dvec3& there = solid.vertices[edge[1]];
-    const bool crosses = std::min(here.z, there.z) < -near && std::max(here.z, there.z) > near;
-    if (crosses) points.emplace_back(here + (there - here) * (here.z / (here.z - there.z)));
+  for (const auto& [from, to] : solid.edges) {
+    const bool crosses = !is_in[from] && !is_in[to] && (solid.vertices[from].z < 0) != (solid.vertices[to].z < 0);
+    if (crosses) points.push_back(crossing(solid.vertices[from], solid.vertices[to]));
   }
-  return points;
+  return hull_of(std::move(points));
 }
 
-double largest_of(std::span<const glm::dvec3> points) {
-  double largest = 0;
-  for (const glm::dvec3& point : points) {
-    largest = std::max({largest, std::abs(point.x), std::abs(point.y), std::abs(point.z)});
-  }
-  return largest;
+facet::Box box_of(const flat::Outline& outline) {
+  facet::Box box;
+  for (const glm::dvec2& corner : outline) box = facet::hull(box, glm::dvec3(corner, 0));
+  return box;
 }
 
-/// Model units in Clipper's.
-double scale_for(double largest) { return std::ldexp(1.0, coordinate_bits - 1 - std::ilogb(largest)); }
-
-Path hull_of(const std::vector<glm::dvec2>& points, double scale) {
-  flat::Outline rounded;
-  for (const glm::dvec2& point : points) rounded.push_back(glm::round(point * scale));
-  Path path;
-  for (const flat::Outline& outline : flat::hull(std::array{flat::Area{{rounded}}}).outlines) {
-    for (const glm::dvec2& corner : outline)
-      path.emplace_back(static_cast<ClipperLib::cInt>(corner.x), static_cast<ClipperLib::cInt>(corner.y));
+/// The part of a convex outline where a coordinate is at least, or at most, a limit.
+flat::Outline cut(const flat::Outline& outline, int axis, double limit, bool is_least) {
+  const auto is_inside = [&](const glm::dvec2& corner) {
+    return is_least ? corner[axis] >= limit : corner[axis] <= limit;
+  };
+  flat::Outline made;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2& here = outline[i];
+    const glm::dvec2& next = outline[i + 1 < outline.size() ? i + 1 : 0];
+    if (is_inside(here)) made.push_back(here);
+    if (is_inside(here) == is_inside(next)) continue;
+    glm::dvec2 between = here + (next - here) * ((limit - here[axis]) / (next[axis] - here[axis]));
+    between[axis] = limit;
+    made.push_back(between);
   }
-  return path;
+  return made;
+}
+
+/// The part of a convex outline in a box and around it by the box's size: the rest has no part in what is in the box.
+flat::Outline cut_around(flat::Outline outline, const facet::Box& box) {
+  const double margin = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+  for (int axis = 0; axis < 2; ++axis) {
+    outline = cut(outline, axis, box.low[axis] - margin, true);
+    outline = cut(outline, axis, box.high[axis] + margin, false);
+  }
+  return outline;
 }
 
 Paths combine(ClipperLib::ClipType how, const Paths& first, const Paths& others, const Work& work) {
@@ -91,55 +121,134 @@ Paths combine(model::Operator op, const std::vector<Paths>& operands, const Work
   return combine(op == model::Operator::unite ? ClipperLib::ctUnion : ClipperLib::ctDifference, made, others, work);
 }
 
-flat::Area area_of(const Paths& paths, double scale) {
-  flat::Area area;
-  for (const Path& path : paths) {
+/// Adds the union of paths on a grid.
+void add_union(Projection& made, const Paths& paths, const PlaneGrid& grid, const Work& work) {
+  Paths united = combine(ClipperLib::ctUnion, paths, {}, work);
+  ClipperLib::CleanPolygons(united);
+  for (const Path& path : united) {
     if (path.size() < 3) continue;
-    flat::Outline& outline = area.outlines.emplace_back();
-    for (const IntPoint& point : path) {
-      outline.emplace_back(static_cast<double>(point.X) / scale, static_cast<double>(point.Y) / scale);
+    const flat::Outline& outline = made.area.outlines.emplace_back(grid.outline_of(path));
+    const facet::Box box = box_of(outline);
+    const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
+    const bool is_coarser = made.coarse_size == 0 || grid.step() * made.coarse_size > made.coarse_step * size;
+    if (grid.step() <= fine_enough * size || !is_coarser) continue;
+    made.coarse_size = size;
+    made.coarse_step = grid.step();
+  }
+}
+
+facet::Box box_of(std::span<const facet::Box> boxes, std::span<const std::uint32_t> group) {
+  facet::Box box;
+  for (const std::uint32_t i : group) box = facet::hull(box, boxes[i]);
+  return box;
+}
+
+/// The section of a tree.
+class Section {
+ public:
+  Section(const model::Tree& tree, const Work& work) : tree_(tree), work_(work) {
+    const facet::Geometry scene = facet::make_geometry(tree);
+    for (const facet::Convex& solid : scene.solids) {
+      work.charge(projected_corner_steps * solid.vertices.size(), "projecting solids");
+      leaves_.push_back(section_of(solid));
+    }
+    find_boxes();
+    terms_ = terms_of(tree);
+  }
+
+  Projection make() {
+    std::vector<facet::Box> boxes;
+    for (const std::uint32_t term : terms_) boxes.push_back(boxes_[term]);
+    Projection made;
+    for (const std::vector<std::uint32_t>& group : groups_of(boxes)) {
+      const PlaneGrid grid(box_of(boxes, group));
+      Paths paths;
+      for (const std::uint32_t number : group) {
+        const Paths more = paths_of(terms_[number], grid);
+        paths.insert(paths.end(), more.begin(), more.end());
+      }
+      add_union(made, paths, grid, work_);
+    }
+    return made;
+  }
+
+ private:
+  /// What each node may leave.
+  void find_boxes() {
+    for (const model::Node& node : tree_.nodes) {
+      facet::Box box = node.is_leaf ? box_of(leaves_[node.primitive]) : boxes_[node.children.front()];
+      for (std::size_t i = 1; i < node.children.size() && node.op != model::Operator::subtract; ++i) {
+        const facet::Box& other = boxes_[node.children[i]];
+        box = node.op == model::Operator::unite ? facet::hull(box, other) : facet::common(box, other);
+      }
+      boxes_.push_back(box);
     }
   }
-  return area;
-}
+
+  /// The nodes below a term and the term, each before its operands, and the part of the plane that each is wanted in.
+  struct Wanted {
+    std::uint32_t node = 0;
+    facet::Box box;
+  };
+
+  std::vector<Wanted> nodes_below(std::uint32_t term) const {
+    std::vector<Wanted> found{{term, boxes_[term]}};
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const Wanted at = found[i];
+      for (const std::uint32_t child : tree_.nodes[at.node].children)
+        found.push_back({child, facet::common(at.box, boxes_[child])});
+    }
+    return found;
+  }
+
+  Paths paths_of(std::uint32_t term, const PlaneGrid& grid) {
+    const std::vector<Wanted> nodes = nodes_below(term);
+    for (auto one = nodes.rbegin(); one != nodes.rend(); ++one) {
+      const model::Node& node = tree_.nodes[one->node];
+      Paths& made = made_[one->node];
+      if (one->box.empty()) {
+        made.clear();
+      } else if (node.is_leaf) {
+        made = {grid.path_of(cut_around(leaves_[node.primitive], one->box))};
+      } else {
+        std::vector<Paths> operands;
+        for (const std::uint32_t child : node.children) operands.push_back(std::move(made_[child]));
+        made = combine(node.op, operands, work_);
+      }
+    }
+    return std::move(made_[term]);
+  }
+
+  const model::Tree& tree_;
+  const Work& work_;
+  std::vector<flat::Outline> leaves_;  ///< by primitive
+  std::vector<facet::Box> boxes_;      ///< by node
+  std::vector<std::uint32_t> terms_;
+  std::vector<Paths> made_ = std::vector<Paths>(tree_.nodes.size());  ///< by node, until its parent takes them
+};
 
 }  // namespace
 
-flat::Area shadow(std::span<const model::Polyhedron> pieces, const Work& work) {
-  double largest = 0;
-  for (const model::Polyhedron& piece : pieces) largest = std::max(largest, largest_of(piece.points));
-  if (largest == 0) return {};
-  const double scale = scale_for(largest);
-  Paths paths;
-  for (const model::Polyhedron& piece : pieces) {
-    paths.push_back(hull_of({piece.points.begin(), piece.points.end()}, scale));
+Projection shadow(const model::Tree& tree, const Work& work) {
+  std::vector<flat::Outline> outlines;
+  std::vector<facet::Box> boxes;
+  for (std::vector<glm::dvec2>& points : plan_of_pieces(tree, work)) {
+    outlines.push_back(hull_of(std::move(points)));
+    boxes.push_back(box_of(outlines.back()));
   }
-  Paths united = combine(ClipperLib::ctUnion, paths, {}, work);
-  ClipperLib::CleanPolygons(united);
-  return area_of(united, scale);
+  Projection made;
+  for (const std::vector<std::uint32_t>& group : groups_of(boxes)) {
+    const PlaneGrid grid(box_of(boxes, group));
+    Paths paths;
+    for (const std::uint32_t i : group) paths.push_back(grid.path_of(outlines[i]));
+    add_union(made, paths, grid, work);
+  }
+  return made;
 }
 
-flat::Area section(const model::Tree& tree, const Work& work) {
+Projection section(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
-  const facet::Geometry scene = facet::make_geometry(tree);
-  double largest = 0;
-  for (const facet::Convex& solid : scene.solids) largest = std::max(largest, largest_of(solid.vertices));
-  if (largest == 0) return {};
-  const double scale = scale_for(largest);
-  const double near = std::max(grid, double_precision_tolerance * largest);
-  std::vector<Paths> sections;  // of each node; those of children go where they are used
-  for (const model::Node& node : tree.nodes) {
-    if (node.is_leaf) {
-      sections.push_back({hull_of(section_of(scene.solids[node.primitive], near), scale)});
-      continue;
-    }
-    std::vector<Paths> operands;
-    for (const std::uint32_t child : node.children) operands.push_back(std::move(sections[child]));
-    sections.push_back(combine(node.op, operands, work));
-  }
-  Paths made = combine(ClipperLib::ctUnion, sections[tree.root], {}, work);
-  ClipperLib::CleanPolygons(made);
-  return area_of(made, scale);
+  return Section(tree, work).make();
 }
 
 }  // namespace csgsim::solids

@@ -1,7 +1,5 @@
 #include "host/swept/mesh.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -18,8 +16,6 @@ namespace csgsim::swept {
 
 namespace {
 
-constexpr std::size_t most_elements = 2'000'000;
-
 class Collector : public Output {
  public:
   explicit Collector(Patchwork& made) : made_(made) {}
@@ -30,8 +26,6 @@ class Collector : public Output {
   }
   void vertex(std::uint32_t number, const glm::dvec3& point) override { made_.points[number] = point; }
   void element(const Square& /*square*/, std::span<const std::uint32_t> corners) override {
-    if (made_.elements.size() >= most_elements)
-      throw InputError(fmt::format("a surface is more than {} elements; take a coarser tolerance", most_elements));
     made_.elements.emplace_back(corners.begin(), corners.end());
   }
 

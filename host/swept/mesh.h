@@ -25,7 +25,7 @@ struct Patchwork {
 };
 
 /// Subdivides and repairs all patches; one that is next to none has no wire frame. Throws InputError as
-/// Surface::subdivide does, and past a limit on elements.
+/// Surface::subdivide does.
 Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair = Repair::filter);
 
 /// A swept solid.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,13 +27,14 @@ class Subdivision : public Stream {
     if (waiting_.empty()) return std::nullopt;
     const auto [part, square] = std::move(waiting_.back());
     waiting_.pop_back();
-    accuracy_.work.charge(steps, "subdividing a surface");
+    accuracy_.work.charge(steps, subdividing);
     ++counts_.nodes;
     counts_.points += 4;
     Node node{false, {square, shape_.corners(part)}};
     node.is_leaf = shape_.is_flat(part, node.element.corners, accuracy_, counts_);
     if (node.is_leaf) {
-      ++counts_.elements;
+      if (++counts_.elements > most_elements)
+        throw InputError(fmt::format("a surface is more than {} elements; take a coarser tolerance", most_elements));
     } else {
       halve(part, square);
     }
@@ -40,7 +42,9 @@ class Subdivision : public Stream {
   }
 
  private:
-  static constexpr std::uint64_t steps = 100;  ///< of a node; the rest is charged where it is done
+  static constexpr std::string_view subdividing = "subdividing a surface";
+  static constexpr std::uint64_t steps = 100;               ///< of a node; the rest is charged where it is done
+  static constexpr std::uint64_t steps_of_section = 2'000;  ///< its place along the trajectory is an integral
 
   void halve(const Part& part, const Square& square) {
     if (square.size <= whole_side >> std::min(accuracy_.most_levels, deepest))
@@ -49,7 +53,9 @@ class Subdivision : public Stream {
           "smoother curve",
           accuracy_.tolerance, std::min(accuracy_.most_levels, deepest)));
     const std::uint32_t half = square.size / 2;
+    const std::uint64_t sections = counts_.sections;
     std::array<Part, 4> parts = shape_.parts(part, counts_);
+    accuracy_.work.charge(steps_of_section * (counts_.sections - sections), subdividing);
     for (std::uint32_t i = 4; i-- > 0;)
       waiting_.push_back({std::move(parts[i]), {square.x + (i % 2) * half, square.y + (i / 2) * half, half}});
   }

@@ -49,7 +49,8 @@ struct SubdivisionCounts {
   Arithmetic arithmetic;       ///< of all of that
 };
 
-inline constexpr std::size_t most_patches = 100'000;  ///< of a surface
+inline constexpr std::size_t most_patches = 100'000;       ///< of a surface
+inline constexpr std::uint64_t most_elements = 2'000'000;  ///< of a surface
 
 /// Patches in columns (u) and rows (v), each next to the one before.
 class Surface {
@@ -65,7 +66,8 @@ class Surface {
   [[nodiscard]] virtual bool wraps_rows() const { return false; }
 
   /// The quadtree of a patch (algorithm 3.1). The surface and the counts have to outlive it. Its next() throws
-  /// InputError where the levels do not suffice for the tolerance, and WorkError past the limit on work.
+  /// InputError where the levels do not suffice for the tolerance and where the counts have more than `most_elements`,
+  /// and WorkError past the limit on work.
   virtual std::unique_ptr<Stream> subdivide(std::size_t column, std::size_t row, const Accuracy& accuracy,
                                             SubdivisionCounts& counts) = 0;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <glm/ext/matrix_transform.hpp>
+#include <span>
 
 #include "host/flat/hull.h"
 #include "host/flat/made.h"
@@ -139,4 +140,30 @@ TEST_CASE("areas are resized as OpenSCAD does it") {
   check_as_openscad(flat::resized(flat::circle(3, {.fn = 16}), {12, 5}, {false, false}), "resize");
   check_as_openscad(flat::resized(rectangle(3, 2), {12, 0}, {true, true}), "resize_auto");
   check_as_openscad(flat::resized(flat::square({3, 2}, true), {0, 7}, {false, false}), "resize_zero");
+}
+
+TEST_CASE("what is far off or reaches far changes no coordinate near the origin") {
+  for (const double far : {1e6, 1e9, 1e11, 9e11}) {
+    CAPTURE(far);
+    // Below the line from (-far, -far) to (far, far + 3), which cuts a square from (0, 1.5) on.
+    const Area half = flat::polygon(std::array<glm::dvec2, 3>{{{-far, -far}, {far, -far}, {far, far + 3}}}, {});
+    const double rest = 8.5 * 8.5 / 2;
+    CHECK(flat::area_of(flat::intersect(std::array{rectangle(10, 10), half})) ==
+          doctest::Approx(100 - rest).epsilon(1e-5));
+    CHECK(flat::area_of(flat::subtract(std::array{rectangle(10, 10), half})) == doctest::Approx(rest).epsilon(1e-5));
+    // Of two offsets, one near and one far off, the near one is as alone.
+    const Area alone = flat::offset(rectangle(10, 4), 1.5, flat::Corner::round, {.fn = 24});
+    const Area both = flat::offset(flat::unite(std::array{rectangle(10, 4), moved(rectangle(far / 2, 8), far / 4, 0)}),
+                                   1.5, flat::Corner::round, {.fn = 24});
+    CHECK(both.outlines.size() == 2);
+    CHECK(std::ranges::find(both.outlines, alone.outlines.front()) != both.outlines.end());
+  }
+}
+
+TEST_CASE("an area that is united several times counts once, and so does one that is subtracted") {
+  const std::array rings{ell(), moved(dart(), 1, 1), ell(), moved(dart(), 1, 1), ell()};
+  const Area once = flat::unite(std::span(rings).first(2));
+  CHECK(flat::unite(rings).outlines == once.outlines);
+  const std::array drilled{rectangle(12, 12), ell(), dart(), ell(), dart()};
+  CHECK(flat::subtract(drilled).outlines == flat::subtract(std::span(drilled).first(3)).outlines);
 }

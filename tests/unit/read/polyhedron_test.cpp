@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <utility>
 
 #include "tests/unit/read/support.h"
 
@@ -10,6 +11,7 @@ using csgsim::model::Polyhedron;
 using csgsim::read_test::error_of;
 using csgsim::read_test::outline;
 using csgsim::read_test::read;
+using csgsim::read_test::read_warned;
 
 namespace {
 
@@ -254,20 +256,64 @@ TEST_CASE("coordinates of 6 digits are near enough") {
                                 outward_box_faces))) == "polyhedron");
 }
 
-TEST_CASE("corners and points of the wrong kind are errors") {
-  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,4]]")) ==
-        "m.csg:1:70: there is no points[4]; there are points[0] to points[3]");
-  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,-1]]")) ==
-        "m.csg:1:70: there is no points[-1]; there are points[0] to points[3]");
-  CHECK(error_of(polyhedron("[]", "[[0,1,2]]")) == "m.csg:1:35: there is no points[0]; there are none");
-  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,nan]]")) ==
-        "m.csg:1:70: there is no points[nan]; there are points[0] to points[3]");
-  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1,1.5]]")) ==
-        "m.csg:1:70: the index of a point must be a whole number");
-  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,1]]")) ==
-        "m.csg:1:65: a face needs at least 3 corners; take it out or complete it");
-  CHECK(error_of(polyhedron(tetrahedron_points, "[0,1,2]")) ==
-        "m.csg:1:65: a face must be a vector of indices of points");
+namespace {
+
+/// OpenSCAD 2021.01 makes a tetrahedron of volume 1/6 of it, too. `warning` is the one warning.
+void check_drawn(const std::string& faces, const std::string& warning) {
+  CAPTURE(faces);
+  const auto [tree, warnings] = read_warned(polyhedron(tetrahedron_points, faces));
+  CHECK(volume(tree) == doctest::Approx(1.0 / 6));
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0] == "m.csg:1:" + warning + ", as in OpenSCAD");
+}
+
+}  // namespace
+
+TEST_CASE("an index of no point is left out with a warning, as in OpenSCAD") {
+  const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
+  const auto no_point = [](int column, const char* index) {
+    return fmt::format("{}: warning: there is no points[{}]; there are points[0] to points[3]; the index is left out",
+                       column, index);
+  };
+  check_drawn("[[0,1,2,4]" + rest, no_point(72, "4"));
+  check_drawn("[[0,1,-1,2]" + rest, no_point(70, "-1"));
+  check_drawn("[[0,1,nan,2]" + rest, no_point(70, "nan"));
+  check_drawn("[[0,7,1,4,2]" + rest, no_point(68, "7"));
+  check_drawn("[[1,0,9],[0,1,2]" + rest, no_point(70, "9"));
+}
+
+TEST_CASE("an index with a fraction is cut off and one that is no number is 0, with a warning, as in OpenSCAD") {
+  const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
+  check_drawn("[[0,1,2.9]" + rest, "70: warning: the index of a point is 2.9, not a whole number; it is taken for 2");
+  check_drawn("[[-0.5,1,2]" + rest, "66: warning: the index of a point is -0.5, not a whole number; it is taken for 0");
+  for (const std::string index : {"undef", "\"a\"", "true", "[3]"})
+    check_drawn("[[" + index + ",1,2]" + rest, "66: warning: the index of a point is no number; it is taken for 0");
+}
+
+TEST_CASE("a face that is no face is left out with a warning, as in OpenSCAD") {
+  const std::string rest = ",[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
+  for (const std::string face : {"[0,1]", "[2]", "[]"})
+    check_drawn("[" + face + rest, "65: warning: a face has fewer than 3 corners; it is left out");
+  for (const std::string face : {"undef", "7"})
+    check_drawn("[" + face + rest, "65: warning: this is no vector of indices of points; it is left out");
+}
+
+TEST_CASE("faces behind a bad one keep their numbers in messages") {
+  CHECK(error_of(polyhedron(tetrahedron_points, "[[0,9],[0,1,2],[0,3,1],[0,2,3]]")) ==
+        "m.csg:1:71: the mesh is open: no face joins faces[1] from points[1] to points[2]; add one");
+}
+
+TEST_CASE("faces that are all bad are nothing, with a warning") {
+  for (const auto& [points, faces] : {std::pair("[]", "[[0,1,2]]"), std::pair("[[0,0,0]]", "[[1,2,3]]"),
+                                      std::pair("[[0,0,0],[1,0,0],[0,1,0]]", "[0,1,2]")}) {
+    CAPTURE(faces);
+    const auto [tree, warnings] = read_warned(polyhedron(points, faces));
+    CHECK(outline(tree) == "nothing");
+    CHECK(warnings.size() == 1);
+  }
+}
+
+TEST_CASE("arguments of a polyhedron of the wrong kind are errors") {
   CHECK(error_of(polyhedron(tetrahedron_points, "true")) ==
         "m.csg:1:64: faces of polyhedron() must be a vector of faces");
   CHECK(error_of(polyhedron("3", "[]")) == "m.csg:1:21: points of polyhedron() must be a vector of [x, y, z]");

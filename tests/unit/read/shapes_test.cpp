@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "host/read/read.h"
@@ -16,6 +17,7 @@ using csgsim::model::Tree;
 using csgsim::read_test::error_of;
 using csgsim::read_test::outline;
 using csgsim::read_test::read;
+using csgsim::read_test::read_warned;
 
 namespace {
 
@@ -83,11 +85,40 @@ TEST_CASE("a hull, a sum and an extrusion take the colour around them, not those
   CHECK(tree.primitives[0].node == "hull");
 }
 
-TEST_CASE("what is not in the model's folder is not read") {
-  for (const char* file : {"/etc/passwd", "../x.stl", "a/../../x.stl"}) {
+TEST_CASE("what is there, but not in the model's folder, is not read") {
+  // The model's folder is the current one.
+  for (const char* file : {"/etc/passwd", "..", "a/../../", "/"}) {
     const std::string error = error_of("import(file = \"" + std::string(file) + "\");");
     CAPTURE(error);
-    CHECK(error.find("is not in the model's folder") != std::string::npos);
+    CHECK(error.find("is not in the model's folder; put the file there") != std::string::npos);
+    CHECK(error.find("--imports-from FOLDER") != std::string::npos);
+  }
+}
+
+TEST_CASE("a file that is nowhere is warned of and the rest is drawn, whatever its name") {
+  for (const char* file :
+       {"no/x.stl", "/no/such/folder/x.stl", "../no-such-x.stl", "a/../../no-such-x.off", "/etc/passwd/x.stl"}) {
+    CAPTURE(file);
+    const auto [tree, warnings] = read_warned(fmt::format("import(file = \"{}\"); cube(5);", file));
+    CHECK(outline(tree) == "cube");
+    REQUIRE(warnings.size() == 1);
+    CHECK(warnings[0] == fmt::format("m.csg:1:1: warning: {} is not there; import() is empty, as in OpenSCAD", file));
+  }
+  const auto [tree, warnings] = read_warned("surface(file = \"/no/such/x.png\", center = false); cube(5);");
+  CHECK(outline(tree) == "cube");
+  CHECK(warnings.size() == 1);
+}
+
+TEST_CASE("indices of a polygon's paths are OpenSCAD's, with a warning") {
+  // Pieces of what OpenSCAD 2021.01 draws of each: a triangle of area 50.
+  for (const char* paths : {"[[0,1,2,9]]", "[[0,1,2,-1]]", "[[0,1,2.9]]", "[[1,2,undef]]", "[[0,1,2],[7]]",
+                            "[[0,1,2],7]", "[[0,1,2],undef]"}) {
+    CAPTURE(paths);
+    const auto [tree, warnings] =
+        read_warned(fmt::format("linear_extrude(height = 1) {{ polygon([[0,0],[10,0],[0,10]], paths = {}); }}", paths));
+    REQUIRE(tree.primitives.size() == 1);
+    CHECK(std::get<csgsim::model::Polyhedron>(tree.primitives[0].shape).points.size() == 6);
+    CHECK(warnings.size() == 1);
   }
 }
 
@@ -137,5 +168,5 @@ TEST_CASE("text is aligned by default as where nothing is said") {
 
 TEST_CASE("strings hold what OpenSCAD wrote") {
   const std::string file = "../a\\\\b.stl";
-  CHECK(error_of("import(file = \"" + file + "\");").find("a\\") != std::string::npos);
+  CHECK(read_warned("import(file = \"" + file + "\");").warnings.at(0).find("a\\") != std::string::npos);
 }

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <utility>
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
+#include "hw/base/messages.h"
 
 namespace csgsim::read_test {
 
@@ -60,6 +62,12 @@ struct ShapeDumper {
 }  // namespace
 
 model::Tree read(std::string_view text) { return read::read_csg_text(text, "m.csg"); }
+
+Warned read_warned(std::string_view text) {
+  const KeptLines kept;
+  model::Tree tree = read(text);
+  return {std::move(tree), kept.lines()};
+}
 
 std::string error_of(std::string_view text) {
   try {

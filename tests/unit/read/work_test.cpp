@@ -53,7 +53,7 @@ TEST_CASE("slices of which no solid can have so many are refused before they are
       "m.csg:1:1: linear_extrude(): linear_extrude() falls into more than 100000 convex pieces; ask for fewer slices, "
       "or "
       "raise $fa or $fs";
-  CHECK(refusal(twisted("slices = 100001, scale = [0.5, 0.5]", "[12, 5]"), 1'000) == expected);
+  CHECK(refusal(twisted("slices = 100001, scale = [0.5, 0.5]", "[12, 5]"), 20'000) == expected);
   const std::string two =
       "square(size = [1, 1], center = false);\n"
       "multmatrix([[1,0,0,5],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { square(size = [1, 1], center = false); }";
@@ -75,13 +75,19 @@ TEST_CASE("shapes whose sides cross more often than work is allowed are refused 
 TEST_CASE("what 2-D Booleans, hulls, sums and meshes take is told with the place of their node") {
   const std::string areas = "circle($fn = 100, $fa = 12, $fs = 2, r = 2); square(size = [3, 3], center = true);";
   const std::string solids = "sphere($fn = 30, $fa = 12, $fs = 2, r = 2); cube(size = [3, 3, 3], center = true);";
-  CHECK(refusal("union() {\n  difference() {" + areas + "}\n}", 1'000).find("m.csg:2:3: ") == 0);
+  CHECK(refusal("union() {\n  difference() {" + areas + "}\n}", 10'000).find("m.csg:2:3: ") == 0);
   CHECK(refusal("group() {\n hull() {" + solids + "}}", 10'000).find("m.csg:2:2: hull(): ") == 0);
   CHECK(refusal("group() {\n minkowski(convexity = 0) {" + solids + "}}", 10'000).find("m.csg:2:2: minkowski(): ") ==
         0);
-  CHECK(refusal("\n\nprojection(cut = true, convexity = 0) {" + solids + solids + "}", 1'000)
+  CHECK(refusal("\n\nprojection(cut = true, convexity = 0) {" + solids + solids + "}", 11'000)
             .find("m.csg:3:1: projection(): ") == 0);
-  CHECK(refusal(twisted("slices = 5, scale = [1, 1]", "[12, 5]"), 1'000).find("m.csg:1:1: linear_extrude(): ") == 0);
+  CHECK(refusal(twisted("slices = 5, scale = [1, 1]", "[12, 5]"), 5'000).find("m.csg:1:1: linear_extrude(): ") == 0);
+}
+
+TEST_CASE("statements count, and the one that is too many is named") {
+  const std::string cubes = "cube(1);\ncube(1);\ncube(1);";
+  CHECK(refusal(cubes, 6'000) == "");
+  CHECK(refusal(cubes, 5'999).find("m.csg:3:1: reading statements takes more work than the limit") == 0);
 }
 
 TEST_CASE("steps are counted alike each time") {

@@ -1,0 +1,113 @@
+#include "host/flat/overlaps.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <random>
+
+#include "host/flat/clipping.h"
+#include "tests/support/error_of.h"
+
+using namespace csgsim;
+using ClipperLib::Path;
+using ClipperLib::Paths;
+
+namespace {
+
+/// Whether an odd number of sides are above a point. No corner has its x.
+bool is_in(const Paths& paths, double x, double y) {
+  bool inside = false;
+  for (const Path& path : paths) {
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const auto& a = path[i];
+      const auto& b = path[(i + 1) % path.size()];
+      const auto ax = static_cast<double>(a.X);
+      const auto bx = static_cast<double>(b.X);
+      if ((ax > x) == (bx > x)) continue;
+      const auto ay = static_cast<double>(a.Y);
+      const double height = ay + (static_cast<double>(b.Y) - ay) * (x - ax) / (bx - ax);
+      if (height > y) inside = !inside;
+    }
+  }
+  return inside;
+}
+
+void check_same(const Paths& paths, const Paths& made, int size) {
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      CAPTURE(x);
+      CAPTURE(y);
+      CHECK(is_in(paths, x + 0.37, y + 0.41) == is_in(made, x + 0.37, y + 0.41));
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE("paths no two of whose sides lie on each other stay as they are") {
+  const Paths paths{{{0, 0}, {9, 0}, {9, 0}, {9, 9}, {0, 9}}, {{2, 2}, {4, 2}, {3, 5}}, {{9, 9}, {12, 9}, {12, 12}}};
+  CHECK(flat::without_overlaps(paths) == paths);
+  CHECK(flat::without_overlaps({}).empty());
+  // One goes on where the other ends.
+  const Paths touching{{{0, 0}, {4, 0}, {4, 4}}, {{4, 0}, {8, 0}, {8, -4}}};
+  CHECK(flat::without_overlaps(touching) == touching);
+}
+
+TEST_CASE("what an even number of sides run along is nowhere, and what an odd number do is there once") {
+  const Path triangle{{0, 0}, {9, 0}, {0, 9}};
+  const Path back{{0, 0}, {0, 9}, {9, 0}};
+  CHECK(flat::without_overlaps({triangle, triangle}).empty());
+  CHECK(flat::without_overlaps({triangle, back}).empty());
+  const Paths once = flat::without_overlaps({triangle, back, triangle});
+  REQUIRE(once.size() == 1);
+  CHECK(once[0].size() == 3);
+  CHECK(std::abs(ClipperLib::Area(once[0])) == doctest::Approx(40.5));
+  // A spike goes out and back.
+  const Paths spiked = flat::without_overlaps({{{0, 0}, {9, 0}, {20, 0}, {9, 0}, {0, 9}}});
+  CHECK(spiked.size() == 1);
+  check_same({triangle}, spiked, 25);
+}
+
+TEST_CASE("sides that lie on parts of each other leave what is inside as it is") {
+  // Two boxes along each other, on the x axis, the y axis and on the slant.
+  check_same({{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {{2, 4}, {6, 4}, {6, 9}, {2, 9}}},
+             flat::without_overlaps({{{0, 0}, {8, 0}, {8, 4}, {0, 4}}, {{2, 4}, {6, 4}, {6, 9}, {2, 9}}}), 12);
+  check_same({{{0, 0}, {4, 0}, {4, 8}, {0, 8}}, {{4, 2}, {9, 2}, {9, 6}, {4, 6}}},
+             flat::without_overlaps({{{0, 0}, {4, 0}, {4, 8}, {0, 8}}, {{4, 2}, {9, 2}, {9, 6}, {4, 6}}}), 12);
+  check_same({{{0, 0}, {8, 4}, {4, 9}}, {{2, 1}, {6, 3}, {7, 0}}},
+             flat::without_overlaps({{{0, 0}, {8, 4}, {4, 9}}, {{2, 1}, {6, 3}, {7, 0}}}), 12);
+}
+
+TEST_CASE("random paths on a small grid leave what is inside as it is, and no sides on each other") {
+  std::mt19937 random(1);
+  for (int round = 0; round < 60; ++round) {
+    Paths paths(2);
+    for (Path& path : paths) {
+      for (int i = 0; i < 12; ++i)
+        path.emplace_back(static_cast<ClipperLib::cInt>(random() % 6), static_cast<ClipperLib::cInt>(random() % 6));
+    }
+    const Paths made = flat::without_overlaps(paths);
+    check_same(paths, made, 6);
+    CHECK(flat::without_overlaps(made) == made);
+  }
+}
+
+TEST_CASE("coordinates at the ends of what is taken do not overflow") {
+  const ClipperLib::cInt far = static_cast<ClipperLib::cInt>(1e12 * flat::clipper_scale);
+  const Path large{{-far, -far}, {far, -far + 1}, {far - 1, far}};
+  CHECK(flat::without_overlaps({large, large}).empty());
+  CHECK(flat::without_overlaps({large}) == Paths{large});
+}
+
+TEST_CASE("a path that runs around four times costs about as much as once, and is empty") {
+  std::mt19937 random(2);
+  Path once;
+  for (int i = 0; i < 400; ++i)
+    once.emplace_back(static_cast<ClipperLib::cInt>(random() % 1000), static_cast<ClipperLib::cInt>(random() % 1000));
+  Path often;
+  for (int i = 0; i < 4; ++i) often.insert(often.end(), once.begin(), once.end());
+  const Work work(1'000'000);
+  CHECK(flat::even_odd({often}, work).empty());
+  CHECK_THROWS_AS(flat::even_odd({once}, work.afresh()), WorkError);
+}

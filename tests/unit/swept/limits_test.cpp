@@ -1,0 +1,272 @@
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "host/swept/mesh.h"
+#include "host/swept/net.h"
+#include "host/swept/spine.h"
+#include "host/swept/surface.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/swept/support.h"
+
+using namespace csgsim;
+using swept::Curve;
+using swept::Net;
+using swept::Sweep;
+
+namespace {
+
+Curve square(double half) {
+  return {1, true, {{-half, -half, 0}, {half, -half, 0}, {half, half, 0}, {-half, half, 0}}};
+}
+
+/// A closed cubic near a circle.
+Curve circle(double radius, std::size_t points, bool in_xz = false) {
+  Curve curve{3, true, {}};
+  const double out = radius * 3 / (2 + std::cos(2 * std::numbers::pi / static_cast<double>(points)));
+  for (std::size_t i = 0; i < points; ++i) {
+    const double angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
+    const double x = out * std::cos(angle);
+    const double y = out * std::sin(angle);
+    curve.points.push_back(in_xz ? glm::dvec3{x, 0, y} : glm::dvec3{x, y, 0});
+  }
+  return curve;
+}
+
+Curve line(double length) { return {1, false, {{0, 0, 0}, {0, 0, length}}}; }
+
+/// A function of one value, such as a rotation.
+Curve function(std::uint32_t degree, const std::vector<double>& values) {
+  Curve curve{degree, false, {}};
+  for (const double value : values) curve.points.emplace_back(value, 0, 0);
+  return curve;
+}
+
+Sweep block() { return {square(1), line(10)}; }
+
+std::string making(const Sweep& sweep) {
+  return testing::error_of([&] { swept::solid_of(sweep, {0.1}); });
+}
+
+std::size_t leaves_of(const Sweep& sweep, std::size_t column, const swept::Accuracy& accuracy) {
+  return swept_test::leaves_of(*swept::surface_of(sweep), column, 0, accuracy).size();
+}
+
+Net net_of(std::size_t rows, std::size_t columns) {
+  Net net;
+  for (std::size_t row = 0; row < rows; ++row) {
+    std::vector<glm::dvec3>& points = net.rows.emplace_back();
+    for (std::size_t column = 0; column < columns; ++column)
+      points.emplace_back(static_cast<double>(column), static_cast<double>(row), 0);
+  }
+  return net;
+}
+
+}  // namespace
+
+TEST_CASE("a fault of each curve of a sweep names it") {
+  const Curve bad{4, false, {}};
+  const std::string what = ": degree 4 is above 3; take 0 (constant), 1, 2 or 3";
+  Sweep sweep = block();
+  sweep.contour = bad;
+  CHECK(swept::fault_of(sweep) == "the contour" + what);
+  sweep = block();
+  sweep.trajectory = bad;
+  CHECK(swept::fault_of(sweep) == "the trajectory" + what);
+  sweep = block();
+  sweep.rotation = bad;
+  CHECK(swept::fault_of(sweep) == "the rotation" + what);
+  sweep = block();
+  sweep.scale = bad;
+  CHECK(swept::fault_of(sweep) == "the scale" + what);
+}
+
+TEST_CASE("a sweep refuses a point for a contour and for a trajectory, and closed functions, one by one") {
+  Sweep sweep = block();
+  sweep.contour = {0, true, {{1, 1, 0}}};
+  CHECK(swept::fault_of(sweep).find("the contour") == 0);
+  sweep = block();
+  sweep.trajectory = {0, false, {{1, 1, 0}}};
+  CHECK(swept::fault_of(sweep) == "the trajectory is a point; take degree 1, 2 or 3");
+  for (const bool is_rotation : {true, false}) {
+    sweep = block();
+    (is_rotation ? sweep.rotation : sweep.scale) = {1, true, {{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}};
+    CHECK(swept::fault_of(sweep) == "rotation and scale go from an end to the other; take `open`");
+  }
+}
+
+TEST_CASE("a scale below 0 is refused along u and along v, at each of its points, and 0 is not") {
+  for (const glm::dvec3& point : {glm::dvec3{-0.1, 1, 0}, glm::dvec3{1, -0.1, 0}}) {
+    for (const bool is_last : {false, true}) {
+      Sweep sweep = block();
+      sweep.scale = {1, false, {{1, 1, 0}, {1, 1, 0}}};
+      (is_last ? sweep.scale.points.back() : sweep.scale.points.front()) = point;
+      CHECK(swept::fault_of(sweep) == "a scale is below 0, where the solid would be inside out; take 0 or more");
+    }
+  }
+  Sweep sweep = block();
+  sweep.scale = {1, false, {{0, 1, 0}, {1, 0, 0}}};
+  CHECK(swept::fault_of(sweep).empty());
+}
+
+TEST_CASE("the limits on points and patches are exact") {
+  CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'000)}).empty());
+  CHECK(!swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}).empty());
+  for (std::uint32_t degree = 1; degree <= 3; ++degree) {
+    CAPTURE(degree);
+    CHECK(swept::fault_of(Curve{degree, false, std::vector<glm::dvec3>(degree + 1)}).empty());
+    CHECK(!swept::fault_of(Curve{degree, false, std::vector<glm::dvec3>(degree)}).empty());
+    const std::size_t fewest = degree == 3 ? 4 : 3;
+    CHECK(swept::fault_of(Curve{degree, true, std::vector<glm::dvec3>(fewest)}).empty());
+    CHECK(!swept::fault_of(Curve{degree, true, std::vector<glm::dvec3>(fewest - 1)}).empty());
+  }
+  Sweep sweep = block();
+  sweep.contour.points.resize(1000, {1, 2, 0});
+  sweep.trajectory.points.resize(100, {0, 0, 9});
+  CHECK(swept::fault_of(sweep).empty());
+  sweep.trajectory.points.resize(101, {0, 0, 9});
+  CHECK(swept::fault_of(sweep) == "contour and trajectory are more than 100000 patches; take points out");
+}
+
+TEST_CASE("a net needs four rows and four points a row, equal rows, and 100,000 patches are the most") {
+  CHECK(swept::fault_of(net_of(4, 4)).empty());
+  CHECK(swept::fault_of(net_of(3, 4)) == "a patch needs 4 rows of points or more, not 3");
+  CHECK(swept::fault_of(net_of(4, 3)) == "a row of a patch needs 4 points or more, not 3");
+  Net uneven = net_of(4, 5);
+  uneven.rows[3].pop_back();
+  CHECK(swept::fault_of(uneven) == "rows of a patch are of 5 and of 4 points; make them equally long");
+  CHECK(swept::fault_of(net_of(103, 1003)).empty());
+  CHECK(swept::fault_of(net_of(104, 1003)) == "more than 100000 patches; take points out");
+  CHECK(swept::fault_of(net_of(103, 1004)) == "more than 100000 patches; take points out");
+}
+
+TEST_CASE("where the trajectory closes, the scale along u and along v has to, and the rotation") {
+  const std::string open =
+      "the contour does not come back to itself where the trajectory closes; let the rotation go on by a multiple of "
+      "360 degrees, and the scale end as it begins";
+  Sweep ring{square(1), circle(9, 8, true)};
+  ring.rotation = function(1, {0, 360});
+  CHECK(making(ring) == "");
+  ring.rotation = function(1, {0, 180});
+  CHECK(making(ring) == open);
+  ring.rotation = function(0, {0});
+  for (const glm::dvec3& end : {glm::dvec3{1.5, 1, 0}, glm::dvec3{1, 1.5, 0}}) {
+    ring.scale = {1, false, {{1, 1, 0}, end}};
+    CHECK(making(ring) == open);
+  }
+}
+
+TEST_CASE("a trajectory that stands still is refused at its start, in its middle and at its end") {
+  for (const std::size_t segment : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
+    std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, 3}, {0, 0, 6}};
+    points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment), points[segment]);
+    CHECK(making({square(1), {1, false, points}}) == "the trajectory stands still on its segment " +
+                                                         std::to_string(segment + 1) +
+                                                         ", of which all points are one; take points out");
+  }
+}
+
+TEST_CASE("turning to and fro counts both ways: up to a right angle ends and middle tell how a part is turned") {
+  const auto is_short = [](const Curve& rotation) {
+    Sweep sweep = block();
+    sweep.rotation = rotation;
+    return swept::Spine(sweep).is_short(0, 0, 1);
+  };
+  CHECK(is_short(function(1, {0, 90})));
+  CHECK(is_short(function(1, {90, 0})));
+  CHECK(!is_short(function(1, {0, 90.5})));
+  CHECK(!is_short(function(1, {90.5, 0})));
+  // A parabola to 50 and back turns by 100, one to 40 by 80.
+  CHECK(!is_short(function(2, {0, 100, 0})));
+  CHECK(!is_short(function(2, {0, -100, 0})));
+  CHECK(is_short(function(2, {0, 80, 0})));
+  CHECK(is_short(function(2, {0, -80, 0})));
+}
+
+TEST_CASE("a twist to one side and back to the other within a segment is not taken for none") {
+  // At both ends and in the middle the rotation is 0.
+  Sweep sweep = block();
+  sweep.rotation = function(3, {0, 300, -300, 0});
+  const swept::SweptSolid solid = swept::solid_of(sweep, {0.05});
+  CHECK(solid.mesh.points.size() > 100);
+  double most = 0;
+  for (const glm::dvec3& point : solid.mesh.points) {
+    const double t = point.z / 10;
+    const double angle = (900 * t * (1 - t) * (1 - t) - 900 * t * t * (1 - t)) * std::numbers::pi / 180;
+    const double u = point.x * std::cos(angle) + point.y * std::sin(angle);
+    const double v = point.y * std::cos(angle) - point.x * std::sin(angle);
+    most = std::max(most, std::abs(std::max(std::abs(u), std::abs(v)) - 1));
+  }
+  CHECK(most < 0.1);
+}
+
+TEST_CASE("the rims of cones are within the tolerance, whether they open or close along the trajectory") {
+  // A side between corners 22.5 degrees apart is 0.058 off the circle, and the upper half of a patch three quarters of
+  // that in its middle: the rim alone is beyond the tolerance.
+  constexpr double tolerance = 0.05;
+  for (const bool opens : {true, false}) {
+    CAPTURE(opens);
+    Sweep sweep{circle(3, 8), line(10)};
+    const glm::dvec3 tip(0, 0, 0);
+    const glm::dvec3 rim(1, 1, 0);
+    sweep.scale = {1, false, {opens ? tip : rim, opens ? rim : tip}};
+    const swept::SweptSolid solid = swept::solid_of(sweep, {tolerance});
+    const double height = opens ? 10 : 0;
+    std::vector<double> angles;
+    for (const glm::dvec3& point : solid.mesh.points) {
+      if (point.z == height) angles.push_back(std::atan2(point.y, point.x));
+    }
+    std::ranges::sort(angles);
+    REQUIRE(angles.size() > 8);
+    for (std::size_t i = 1; i < angles.size(); ++i)
+      CHECK(3 * (1 - std::cos((angles[i] - angles[i - 1]) / 2)) < tolerance);
+  }
+}
+
+TEST_CASE("a patch of which one side is bent is subdivided, whichever side that is") {
+  // In the plane of the trajectory, from it to a point that the scale moves along a parabola: 4 off a line, of which an
+  // eighth in length is 1/16 off.
+  Sweep sweep{{1, true, {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}}}, line(10)};
+  sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
+  CHECK(leaves_of(sweep, 0, {0.1}) >= 8);  // to the point on its eastern side
+  CHECK(leaves_of(sweep, 2, {0.1}) >= 8);  // from it on its western side
+}
+
+TEST_CASE("the levels, the elements and the work of a surface are limited exactly") {
+  Sweep sweep{circle(3, 8), line(10)};
+  sweep.scale = {2, false, {{1, 1, 0}, {3, 3, 0}, {1, 1, 0}}};
+  const std::unique_ptr<swept::Surface> surface = swept::surface_of(sweep);
+  const std::vector<swept::Element> leaves = swept_test::leaves_of(*surface, 0, 0, {0.01});
+  const auto smallest = std::ranges::min_element(leaves, {}, [](const auto& leaf) { return leaf.square.size; });
+  std::uint32_t levels = 0;
+  while (swept::whole_side >> levels > smallest->square.size) ++levels;
+  REQUIRE(levels > 2);
+  const auto subdividing = [&](const swept::Accuracy& accuracy, std::uint64_t elements) {
+    return testing::error_of([&] {
+      // Nothing of an earlier subdivision is kept.
+      const std::unique_ptr<swept::Surface> anew = swept::surface_of(sweep);
+      swept::SubdivisionCounts counts;
+      counts.elements = elements;
+      const std::unique_ptr<swept::Stream> stream = anew->subdivide(0, 0, accuracy, counts);
+      while (stream->next()) {
+      }
+    });
+  };
+  const swept::Flatness sides = swept::Flatness::sides;
+  CHECK(subdividing({0.01, sides, levels}, 0) == "");
+  CHECK(subdividing({0.01, sides, levels - 1}, 0).find("where it is halved " + std::to_string(levels - 1) + " times") !=
+        std::string::npos);
+  CHECK(subdividing({0.01}, swept::most_elements - leaves.size()) == "");
+  CHECK(subdividing({0.01}, swept::most_elements - leaves.size() + 1) ==
+        "a surface is more than 2000000 elements; take a coarser tolerance");
+  const Work counting(1'000'000'000);
+  CHECK(subdividing({0.01, sides, 12, counting}, 0) == "");
+  CHECK(subdividing({0.01, sides, 12, Work(counting.done())}, 0) == "");
+  CHECK(subdividing({0.01, sides, 12, Work(counting.done() - 1)}, 0).find("subdividing a surface takes more work") ==
+        0);
+}
