@@ -31,17 +31,17 @@ csg::BoxIndex::Box index_box(const UnitBox& box) {
   return result;
 }
 
-/// As a part of the model's diagonal: how far apart points may be that become one.
+/// Greatest distance of points that are merged, as a fraction of the model's diagonal.
 constexpr double coarsest = convex::relative_tolerance;
-/// The same as a part of the least width of a node of the file.
+/// The same as a fraction of the least width of a node of the file.
 constexpr double part_of_width = 1e-5;
-/// Of the tolerance: how far faces may move that become one.
+/// How far a face may move to share a plane, as a fraction of the tolerance.
 constexpr double part_of_tolerance = 0.3;
-/// As a part of a solid's own thickness: no face of it moves farther.
+/// The same as a fraction of the solid's thickness.
 constexpr double part_of_thickness = 1e-3;
-/// As a part of the diagonal: no tolerance is finer, as doubles tell no places apart that are closer.
+/// Least tolerance, as a fraction of the diagonal: it keeps quotients finite.
 constexpr double finest = 1e-24;
-/// As a part of the coordinates: what chains of transforms in doubles are off by.
+/// Error of a chain of transforms in doubles, relative to the coordinates.
 constexpr double rounding = 0x1p-50;
 
 glm::dvec3 middle_of(const facet::Solid& solid) {

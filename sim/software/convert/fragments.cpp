@@ -192,7 +192,7 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
   const std::size_t count = region.corners.size();
   fragment.corners.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    // From behind, the side after a corner is the one that was before it.
+    // Reversed corners: the side after a corner is the one that was before it.
     const std::size_t at = is_front ? i : count - 1 - i;
     const std::size_t along = is_front ? at : (at + count - 1) % count;
     const std::uint32_t corner = region.corners[at];

@@ -23,10 +23,10 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// As a part of the tolerance: what is left of places that were rounded.
+/// Deviation of a corner from a straight line that rounding explains, as a fraction of the tolerance.
 constexpr double straight_tolerance = 1e-3;
 
-/// As a part of the coordinates: edges that are shorter are left over from rounding of planes.
+/// Length of an edge, relative to its largest coordinate, below which its ends become one point.
 constexpr double shortest_edge = 0x1p-48;
 
 /// What outlines of a plane are there for.
@@ -37,7 +37,7 @@ enum class Facing : std::uint8_t {
 };
 constexpr std::size_t facings = 3;
 
-/// The outlines of fragments, on exact points, and those of whole bodies, on vertices of their own.
+/// The outlines of fragments, on exact points, and of whole bodies, on the vertices of each body.
 class ExactOutlines {
  public:
   explicit ExactOutlines(const Bodies& bodies)
@@ -163,7 +163,7 @@ class Rounding {
     std::vector<bool> is_used(exact.points(), false);
     for (const ExactOutlines::Plane& outline : exact.outlines())
       for (const Side& side : outline.sides) is_used[side[0]] = is_used[side[1]] = true;
-    // Where a corner of a primitive is near, it is the point.
+    // Vertices of primitives are added first: nearby points take their coordinates.
     for (const bool is_vertex : {true, false})
       for (std::uint32_t i = 0; i < numbers_.size(); ++i)
         if (is_used[i] && exact.is_vertex(i) == is_vertex) numbers_[i] = table_.add(exact.place(i));

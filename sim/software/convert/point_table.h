@@ -9,7 +9,7 @@
 
 namespace csgsim::software::convert {
 
-/// Points of which those that are nearer to each other than a tolerance, in each coordinate, are one: the first.
+/// Merges points that differ by less than a tolerance in each coordinate; the first one stands for all.
 class PointTable {
  public:
   PointTable(const glm::dvec3& centre, double tolerance)

@@ -100,7 +100,7 @@ bool are_united(const csg::PositiveTree& tree, const csg::TreePaths& paths, std:
   });
 }
 
-/// Whether the body has faces that bound it, none of which is a wall, and polygons.
+/// Whether the body has a volume and polygons, and no wall among its faces.
 bool is_whole(const Bodies& bodies, const Body& body) {
   const auto is_wall = [&](const BodyFace& face) { return bodies.planes.is_wall(face.halfspace.plane); };
   return !body.box.empty() && !body.polygons.empty() && std::ranges::none_of(body.faces, is_wall);

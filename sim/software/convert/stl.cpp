@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <limits>
@@ -16,6 +18,25 @@ namespace csgsim::software::convert {
 namespace {
 
 using Facet = std::array<glm::vec3, 3>;
+
+/// Greatest part of a volume that single precision may lose.
+constexpr double most_loss = 1e-3;
+
+/// Throws InputError where the coordinates are too large for single precision to keep the volume.
+void require_volume(const Surface& surface) {
+  Surface single = surface;
+  double farthest = 0;
+  for (glm::dvec3& point : single.points) {
+    for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(point[axis]));
+    point = glm::dvec3(glm::vec3(point));
+  }
+  const double volume = measure(surface).volume;
+  if (std::abs(measure(single).volume - volume) <= most_loss * std::abs(volume)) return;
+  throw InputError(
+      fmt::format("binary STL has single precision, which would change the volume of this model by more than a "
+                  "thousandth, since its coordinates reach {:.3g}; write .off or .3mf, or an STL text with --ascii",
+                  farthest));
+}
 
 /// Points in single precision, and triangles that are still some then: where two points become one, as many sides run
 /// along each edge one way as the other without those that collapse.
@@ -45,6 +66,7 @@ void append(std::string& bytes, const glm::vec3& vector) {
 }
 
 std::string binary(const Surface& surface) {
+  require_volume(surface);
   const std::vector<Facet> facets = rounded(surface);
   if (facets.size() > std::numeric_limits<std::uint32_t>::max())
     throw InputError("an STL file holds no more than 4,294,967,295 triangles; make the facets coarser");

@@ -190,8 +190,7 @@ class Halving {
     others_[other] = one;
   }
 
-  /// What a triangle loses of its half-edge, and of the one after it, becomes a new triangle. The half-edge from the
-  /// middle on is the first of that.
+  /// Splits a triangle at the middle of a half-edge. Returns the second part's half-edge, from the middle on.
   std::uint32_t cut(std::uint32_t half_edge, std::uint32_t middle) {
     const std::uint32_t after = next_corner(half_edge);
     const auto first = static_cast<std::uint32_t>(others_.size());
@@ -221,7 +220,7 @@ class Halving {
   std::unordered_map<std::uint32_t, std::uint32_t> moved_;  ///< where half-edges are that had these numbers
 };
 
-/// Sorts triangles by their outlines.
+/// Restores the order of Surface::outlines.
 void sort_by_outlines(Surface& surface) {
   std::vector<std::uint32_t> order(surface.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -236,7 +235,7 @@ void sort_by_outlines(Surface& surface) {
 
 using LongVector = glm::vec<3, long double>;
 
-/// Of the two shortest sides, so that the area of a needle is not lost in the product of its long sides.
+/// The cross product of the two shortest sides: that of two long sides of a needle would lose its area to rounding.
 LongVector twice_area(const Surface& surface, const Triangle& triangle) {
   std::array<LongVector, 3> sides;
   for (std::size_t i = 0; i < 3; ++i)
@@ -274,7 +273,7 @@ Measures measure(const Surface& surface) {
   }
   long double volume = 0;
   for (const Triangle& triangle : surface.triangles) {
-    // Of each shell from a point of its own, so that it counts no less for being far away.
+    // Relative to a point of the shell, since a far origin would cost precision.
     const glm::dvec3& origin = surface.points[points.find(triangle[0])];
     const LongVector area = twice_area(surface, triangle);
     volume += glm::dot(LongVector(surface.points[triangle[0]]) - LongVector(origin), area) / 6;

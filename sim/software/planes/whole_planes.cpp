@@ -12,14 +12,14 @@ namespace {
 constexpr int normal_bits = 96;
 constexpr int offset_bits = 110;
 
-/// In units. Planes farther away meet nothing of the model.
+/// Greatest offset that is kept, in units. Planes farther away meet nothing of the model.
 constexpr double farthest_plane = 512;
 
 /// How far the outermost walls are from a model, as a part of its size.
 constexpr double wall_margin = 0.25;
 
-/// As a part of the sum of their sizes: what sums of products of rounded numbers are off by, of determinants, and of
-/// four products of them.
+/// Bounds of rounding errors, relative to the sum of the absolute values of all products: of a determinant of three
+/// rows, and of a sum of four products.
 constexpr double error_of_determinant = 0x1p-49;
 constexpr double error_of_sum = 0x1p-49;
 
@@ -145,7 +145,7 @@ Determinant determinant(const NearRow& p, const NearRow& q, const NearRow& r,
   return sum;
 }
 
-/// The columns of which x, y, z and w are the determinants.
+/// x, y, z and w are the determinants of these columns.
 constexpr std::array<std::array<std::size_t, 3>, 4> columns_of{{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 }  // namespace

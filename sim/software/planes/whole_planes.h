@@ -15,8 +15,8 @@ namespace csgsim::software {
 /// Numbers of three planes that meet in one point, ascending.
 using Triple = std::array<std::uint32_t, 3>;
 
-/// Where three planes meet: x : y : z : w, with w above 0, as rounded numbers tell it. What they leave open is worked
-/// out exactly of the planes.
+/// The point of three planes in homogeneous coordinates, rounded: (x, y, z, w) with w > 0. Predicates that these leave
+/// undecided are evaluated exactly from the planes.
 struct Meeting {
   Triple planes{};
   std::array<double, 4> near{};
