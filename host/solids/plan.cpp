@@ -86,8 +86,7 @@ facet::Geometry cut_off(const model::Tree& tree, const facet::Geometry& whole, c
     }
     std::ranges::sort(solid.halfspaces, {},
                       [](const facet::Halfspace& side) { return std::pair(side.plane, side.positive); });
-    const auto repeated = std::ranges::unique(solid.halfspaces);
-    solid.halfspaces.erase(repeated.begin(), repeated.end());
+    solid.halfspaces.erase(std::unique(solid.halfspaces.begin(), solid.halfspaces.end()), solid.halfspaces.end());
   }
   return cut;
 }

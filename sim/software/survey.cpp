@@ -35,7 +35,7 @@ void Surveyor::add_ray(std::span<const Event> events, const Seen& seen) {
   last_ = sequence_;
   if (!found_.insert(sequence_).second) return;
   std::ranges::sort(sequence_);
-  sequence_.erase(std::ranges::unique(sequence_).begin(), sequence_.end());
+  sequence_.erase(std::unique(sequence_.begin(), sequence_.end()), sequence_.end());
   combinations_.insert(sequence_);
 }
 

@@ -154,8 +154,7 @@ std::vector<std::array<std::uint32_t, 2>> edges_of(const facet::Solid& solid) {
     if (edges.size() > 2 * Body::most_edges) return {};
   }
   std::ranges::sort(edges);
-  const auto rest = std::ranges::unique(edges);
-  edges.erase(rest.begin(), rest.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   if (edges.size() > Body::most_edges) return {};
   return edges;
 }

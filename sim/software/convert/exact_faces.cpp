@@ -51,8 +51,7 @@ std::vector<ExactFaces::Outline> ExactFaces::outlines_of(const facet::Solid& sol
   for (std::uint32_t i = 0; i < faces; ++i) {
     std::vector<std::uint32_t>& neighbours = outlines[i].neighbours;
     std::ranges::sort(neighbours);
-    const auto rest = std::ranges::unique(neighbours);
-    neighbours.erase(rest.begin(), rest.end());
+    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
     std::erase(neighbours, i);
   }
   return outlines;

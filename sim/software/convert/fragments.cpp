@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 #include <mutex>
-#include <ranges>
 #include <span>
 #include <thread>
 #include <utility>
@@ -76,8 +75,9 @@ class Evaluation {
   }
 
   Region region_of(std::uint32_t body, const BodyFace& face) {
-    return sheet_.begin(face.halfspace.plane,
-                        bodies_.bodies[body].sides_of(face) | std::views::transform(&BodySide::plane));
+    std::vector<std::uint32_t> sides;
+    for (const BodySide& side : bodies_.bodies[body].sides_of(face)) sides.push_back(side.plane);
+    return sheet_.begin(face.halfspace.plane, sides);
   }
 
   /// Adds all of the face or nothing of it, if a ball about it tells which. Notes what it tells of the operands.

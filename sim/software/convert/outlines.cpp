@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
-#include <ranges>
 #include <stdexcept>
 #include <unordered_map>
 #include <utility>

@@ -133,7 +133,7 @@ void cancel_triangles(Surface& surface) {
   using Corners = std::array<std::uint32_t, 3>;
   std::map<Corners, std::vector<std::size_t>> known;
   const auto turned = [](Triangle triangle) {
-    std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
     return triangle;
   };
   std::vector<bool> is_out(surface.triangles.size(), false);

@@ -38,6 +38,20 @@ Region Sheet::begin(std::uint32_t plane) {
   return region;
 }
 
+Region Sheet::begin(std::uint32_t plane, std::span<const std::uint32_t> sides) {
+  plane_ = plane;
+  points_.clear();
+  places_.clear();
+  Region region;
+  std::uint32_t before = sides.back();
+  for (const std::uint32_t along : sides) {
+    region.corners.push_back(add(before, along));
+    region.planes.push_back(along);
+    before = along;
+  }
+  return region;
+}
+
 Bounds Sheet::bounds(const Region& region) const {
   Bounds bounds;
   UnitBox& box = bounds.box;

@@ -4,7 +4,6 @@
 #include <boost/container/small_vector.hpp>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <iterator>
 #include <optional>
 #include <span>
 #include <vector>
@@ -60,20 +59,7 @@ class Sheet {
 
   /// Forgets all points. Returns the polygon of the plane that has a side along each of these others, in order, as
   /// Region::planes of a region of the plane were.
-  template <class Sides>
-  Region begin(std::uint32_t plane, const Sides& sides) {
-    plane_ = plane;
-    points_.clear();
-    places_.clear();
-    Region region;
-    std::uint32_t before = *std::prev(std::end(sides));
-    for (const std::uint32_t along : sides) {
-      region.corners.push_back(add(before, along));
-      region.planes.push_back(along);
-      before = along;
-    }
-    return region;
-  }
+  Region begin(std::uint32_t plane, std::span<const std::uint32_t> sides);
 
   [[nodiscard]] std::uint32_t plane() const { return plane_; }
   [[nodiscard]] const Meeting& point(std::uint32_t corner) const { return points_[corner]; }

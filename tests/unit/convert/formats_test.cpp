@@ -96,7 +96,7 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
   for (std::size_t turn = 0; turn < 3; ++turn) {
     CAPTURE(turn);
     const auto turned = [&](convert::Triangle triangle) {
-      std::ranges::rotate(triangle, triangle.begin() + static_cast<std::ptrdiff_t>(turn));
+      std::rotate(triangle.begin(), triangle.begin() + static_cast<std::ptrdiff_t>(turn), triangle.end());
       return triangle;
     };
     convert::Surface split = cube;
