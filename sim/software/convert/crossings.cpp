@@ -42,7 +42,7 @@ class Crossings {
   [[nodiscard]] std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> taken() {
     std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> lines;
     for (auto& [key, found] : found_) {
-      std::ranges::sort(found);
+      std::sort(found.begin(), found.end());
       for (const PointAlong& one : found) {
         std::vector<std::uint32_t>& line = lines[key];
         if (line.empty() || line.back() != one.point) line.push_back(one.point);

@@ -112,6 +112,7 @@ std::vector<std::uint32_t> points_between(const WholePlanes& planes, const Exact
     return of_other.side != 0 && planes.side(start, of_other.plane) == of_other.side;
   });
   std::vector<std::uint32_t> numbers;
+  numbers.reserve(found.size());
   for (const Found& one : found) numbers.push_back(one.point);
   return numbers;
 }

@@ -64,7 +64,7 @@ std::vector<PointAlong> NearPoints::beside(std::uint32_t from, std::uint32_t to,
     };
     index_->tree.query(bg::index::intersects(box), boost::make_function_output_iterator(add));
   }
-  std::ranges::sort(found);
+  std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   return found;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <memory>
@@ -14,7 +13,10 @@ struct PointAlong {
   double along = 0;  ///< where it is nearest to: 0 at the line's start, 1 at its end
   std::uint32_t point = 0;
 
-  auto operator<=>(const PointAlong&) const = default;
+  bool operator==(const PointAlong&) const = default;
+  bool operator<(const PointAlong& other) const {
+    return along != other.along ? along < other.along : point < other.point;
+  }
 };
 
 /// Finds points beside lines, by an R-tree.

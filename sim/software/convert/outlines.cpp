@@ -171,6 +171,7 @@ class Rounding {
 
   [[nodiscard]] std::vector<Side> operator()(const std::vector<Side>& sides) const {
     std::vector<Side> rounded;
+    rounded.reserve(sides.size());
     for (const Side& side : sides) rounded.push_back({numbers_[side[0]], numbers_[side[1]]});
     cancel(rounded);
     return rounded;
