@@ -24,12 +24,13 @@ constexpr double most_loss = 1e-3;
 
 /// Throws InputError where the coordinates are too large for single precision to keep the volume.
 void require_volume(const Surface& surface) {
+  // GCC 12 leaves out the rounding of a vector that is widened again at once.
+  const std::vector<glm::vec3> rounded(surface.points.begin(), surface.points.end());
   Surface single = surface;
+  single.points.assign(rounded.begin(), rounded.end());
   double farthest = 0;
-  for (glm::dvec3& point : single.points) {
+  for (const glm::dvec3& point : surface.points)
     for (int axis = 0; axis < 3; ++axis) farthest = std::max(farthest, std::abs(point[axis]));
-    point = glm::dvec3(glm::vec3(point));
-  }
   const double volume = measure(surface).volume;
   if (std::abs(measure(single).volume - volume) <= most_loss * std::abs(volume)) return;
   throw InputError(

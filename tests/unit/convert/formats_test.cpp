@@ -82,7 +82,8 @@ TEST_CASE("a zipped mesh has the same bytes whenever it is written") {
 }
 
 TEST_CASE("binary STL leaves out triangles whose corners are one in single precision, whichever two") {
-  const convert::Surface cube = testing::converted("cube([1,2,3]);");
+  const convert::Surface cube =
+      testing::converted("multmatrix([[1,0,0,5],[0,1,0,5],[0,0,1,5],[0,0,0,1]]){cube([1,2,3]);}");
   // A point on an edge, nearer to one of its ends than single precision tells.
   const convert::Triangle first = cube.triangles.front();
   const auto [a, b, c] = first;
