@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <string_view>
+
+#include "sim/software/convert/division.h"
 
 namespace csgsim::software::convert {
 
 namespace {
-
-constexpr std::string_view converting_faces = "converting the model to a boundary";
 
 /// Whether a half-space and its opposite are both among them.
 bool has_opposites(const Body& body) {
@@ -90,7 +89,7 @@ void ExactFaces::cut(std::span<const Outline> outlines, Body& body) {
     Region region = sheet_.begin(face.halfspace.plane);
     for (const std::uint32_t neighbour : outlines[i].neighbours) {
       if (region.empty()) break;
-      work_.charge(1 + region.corners.size() / 4, converting_faces);
+      work_.charge(1 + region.corners.size() / 4, converting);
       region = sheet_.clip(region, body.faces[neighbour].halfspace);
     }
     take(region, outlines[i], face, body);
@@ -108,7 +107,7 @@ void ExactFaces::cut_by_all(std::span<const Outline> outlines, Body& body) {
     Bounds bounds = sheet_.bounds(region);
     for (const BodyFace& other : body.faces) {
       if (other.halfspace.plane == face.halfspace.plane) continue;
-      work_.charge(1, converting_faces);
+      work_.charge(1, converting);
       const double out = planes_.height(other.halfspace, bounds.middle);
       if (out < -bounds.radius - place_error) continue;
       region = sheet_.clip(region, other.halfspace);
@@ -156,7 +155,7 @@ bool ExactFaces::is_closed(const Body& body) const {
       if (!ends_at(body, beyond, plane, is_alike ? start : end, is_alike ? end : start)) return false;
     }
   }
-  // The sides along planes of higher numbers were looked for; the others have to be as many.
+  // Only sides along planes of higher numbers were looked up: every edge needs one of each kind.
   std::size_t higher = 0;
   for (const BodyFace& face : body.faces)
     higher += static_cast<std::size_t>(std::ranges::count_if(
