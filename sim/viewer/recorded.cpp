@@ -15,7 +15,7 @@ namespace csgsim::viewer {
 
 namespace {
 
-const ChildLimits limits{.time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
+const ChildLimits wave_limits{.time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 
 /// The program that this process runs.
 std::string own_program() {
@@ -34,10 +34,10 @@ std::string recorded(const isa::Program& program, std::span<const std::string> o
   const std::vector<std::byte> bytes = isa::encode(program);
   MemoryFile input("the Program of a wave");
   input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  std::optional<ChildEnd> end = run_child(words, input, limits);
+  std::optional<ChildEnd> end = run_child(words, input, wave_limits);
   if (!end) throw InputError("csgsim wave cannot be run: its program has been moved");
   if (is_done(*end)) return std::move(end->output);
-  const std::string why = why_failed(*end, limits);
+  const std::string why = why_failed(*end, wave_limits);
   if (end->exceeded == Exceeded::nothing) throw InputError(why);
   throw InputError("csgsim wave: " + why + "; make the picture smaller, or record it with csgsim wave and a --window");
 }
