@@ -12,8 +12,8 @@ struct Pruning {
   bool sets = true;        ///< primitives that only intersections join are one convex solid (thesis 7.3.2)
   bool early_out = true;   ///< while it runs, what no pixel is left for, if the machine has a global OR
   bool near = true;        ///< the near plane where no pixel centre is before all fronts; else by corners alone
-  bool pixels = false;  ///< with `halfspaces`: those that others stand before at every pixel, not only an extreme at a
-                        ///< corner everywhere
+  bool pixels = false;  ///< with `halfspaces`: those that are a depth step from the deciding depth at every pixel, not
+                        ///< only those that the decider at one corner exceeds at all four
 
   constexpr bool operator==(const Pruning&) const = default;
 

@@ -44,7 +44,8 @@ void keep(std::vector<Item>& items, const std::vector<bool>& kept) {
   std::erase_if(items, [&](const Item&) { return !kept[index++]; });
 }
 
-/// Drops half-spaces that an extreme at a corner stands before at every corner, hence at every pixel between.
+/// Drops half-spaces whose rank the greatest rank at a corner exceeds by a step at every corner, hence at every pixel
+/// between.
 void drop_before_leaders(std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
                          const view::PixelRect& pixels, const csg::Counted& counted) {
   std::uint64_t held = 0;

@@ -48,8 +48,9 @@ struct Deciding {
 Deciding undecided(const Context& context, std::span<const std::uint32_t> set, view::Side side,
                    const csg::Block& block);
 
-/// Leaves out those as well that others of the side stand before, at every corner of the block's pixels (thesis 7.3.3)
-/// or at every pixel, whichever is asked for. Throws as undecided does.
+/// Also leaves out fronts nearer than another front and backs farther than another back, by a depth step at least, at
+/// every corner of the block's pixels (thesis 7.3.3) or at every pixel, whichever is asked for. Throws as undecided
+/// does.
 Deciding deciding(const Context& context, std::span<const std::uint32_t> set, view::Side side, const csg::Block& block);
 
 /// What has to be broadcast to draw a solid's surface in a block's pixels. Half-spaces decide over the whole depth

@@ -75,7 +75,7 @@ class Sources(unittest.TestCase):
                 ("Jansen 1987, sections 7.4.1 and 7.4.3: arrays", "thesis 7.4.1 and 7.4.3: arrays"),
                 ("Jansen 1987, table 7.3: the total", "thesis table 7.3: the total"),
                 ("one stands in Jansen 1987, fig. 7.3", "one stands in thesis fig. 7.3"),
-                ("word-wide cells (Jansen 1987, section 7.2.2)", "word-wide cells (thesis 7.2.2)")):
+                ("with the host (Jansen 1987, section 7.2.2)", "with the host (thesis 7.2.2)")):
             self.assertEqual(machine.in_words_of_pages(source), words)
 
     def test_an_x_between_numbers_is_a_times_sign_and_any_other_a_letter(self):

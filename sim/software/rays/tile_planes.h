@@ -29,9 +29,9 @@ struct TilePlanes {
 TilePlanes planes_of(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                      std::uint32_t primitive);
 
-/// Leaves out of `all` what another plane stands before, or level with, at every pixel of the tile: a linear function
-/// that is nowhere greater at four corners is nowhere greater between them. `left` has no edge tests. Returns how many
-/// planes were looked at.
+/// Leaves out of `all` fronts that are nowhere in the tile farther than another front, and backs that are nowhere
+/// nearer than another back: a linear function that is nowhere greater at four corners is nowhere greater between them.
+/// `left` has no edge tests. Returns how many planes were looked at.
 std::uint64_t leave_out_hidden(const TilePlanes& all, const view::PixelRect& tile, TilePlanes& left);
 
 }  // namespace csgsim::software
