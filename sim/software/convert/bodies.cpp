@@ -195,20 +195,6 @@ std::vector<std::uint32_t> Bodies::meeting(const UnitBox& box) const {
   return found;
 }
 
-BallIs Bodies::ball_is(const Body& body, const glm::dvec3& middle, double radius, std::uint32_t but) const {
-  const double far = glm::distance(middle, body.middle);
-  if (far > body.outer + radius) return BallIs::outside;
-  if (far < body.inner - radius) return BallIs::inside;
-  bool is_inside = true;
-  for (const BodyFace& face : body.faces) {
-    if (face.halfspace.plane == but) continue;
-    const double height = planes.height(face.halfspace, middle);
-    if (height > radius) return BallIs::outside;
-    if (height > -radius) is_inside = false;
-  }
-  return is_inside ? BallIs::inside : BallIs::neither;
-}
-
 Bodies make_bodies(const model::Tree& tree, const facet::Faceting& faceting, const Work& work) {
   const Size size = size_of(tree, faceting);
   const double diagonal = size.box.diagonal() > 0 ? size.box.diagonal() : 1.0;

@@ -25,9 +25,6 @@ struct BodyFace {
   std::uint32_t sides = 0;
 };
 
-/// Of a ball and a convex body.
-enum class BallIs : std::uint8_t { inside, outside, neither };
-
 inline constexpr std::uint32_t no_vertex = 0xffffffffU;
 
 /// A side of a face: the plane along it, and the solid's vertex that its first corner stands for, or no_vertex.
@@ -74,9 +71,6 @@ struct Bodies {
   WholePlanes planes;
   std::vector<Body> bodies;  ///< one a primitive
   csg::BoxIndex index;       ///< of the bodies' boxes
-
-  /// As rounded numbers tell it; neither is said at times of a ball that is outside. The plane `but` is left out.
-  [[nodiscard]] BallIs ball_is(const Body& body, const glm::dvec3& middle, double radius, std::uint32_t but) const;
 
   /// Bodies whose boxes have a point in common with that one, ascending.
   [[nodiscard]] std::vector<std::uint32_t> meeting(const UnitBox& box) const;

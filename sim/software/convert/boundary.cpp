@@ -6,7 +6,9 @@
 
 #include "host/csg/positive_tree.h"
 #include "sim/software/convert/bodies.h"
+#include "sim/software/convert/exact_outlines.h"
 #include "sim/software/convert/fragments.h"
+#include "sim/software/convert/outlines.h"
 #include "sim/software/convert/side_by_side.h"
 
 namespace csgsim::software::convert {
@@ -15,11 +17,16 @@ Outlines boundary(const model::Tree& tree, const facet::Faceting& faceting, cons
   if (tree.root == model::no_index) return {};
   const csg::PositiveTree positive = csg::make_positive(tree);
   const Bodies bodies = make_bodies(tree, faceting, work);
-  const std::vector<bool> whole = side_by_side(bodies, positive, work);
-  if (std::optional<Outlines> outlines = join(bodies, whole, fragments(bodies, positive, whole, work, threads)))
-    return *std::move(outlines);
-  const std::vector<bool> none(bodies.bodies.size(), false);
-  return join(bodies, none, fragments(bodies, positive, none, work, threads)).value();
+  const auto joined = [&](const std::vector<bool>& whole) {
+    ExactOutlines exact(bodies);
+    const TakeFragments take = [&](std::span<const Fragment> found) { exact.add(found); };
+    find_fragments(bodies, positive, whole, take, work, threads);
+    exact.close();
+    exact.add_whole(whole);
+    return join(bodies, std::move(exact));
+  };
+  if (std::optional<Outlines> outlines = joined(side_by_side(bodies, positive, work))) return *std::move(outlines);
+  return joined(std::vector<bool>(bodies.bodies.size(), false)).value();
 }
 
 }  // namespace csgsim::software::convert

@@ -109,19 +109,9 @@ class Crossings {
 bool end_at_crossings(std::span<const std::size_t> which, Outlines& outlines) {
   Crossings crossings(outlines.points);
   for (const std::size_t one : which) crossings.find(outlines.outlines[one]);
-  const auto lines = crossings.taken();
-  if (lines.empty()) return false;
-  for (Outline& outline : outlines.outlines) {
-    std::vector<Side> sides;
-    for (const Side& side : outline.sides) {
-      const auto found = lines.find(key_of(side));
-      end_at(side, found == lines.end() ? std::span<const std::uint32_t>{} : found->second, sides);
-    }
-    if (sides.size() == outline.sides.size()) continue;
-    cancel(sides);
-    outline.sides = std::move(sides);
-  }
-  return true;
+  const Ends ends = crossings.taken();
+  for (Outline& outline : outlines.outlines) end_at(ends, outline.sides);
+  return !ends.empty();
 }
 
 }  // namespace csgsim::software::convert

@@ -38,11 +38,19 @@ std::vector<bool> used_operands(const LocalTree& tree, std::size_t count) {
 
 /// Leaves out the operands that nothing depends on any more.
 void drop_unused(LocalTree& tree, std::vector<Operand>& operands) {
-  const std::vector<bool> is_used = used_operands(tree, operands.size());
+  std::vector<bool> is_kept = used_operands(tree, operands.size());
+  for (std::size_t i = 0; i < operands.size(); ++i)
+    is_kept[i] = !operands[i].known.is_known && (is_kept[i] || operands[i].owns);
+  keep(is_kept, tree, operands);
+}
+
+}  // namespace
+
+void keep(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands) {
   std::vector<std::uint32_t> numbers(operands.size(), 0);
   std::uint32_t kept = 0;
   for (std::size_t i = 0; i < operands.size(); ++i) {
-    if (operands[i].known.is_known || !(is_used[i] || operands[i].owns)) continue;
+    if (!is_kept[i]) continue;
     numbers[i] = kept;
     if (kept != i) operands[kept] = std::move(operands[i]);
     ++kept;
@@ -50,8 +58,6 @@ void drop_unused(LocalTree& tree, std::vector<Operand>& operands) {
   operands.resize(kept);
   tree.renumber(numbers);
 }
-
-}  // namespace
 
 Known Division::value_in(const Operand& operand) const {
   if (!operand.is_coplanar) return {true, {true, true}};
@@ -62,16 +68,9 @@ Known Division::value_in(const Operand& operand) const {
 Known Division::look(const Region& region, const Bounds& bounds, Operand& operand) const {
   const Body& body = bodies_.bodies[operand.body];
   if (are_apart(body.box, bounds.box)) return outside;
-  if (operand.tests_all) {
-    const double far = glm::distance(bounds.middle, body.middle);
-    if (far > body.outer + bounds.radius) return outside;
-    if (far < body.inner - bounds.radius) return value_in(operand);
-  }
   Numbers crossing;
-  const std::size_t count = operand.tests_all ? body.faces.size() : operand.tests.size();
-  work_.charge(1 + count / 4, converting);
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint32_t face = operand.tests_all ? static_cast<std::uint32_t>(i) : operand.tests[i];
+  work_.charge(1 + operand.tests.size() / 4, converting);
+  for (const std::uint32_t face : operand.tests) {
     const facet::Halfspace halfspace = body.faces[face].halfspace;
     if (halfspace.plane == sheet_.plane()) continue;
     const double out = bodies_.planes.height(halfspace, bounds.middle);
@@ -83,7 +82,6 @@ Known Division::look(const Region& region, const Bounds& bounds, Operand& operan
   }
   if (crossing.empty()) return value_in(operand);
   operand.tests = std::move(crossing);
-  operand.tests_all = false;
   return {};
 }
 
@@ -184,7 +182,7 @@ bool Division::halve(const Region& region, const Bounds& bounds, const LocalTree
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   std::vector<double> places;
   for (const Operand& operand : operands) {
-    if (operand.known.is_known || operand.tests_all) continue;
+    if (operand.known.is_known) continue;
     const UnitBox& box = bodies_.bodies[operand.body].box;
     places.push_back((std::max(box.low[axis], bounds.box.low[axis]) + std::min(box.high[axis], bounds.box.high[axis])) /
                      2.0);
@@ -197,7 +195,7 @@ bool Division::halve(const Region& region, const Bounds& bounds, const LocalTree
   std::size_t lower = 0;
   std::size_t higher = 0;
   for (const Operand& operand : operands) {
-    if (operand.known.is_known || operand.tests_all) continue;
+    if (operand.known.is_known) continue;
     const UnitBox& box = bodies_.bodies[operand.body].box;
     if (box.low[axis] <= place) ++lower;
     if (box.high[axis] >= place) ++higher;

@@ -21,10 +21,12 @@ struct Operand {
   bool is_coplanar = false;  ///< has a face in the plane, on that side
   bool is_behind = false;    ///< if so: the body is behind the plane
   bool owns = false;         ///< what it shares of the plane is its own, and is left out
-  bool tests_all = true;     ///< all faces' planes are to be looked at, not only those of `tests`
-  Numbers tests{};
+  Numbers tests{};           ///< its faces whose planes may pass through the region: all of it is behind the others
   Known known{};
 };
+
+/// Leaves out the operands that are not kept, of which the tree has none.
+void keep(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands);
 
 /// Divides a face of a body by others into parts of the boundary and parts that are none.
 class Division {

@@ -56,15 +56,17 @@ std::vector<ExactFaces::Outline> ExactFaces::outlines_of(const facet::Solid& sol
   return outlines;
 }
 
-/// The nearest vertex of the face that the place may be rounded to.
-std::uint32_t ExactFaces::vertex_at(const glm::dvec3& place, const Outline& outline, const Body& body) const {
+/// The nearest vertex of the face that a corner of the sheet may be rounded to.
+std::uint32_t ExactFaces::vertex_at(std::uint32_t corner, const Outline& outline, const Body& body) const {
+  constexpr double most_deviation = 0.1;  // of the tolerance
+  const glm::dvec3 place = sheet_.place(corner, most_deviation * tolerance_ / planes_.unit()) * planes_.unit();
   std::uint32_t found = no_vertex;
   double nearest = tolerance_;
-  for (const std::uint32_t corner : outline.corners) {
-    const double far = glm::distance(place * planes_.unit(), body.vertices[corner] - reference_);
+  for (const std::uint32_t vertex : outline.corners) {
+    const double far = glm::distance(place, body.vertices[vertex] - reference_);
     if (far > nearest) continue;
     nearest = far;
-    found = corner;
+    found = vertex;
   }
   return found;
 }
@@ -75,7 +77,7 @@ void ExactFaces::take(const Region& region, const Outline& outline, BodyFace& fa
   face.box = {};
   if (region.empty()) return;
   for (std::size_t i = 0; i < region.planes.size(); ++i)
-    body.sides.push_back({region.planes[i], vertex_at(sheet_.place(region.corners[i]), outline, body)});
+    body.sides.push_back({region.planes[i], vertex_at(region.corners[i], outline, body)});
   const Bounds bounds = sheet_.bounds(region);
   face.box = bounds.box;
   face.radius = bounds.radius;

@@ -21,6 +21,9 @@ class ExactPoints {
   /// The number of the point of these planes.
   std::uint32_t add(const Triple& planes);
 
+  /// Keeps the points, and no longer by which planes they were found, which is quick while these are asked again.
+  void forget_planes() { known_.clear(); }
+
   [[nodiscard]] std::span<const glm::dvec3> places() const { return places_; }
   [[nodiscard]] const Triple& planes(std::uint32_t point) const { return triples_[point]; }
   [[nodiscard]] Meeting meeting(std::uint32_t point) const {

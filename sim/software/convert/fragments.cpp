@@ -5,8 +5,9 @@
 #include <atomic>
 #include <exception>
 #include <glm/geometric.hpp>
-#include <iterator>
 #include <mutex>
+#include <numeric>
+#include <optional>
 #include <span>
 #include <thread>
 #include <utility>
@@ -20,6 +21,12 @@ namespace csgsim::software::convert {
 
 namespace {
 
+/// A ball about faces of a body, in units.
+struct Ball {
+  glm::dvec3 middle{0};
+  double radius = 0;
+};
+
 /// The faces of bodies one after another.
 class Evaluation {
  public:
@@ -32,17 +39,33 @@ class Evaluation {
         divide_(bodies, sheet_, found_, work) {}
 
   void add(std::uint32_t body) {
-    near_ = bodies_.meeting(bodies_.bodies[body].box);
-    const auto own = std::ranges::lower_bound(near_, body);
-    if (own == near_.end() || *own != body) return;
-    const LocalTree tree(tree_, paths_, near_);
-    for (std::uint32_t face = 0; face < bodies_.bodies[body].faces.size(); ++face) add_face(body, face, tree);
+    const std::vector<std::uint32_t> near = bodies_.meeting(bodies_.bodies[body].box);
+    if (!std::ranges::binary_search(near, body)) return;
+    work_.charge(near.size(), converting);
+    std::vector<Operand> operands(near.size());
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      operands[i].body = near[i];
+      if (near[i] != body) operands[i].tests = numbers_below(bodies_.bodies[near[i]].faces.size());
+    }
+    own_ = body;
+    Numbers faces = numbers_below(bodies_.bodies[body].faces.size());
+    const auto has_no_area = [&](std::uint32_t face) { return own().faces[face].sides == 0; };
+    faces.erase(std::remove_if(faces.begin(), faces.end(), has_no_area), faces.end());
+    if (!faces.empty()) add_group({faces.data(), faces.size()}, LocalTree(tree_, paths_, near), std::move(operands));
   }
 
   /// What was found since it was last asked.
   std::vector<Fragment> taken() { return std::exchange(found_, {}); }
 
  private:
+  static Numbers numbers_below(std::size_t count) {
+    Numbers numbers(count);
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    return numbers;
+  }
+
+  [[nodiscard]] const Body& own() const { return bodies_.bodies[own_]; }
+
   /// Whether a box has points on both sides of the plane, or may have.
   [[nodiscard]] bool meets_plane(const UnitBox& box, std::uint32_t plane) const {
     const std::array<double, 4>& near = bodies_.planes.near(plane);
@@ -53,46 +76,115 @@ class Evaluation {
     return std::abs(height) <= glm::dot(glm::abs(normal), half);
   }
 
-  [[nodiscard]] Operand operand_of(std::uint32_t number, std::uint32_t body, facet::Halfspace halfspace,
-                                   const UnitBox& box) const {
-    Operand operand{.body = number};
-    const Body& other = bodies_.bodies[number];
-    if (are_apart(other.box, box) || !meets_plane(other.box, halfspace.plane)) {
+  [[nodiscard]] static glm::dvec3 middle_of(const BodyFace& face) { return (face.box.low + face.box.high) / 2.0; }
+
+  [[nodiscard]] Ball ball_about(std::span<const std::uint32_t> faces) const {
+    UnitBox box = own().faces[faces.front()].box;
+    for (const std::uint32_t face : faces) {
+      box.low = glm::min(box.low, own().faces[face].box.low);
+      box.high = glm::max(box.high, own().faces[face].box.high);
+    }
+    Ball ball{(box.low + box.high) / 2.0, 0};
+    for (const std::uint32_t number : faces) {
+      const BodyFace& face = own().faces[number];
+      ball.radius = std::max(ball.radius, glm::distance(ball.middle, middle_of(face)) + face.radius);
+    }
+    return ball;
+  }
+
+  /// Whether a ball is inside or outside of an operand; if neither is told, leaves the faces whose planes may pass
+  /// through it. The plane of a face in the ball does.
+  [[nodiscard]] Known look(const Ball& ball, Operand& operand) const {
+    const Body& body = bodies_.bodies[operand.body];
+    if (operand.tests.size() == body.faces.size()) {
+      const double far = glm::distance(ball.middle, body.middle);
+      if (far > body.outer + ball.radius) return {true, {}};
+      if (far < body.inner - ball.radius) return {true, {true, true}};
+    }
+    work_.charge(1 + operand.tests.size() / 4, converting);
+    Numbers left;
+    for (const std::uint32_t face : operand.tests) {
+      const double height = bodies_.planes.height(body.faces[face].halfspace, ball.middle);
+      if (height > ball.radius) return {true, {}};
+      if (height >= -ball.radius) left.push_back(face);
+    }
+    if (left.empty()) return {true, {true, true}};
+    operand.tests = std::move(left);
+    return {};
+  }
+
+  /// Faces of the body. The tree has the operands that are not known, of which the body itself is one.
+  void add_group(std::span<std::uint32_t> faces, const LocalTree& tree, std::vector<Operand> operands) {
+    constexpr std::size_t most_at_once = 4;
+    const Ball ball = ball_about(faces);
+    std::vector<Known> known(operands.size());
+    std::vector<bool> is_left(operands.size(), true);
+    bool any = false;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if (operands[i].body == own_) continue;
+      known[i] = look(ball, operands[i]);
+      if (known[i].is_known) is_left[i] = !(any = true);
+    }
+    std::optional<LocalTree> left;
+    if (any) {
+      left = tree.reduced(known, is_left);
+      if (left->value().is_known) return;
+      keep(is_left, *left, operands);
+    }
+    const LocalTree& here = left ? *left : tree;
+    if (faces.size() == 1) {
+      add_face(own().faces[faces.front()], here, std::move(operands));
+    } else if (faces.size() <= most_at_once) {
+      for (std::size_t i = 0; i < faces.size(); ++i) add_group(faces.subspan(i, 1), here, operands);
+    } else {
+      const std::size_t half = faces.size() / 2;
+      const int axis = widest_axis(faces);
+      std::ranges::nth_element(faces, faces.begin() + static_cast<std::ptrdiff_t>(half), {},
+                               [&](std::uint32_t face) { return middle_of(own().faces[face])[axis]; });
+      add_group(faces.first(half), here, operands);
+      add_group(faces.subspan(half), here, std::move(operands));
+    }
+  }
+
+  /// Along which the middles of the faces are farthest apart.
+  [[nodiscard]] int widest_axis(std::span<const std::uint32_t> faces) const {
+    glm::dvec3 low = middle_of(own().faces[faces.front()]);
+    glm::dvec3 high = low;
+    for (const std::uint32_t face : faces) {
+      low = glm::min(low, middle_of(own().faces[face]));
+      high = glm::max(high, middle_of(own().faces[face]));
+    }
+    const glm::dvec3 size = high - low;
+    return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+  }
+
+  /// Tells an operand how it is to the plane of the face.
+  void place(Operand& operand, const BodyFace& face) const {
+    const facet::Halfspace halfspace = face.halfspace;
+    if (operand.body == own_) {
+      operand.known = {true, {halfspace.positive, !halfspace.positive}};
+      return;
+    }
+    const Body& other = bodies_.bodies[operand.body];
+    if (are_apart(other.box, face.box) || !meets_plane(other.box, halfspace.plane)) {
       operand.known = {true, {}};
-      return operand;
+      return;
     }
-    int fronts = 0;
-    int backs = 0;
-    for (const BodyFace& face : other.faces) {
-      if (face.halfspace.plane != halfspace.plane) continue;
-      ++(face.halfspace.positive ? fronts : backs);
+    for (const std::uint32_t test : operand.tests) {
+      if (other.faces[test].halfspace.plane != halfspace.plane) continue;
+      operand.is_coplanar = true;
+      operand.is_behind = other.faces[test].halfspace.positive;
+      operand.owns = operand.body < own_;
     }
-    if (fronts > 0 && backs > 0) operand.known = {true, {}};  // it has no volume
-    operand.is_coplanar = fronts + backs > 0;
-    operand.is_behind = fronts > 0;
-    operand.owns = operand.is_coplanar && number < body && !operand.known.is_known;
-    return operand;
   }
 
-  Region region_of(std::uint32_t body, const BodyFace& face) {
-    std::vector<std::uint32_t> sides;
-    for (const BodySide& side : bodies_.bodies[body].sides_of(face)) sides.push_back(side.plane);
-    return sheet_.begin(face.halfspace.plane, sides);
-  }
-
-  /// Adds all of the face or nothing of it, if a ball about it tells which. Notes what it tells of the operands.
-  bool add_whole(std::uint32_t body, const BodyFace& face, const LocalTree& tree, std::vector<Operand>& operands) {
-    const glm::dvec3 middle = (face.box.low + face.box.high) / 2.0;
+  /// Adds all of the face or nothing of it, if what is known of the operands tells which.
+  bool add_whole(const BodyFace& face, const LocalTree& tree, std::span<const Operand> operands) {
     std::vector<Known> known;
     std::vector<bool> may_differ;
-    for (Operand& operand : operands) {
-      if (!operand.known.is_known) {
-        const Body& other = bodies_.bodies[operand.body];
-        work_.charge(1 + other.faces.size() / 4, converting);
-        const BallIs where = bodies_.ball_is(other, middle, face.radius, face.halfspace.plane);
-        if (where == BallIs::outside) operand.known = {true, {}};
-        if (where == BallIs::inside && !operand.is_coplanar) operand.known = {true, {true, true}};
-      }
+    known.reserve(operands.size());
+    may_differ.reserve(operands.size());
+    for (const Operand& operand : operands) {
       known.push_back(operand.known);
       may_differ.push_back(operand.is_coplanar);
     }
@@ -102,28 +194,21 @@ class Evaluation {
     if (value.behind == value.before) return true;
     const auto is_open = [](const Operand& operand) { return operand.owns && !operand.known.is_known; };
     if (std::ranges::any_of(operands, is_open)) return false;
-    const Region region = region_of(body, face);
-    found_.push_back(fragment_of(sheet_, region, value.behind, body, bodies_.bodies[body].sides_of(face)));
+    found_.push_back(fragment_of(sheet_, region_of(face), value.behind, own_, own().sides_of(face)));
     return true;
   }
 
-  void add_face(std::uint32_t body, std::uint32_t number, const LocalTree& tree) {
-    const BodyFace& face = bodies_.bodies[body].faces[number];
-    if (face.sides == 0) return;
-    const facet::Halfspace halfspace = face.halfspace;
-    work_.charge(near_.size(), converting);
-    std::vector<Operand> operands;
-    operands.reserve(near_.size());
-    for (const std::uint32_t other : near_) {
-      operands.push_back(operand_of(other, body, halfspace, face.box));
-      if (other != body) continue;
-      if (operands.back().known.is_known) return;
-      operands.back().known = {true, {halfspace.positive, !halfspace.positive}};
-      operands.back().owns = false;
-    }
-    if (add_whole(body, face, tree, operands)) return;
-    const Region region = region_of(body, face);
-    divide_(body, face, region, tree, std::move(operands));
+  Region region_of(const BodyFace& face) {
+    std::vector<std::uint32_t> sides;
+    sides.reserve(face.sides);
+    for (const BodySide& side : own().sides_of(face)) sides.push_back(side.plane);
+    return sheet_.begin(face.halfspace.plane, sides);
+  }
+
+  void add_face(const BodyFace& face, const LocalTree& tree, std::vector<Operand> operands) {
+    work_.charge(1 + operands.size(), converting);
+    for (Operand& operand : operands) place(operand, face);
+    if (!add_whole(face, tree, operands)) divide_(own_, face, region_of(face), tree, std::move(operands));
   }
 
   const Bodies& bodies_;
@@ -133,16 +218,22 @@ class Evaluation {
   Sheet sheet_;
   std::vector<Fragment> found_;
   Division divide_;
-  std::vector<std::uint32_t> near_;  ///< bodies that may meet the present one, and itself
+  std::uint32_t own_ = 0;  ///< the present body
 };
 
 /// Evaluates bodies on several threads, which take one after another.
 class Sharing {
  public:
-  Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work)
-      : bodies_(bodies), tree_(tree), numbers_(std::move(numbers)), work_(work), found_(numbers_.size()) {}
+  Sharing(const Bodies& bodies, const csg::PositiveTree& tree, std::vector<std::uint32_t> numbers, const Work& work,
+          const TakeFragments& hand_on)
+      : bodies_(bodies),
+        tree_(tree),
+        numbers_(std::move(numbers)),
+        work_(work),
+        hand_on_(hand_on),
+        found_(numbers_.size()) {}
 
-  std::vector<Fragment> operator()(std::size_t threads) {
+  void operator()(std::size_t threads) {
     {
       std::vector<std::jthread> others;
       for (std::size_t i = 1; i < threads; ++i) others.emplace_back([this] { take(); });
@@ -150,9 +241,6 @@ class Sharing {
     }
     if (failure_) std::rethrow_exception(failure_);
     work_.charge(done_, converting);
-    std::vector<Fragment> all;
-    for (std::vector<Fragment>& found : found_) std::ranges::move(found, std::back_inserter(all));
-    return all;
   }
 
  private:
@@ -162,7 +250,7 @@ class Sharing {
       Evaluation evaluation(bodies_, tree_, work);
       for (std::size_t i = next_++; i < numbers_.size(); i = next_++) {
         evaluation.add(numbers_[i]);
-        found_[i] = evaluation.taken();
+        add(i, evaluation.taken());
       }
     } catch (...) {
       const std::lock_guard guard(lock_);
@@ -173,11 +261,23 @@ class Sharing {
     done_ += work.done();
   }
 
+  /// Hands on what was found of a body, once that of all before it was.
+  void add(std::size_t number, std::vector<Fragment> found) {
+    const std::lock_guard guard(lock_);
+    found_[number] = std::move(found);
+    for (; handed_on_ < found_.size() && found_[handed_on_]; ++handed_on_) {
+      hand_on_(*found_[handed_on_]);
+      found_[handed_on_].reset();
+    }
+  }
+
   const Bodies& bodies_;
   const csg::PositiveTree& tree_;
   std::vector<std::uint32_t> numbers_;
   const Work& work_;
-  std::vector<std::vector<Fragment>> found_;  ///< of each body
+  const TakeFragments& hand_on_;
+  std::vector<std::optional<std::vector<Fragment>>> found_;  ///< of each body
+  std::size_t handed_on_ = 0;
   std::atomic<std::size_t> next_ = 0;
   std::mutex lock_;
   std::exception_ptr failure_;
@@ -202,14 +302,14 @@ Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, st
   return fragment;
 }
 
-std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
-                                const Work& work, unsigned threads) {
-  if (tree.root == model::no_index) return {};
+void find_fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
+                    const TakeFragments& take, const Work& work, unsigned threads) {
+  if (tree.root == model::no_index) return;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < bodies.bodies.size(); ++i)
     if (!whole[i]) numbers.push_back(i);
-  if (numbers.empty()) return {};
-  return Sharing(bodies, tree, numbers, work)(std::min<std::size_t>(threads, numbers.size()));
+  if (numbers.empty()) return;
+  Sharing(bodies, tree, numbers, work, take)(std::min<std::size_t>(threads, numbers.size()));
 }
 
 }  // namespace csgsim::software::convert

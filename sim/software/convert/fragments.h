@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/vec3.hpp>
 #include <span>
 #include <vector>
@@ -31,11 +32,15 @@ struct Fragment {
 Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, std::uint32_t body,
                      std::span<const BodySide> sides);
 
-/// The boundary of what a tree leaves of the bodies, exactly, in convex parts that do not overlap. The face of a body
-/// is divided by those others alone that meet it and that the tree depends on there; where faces are in one plane, what
-/// is behind them and before them is asked at once. Throws WorkError past the limit on work. Bodies that are `whole`
-/// give none, and have nothing to do with others. The outcome is the same on any number of threads.
-std::vector<Fragment> fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
-                                const Work& work, unsigned threads = 1);
+/// Is given the fragments of one body.
+using TakeFragments = std::function<void(std::span<const Fragment>)>;
+
+/// The boundary of what a tree leaves of the bodies, exactly, in convex parts that do not overlap, body by body in
+/// their order; one thread at a time calls `take`. The face of a body is divided by those others alone that meet it and
+/// that the tree depends on there; where faces are in one plane, what is behind them and before them is asked at once.
+/// Throws WorkError past the limit on work. Bodies that are `whole` give none, and have nothing to do with others. The
+/// outcome is the same on any number of threads.
+void find_fragments(const Bodies& bodies, const csg::PositiveTree& tree, const std::vector<bool>& whole,
+                    const TakeFragments& take, const Work& work, unsigned threads = 1);
 
 }  // namespace csgsim::software::convert

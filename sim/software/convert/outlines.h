@@ -6,14 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "host/model/tree.h"
 #include "sim/software/convert/bodies.h"
-#include "sim/software/convert/fragments.h"
+#include "sim/software/convert/exact_outlines.h"
+#include "sim/software/convert/side.h"
 
 namespace csgsim::software::convert {
-
-/// From one point to another.
-using Side = std::array<std::uint32_t, 2>;
 
 /// All of the boundary that is in one plane and has the solid on one side of it: its sides run counter-clockwise around
 /// it as seen from outside, clockwise around holes. A side may stand there more than once.
@@ -28,12 +25,10 @@ struct Outlines {
   std::vector<Outline> outlines;
 };
 
-/// Fragments joined where they are in one plane, with the faces of bodies that are `whole` (side_by_side.h), of which
-/// what one has against another is left out. First everything is decided on exact points, so that the outlines are
-/// closed; then points nearer to each other than the tolerance of the bodies become one, a corner of a primitive where
-/// there is one; sides end at every point that is on them, and go on through points where nothing but straight sides
-/// meet. None if faces of whole bodies in one plane cross. Throws std::logic_error if the outcome is not closed.
-std::optional<Outlines> join(const Bodies& bodies, const std::vector<bool>& whole,
-                             const std::vector<Fragment>& fragments);
+/// Rounds outlines that are closed on exact points: points nearer to each other than the tolerance of the bodies become
+/// one, a corner of a primitive where there is one; sides end at every point that is on them, and go on through points
+/// where nothing but straight sides meet. None if faces of whole bodies in one plane cross. Throws std::logic_error if
+/// the outcome is not closed.
+std::optional<Outlines> join(const Bodies& bodies, ExactOutlines exact);
 
 }  // namespace csgsim::software::convert

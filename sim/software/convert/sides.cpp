@@ -6,16 +6,12 @@
 #include <unordered_map>
 #include <utility>
 
-#include "sim/software/convert/near_points.h"
-
 namespace csgsim::software::convert {
 
 namespace {
 
 constexpr std::uint32_t none = 0xffffffffU;
 constexpr std::uint32_t several = none - 1;
-
-Side ordered(const Side& side) { return {std::min(side[0], side[1]), std::max(side[0], side[1])}; }
 
 /// Of each point the two others that sides join it to, if they are on one line; else `several` or `none`.
 std::vector<Side> straight_neighbours(const Outlines& outlines, double tolerance) {
@@ -54,60 +50,22 @@ std::vector<Side> straight_neighbours(const Outlines& outlines, double tolerance
 
 }  // namespace
 
-void cancel(std::vector<Side>& sides) {
-  std::erase_if(sides, [](const Side& side) { return side[0] == side[1]; });
-  std::ranges::sort(sides, [](const Side& one, const Side& other) {
-    const Side a = ordered(one);
-    const Side b = ordered(other);
-    return a != b ? a < b : one < other;
-  });
-  std::size_t kept = 0;
-  for (std::size_t begin = 0; begin < sides.size();) {
-    std::size_t end = begin;
-    const Side line = ordered(sides[begin]);
-    std::ptrdiff_t surplus = 0;  // that run from the lower number to the higher
-    for (; end < sides.size() && ordered(sides[end]) == line; ++end) surplus += sides[end] == line ? 1 : -1;
-    const Side left = surplus > 0 ? line : Side{line[1], line[0]};
-    for (std::ptrdiff_t i = 0; i < std::abs(surplus); ++i) sides[kept++] = left;
-    begin = end;
-  }
-  sides.resize(kept);
-}
-
-void end_at(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
-  const bool is_forward = side[0] < side[1];
-  std::uint32_t at = side[0];
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::uint32_t point = points[is_forward ? i : points.size() - 1 - i];
-    sides.push_back({std::exchange(at, point), point});
-  }
-  sides.push_back({at, side[1]});
-}
-
-bool end_at_points(Outlines& outlines, double tolerance) {
-  std::vector<bool> is_used(outlines.points.size(), false);
-  for (const Outline& outline : outlines.outlines)
-    for (const Side& side : outline.sides) is_used[side[0]] = is_used[side[1]] = true;
-  const NearPoints near(outlines.points, is_used);
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> known;
-  bool any = false;
-  for (Outline& outline : outlines.outlines) {
-    std::vector<Side> sides;
-    for (const Side& side : outline.sides) {
-      const Side line = ordered(side);
-      const auto [entry, is_new] = known.try_emplace(key_of(line));
-      if (is_new) {
-        for (const PointAlong& one : near.beside(line[0], line[1], tolerance))
-          if (one.along > 0 && one.along < 1) entry->second.push_back(one.point);
-      }
-      end_at(side, entry->second, sides);
-    }
-    if (sides.size() == outline.sides.size()) continue;
-    any = true;
-    cancel(sides);
-    outline.sides = std::move(sides);
-  }
-  return any;
+std::vector<std::size_t> end_at_points(std::span<const std::size_t> which, const NearPoints& near, double tolerance,
+                                       Outlines& outlines) {
+  std::vector<Side> lines;
+  for (const std::size_t one : which)
+    for (const Side& side : outlines.outlines[one].sides) lines.push_back(ordered(side));
+  std::ranges::sort(lines);
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  Ends ends;
+  for (const Side& line : lines)
+    for (const PointAlong& one : near.beside(line[0], line[1], tolerance))
+      if (one.along > 0 && one.along < 1) ends[key_of(line)].push_back(one.point);
+  std::vector<std::size_t> changed;
+  if (ends.empty()) return changed;
+  for (const std::size_t one : which)
+    if (end_at(ends, outlines.outlines[one].sides)) changed.push_back(one);
+  return changed;
 }
 
 void join_straight(Outlines& outlines, double tolerance) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <map>
 #include <numeric>
 #include <span>
 #include <stdexcept>
@@ -24,11 +23,14 @@ constexpr std::uint32_t none = 0xffffffffU;
 struct HalfEdge {
   std::uint32_t low = 0;  ///< its ends
   std::uint32_t high = 0;
-  bool is_forward = false;   ///< from low to high
   std::uint32_t number = 0;  ///< three a triangle, each from the corner of that number
-  double angle = 0;          ///< in which the triangle is seen along the edge, if there are several
+};
 
-  [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> line() const { return {low, high}; }
+/// One of several that have both ends in common.
+struct Leaf {
+  std::uint32_t number = 0;
+  bool is_forward = false;  ///< from the lower end to the higher
+  double angle = 0;         ///< in which the triangle is seen along the edge
 };
 
 std::uint32_t next_corner(std::uint32_t number) { return number % 3 == 2 ? number - 2 : number + 1; }
@@ -45,60 +47,71 @@ class Pairing {
     for (std::uint32_t i = 0; i < others_.size(); ++i) {
       const std::uint32_t from = surface_.triangles[i / 3][i % 3];
       const std::uint32_t to = surface_.triangles[i / 3][(i + 1) % 3];
-      edges.push_back({std::min(from, to), std::max(from, to), from < to, i});
+      edges.push_back({std::min(from, to), std::max(from, to), i});
     }
     std::ranges::sort(edges, {}, [](const HalfEdge& edge) { return std::tuple(edge.low, edge.high, edge.number); });
-    for (std::size_t begin = 0; begin < edges.size();) {
-      std::size_t end = begin;
-      while (end < edges.size() && edges[end].line() == edges[begin].line()) ++end;
-      pair(std::span(edges).subspan(begin, end - begin));
+    for (auto begin = edges.begin(); begin != edges.end();) {
+      const auto end = std::find_if(
+          begin, edges.end(), [&](const HalfEdge& edge) { return edge.low != begin->low || edge.high != begin->high; });
+      pair({begin, end});
       begin = end;
     }
     return std::move(others_);
   }
 
  private:
-  void join(const HalfEdge& one, const HalfEdge& other) {
-    others_[one.number] = other.number;
-    others_[other.number] = one.number;
+  void join(std::uint32_t one, std::uint32_t other) {
+    others_[one] = other;
+    others_[other] = one;
+  }
+
+  [[nodiscard]] bool is_forward(const HalfEdge& edge) const {
+    return surface_.triangles[edge.number / 3][edge.number % 3] == edge.low;
   }
 
   /// Around an edge, from a triangle that runs forward clockwise through the solid to the next that runs back.
-  void pair(std::span<HalfEdge> edges) {
-    const auto forward = std::ranges::count_if(edges, &HalfEdge::is_forward);
+  void pair(std::span<const HalfEdge> edges) {
+    const auto forward = std::ranges::count_if(edges, [&](const HalfEdge& edge) { return is_forward(edge); });
     if (2 * forward != static_cast<std::ptrdiff_t>(edges.size()))
       throw std::logic_error("the boundary of the model is not closed");
     if (edges.size() == 2) {
-      join(edges[0], edges[1]);
+      join(edges[0].number, edges[1].number);
       return;
     }
-    find_angles(edges);
-    std::ranges::sort(edges, [](const HalfEdge& one, const HalfEdge& other) {
-      return one.angle != other.angle ? one.angle > other.angle : one.is_forward > other.is_forward;
-    });
+    const std::vector<Leaf> leaves = leaves_around(edges);
     std::vector<std::size_t> open;
-    for (std::size_t i = 0; i < 2 * edges.size(); ++i) {
-      const std::size_t at = i % edges.size();
-      if (others_[edges[at].number] != none) continue;
-      if (edges[at].is_forward) {
+    for (std::size_t i = 0; i < 2 * leaves.size(); ++i) {
+      const std::size_t at = i % leaves.size();
+      if (others_[leaves[at].number] != none) continue;
+      if (leaves[at].is_forward) {
         open.push_back(at);
       } else if (!open.empty()) {
-        join(edges[open.back()], edges[at]);
+        join(leaves[open.back()].number, leaves[at].number);
         open.pop_back();
       }
     }
   }
 
-  void find_angles(std::span<HalfEdge> edges) const {
+  /// In the order around their edge.
+  [[nodiscard]] std::vector<Leaf> leaves_around(std::span<const HalfEdge> edges) const {
+    std::vector<Leaf> leaves;
+    leaves.reserve(edges.size());
+    for (const HalfEdge& edge : edges) leaves.push_back({edge.number, is_forward(edge), 0});
     const glm::dvec3 way = outlines_.points[edges.front().high] - outlines_.points[edges.front().low];
-    if (way == glm::dvec3(0)) return;  // any pairing is as good
-    const glm::dvec3 along = glm::normalize(way);
+    if (way != glm::dvec3(0)) find_angles(glm::normalize(way), leaves);  // else any pairing is as good
+    std::ranges::sort(leaves, [](const Leaf& one, const Leaf& other) {
+      return one.angle != other.angle ? one.angle > other.angle : one.is_forward > other.is_forward;
+    });
+    return leaves;
+  }
+
+  void find_angles(const glm::dvec3& along, std::span<Leaf> leaves) const {
     glm::dvec3 across(0);
-    for (HalfEdge& edge : edges) {
-      const glm::dvec3 outward = outlines_.outlines[surface_.outlines[edge.number / 3]].outward;
-      const glm::dvec3 inner = edge.is_forward ? glm::cross(outward, along) : glm::cross(along, outward);
-      if (across == glm::dvec3(0)) across = inner;
-      edge.angle = std::atan2(glm::dot(glm::cross(across, inner), along), glm::dot(across, inner));
+    for (Leaf& leaf : leaves) {
+      const glm::dvec3 outward = outlines_.outlines[surface_.outlines[leaf.number / 3]].outward;
+      const glm::dvec3 inwards = leaf.is_forward ? glm::cross(outward, along) : glm::cross(along, outward);
+      if (across == glm::dvec3(0)) across = inwards;
+      leaf.angle = std::atan2(glm::dot(glm::cross(across, inwards), along), glm::dot(across, inwards));
     }
   }
 
@@ -130,23 +143,32 @@ void part_points(Surface& surface, const std::vector<std::uint32_t>& others) {
 
 /// Takes out triangles that stand back to back on the same three points, with nothing between them.
 void cancel_triangles(Surface& surface) {
-  using Corners = std::array<std::uint32_t, 3>;
-  std::map<Corners, std::vector<std::size_t>> known;
-  const auto turned = [](Triangle triangle) {
-    std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
-    return triangle;
+  struct Standing {
+    Triangle corners{};  ///< ascending
+    std::uint32_t number = 0;
+    bool is_even = false;  ///< whether an even number of exchanges leads there
   };
+  std::vector<Standing> standing;
+  standing.reserve(surface.triangles.size());
+  for (std::uint32_t i = 0; i < surface.triangles.size(); ++i) {
+    Standing one{surface.triangles[i], i, true};
+    std::rotate(one.corners.begin(), std::ranges::min_element(one.corners), one.corners.end());
+    if (one.corners[1] > one.corners[2]) {
+      std::swap(one.corners[1], one.corners[2]);
+      one.is_even = false;
+    }
+    standing.push_back(one);
+  }
+  std::ranges::sort(standing, {}, [](const Standing& one) { return std::tuple(one.corners, one.is_even, one.number); });
   std::vector<bool> is_out(surface.triangles.size(), false);
   bool any = false;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    const Triangle triangle = turned(surface.triangles[i]);
-    const auto back = known.find({triangle[0], triangle[2], triangle[1]});
-    if (back != known.end() && !back->second.empty()) {
-      is_out[i] = is_out[back->second.back()] = any = true;
-      back->second.pop_back();
-    } else {
-      known[triangle].push_back(i);
-    }
+  for (auto begin = standing.begin(); begin != standing.end();) {
+    const auto end =
+        std::find_if(begin, standing.end(), [&](const Standing& one) { return one.corners != begin->corners; });
+    const auto even = std::find_if(begin, end, [](const Standing& one) { return one.is_even; });
+    for (std::ptrdiff_t i = 0; i < std::min(even - begin, end - even); ++i)
+      is_out[begin[i].number] = is_out[even[i].number] = any = true;
+    begin = end;
   }
   if (!any) return;
   std::size_t kept = 0;

@@ -81,7 +81,8 @@ bool FacetSheets::cross(std::uint32_t one, const Region& of_one, std::uint32_t o
 std::vector<glm::dvec3> FacetSheets::places(std::uint32_t facet, const Region& region) const {
   std::vector<glm::dvec3> places;
   places.reserve(region.corners.size());
-  for (const std::uint32_t corner : region.corners) places.push_back(sheets_[facet].place(corner) * planes_.unit());
+  for (const std::uint32_t corner : region.corners)
+    places.push_back(sheets_[facet].place(corner, 2 * place_error) * planes_.unit());
   if (!facets_.facets[facet].halfspace.positive) std::ranges::reverse(places);
   return places;
 }

@@ -7,16 +7,22 @@
 
 namespace csgsim::software {
 
+void Sheet::clear() {
+  points_.clear();
+  places_.clear();
+  exactly_.clear();
+}
+
 std::uint32_t Sheet::add(std::uint32_t one, std::uint32_t other) {
   points_.push_back(planes_.meet(plane_, one, other));
   places_.push_back(place_of(points_.back()));
+  exactly_.emplace_back();
   return static_cast<std::uint32_t>(points_.size() - 1);
 }
 
 Region Sheet::begin(std::uint32_t plane) {
   plane_ = plane;
-  points_.clear();
-  places_.clear();
+  clear();
   const std::array<double, 4>& normal = planes_.near(plane);
   int axis = 0;
   for (int other = 1; other < 3; ++other) {
@@ -40,8 +46,7 @@ Region Sheet::begin(std::uint32_t plane) {
 
 Region Sheet::begin(std::uint32_t plane, std::span<const std::uint32_t> sides) {
   plane_ = plane;
-  points_.clear();
-  places_.clear();
+  clear();
   Region region;
   std::uint32_t before = sides.back();
   for (const std::uint32_t along : sides) {
@@ -61,20 +66,23 @@ Bounds Sheet::bounds(const Region& region) const {
     box.high = glm::max(box.high, places_[corner]);
   }
   bounds.middle = (box.low + box.high) / 2.0;
-  for (const std::uint32_t corner : region.corners)
+  double error = 0;
+  for (const std::uint32_t corner : region.corners) {
     bounds.radius = std::max(bounds.radius, glm::distance(bounds.middle, places_[corner]));
-  bounds.radius += place_error;
-  box.low -= place_error;
-  box.high += place_error;
+    error = std::max(error, deviation(corner));
+  }
+  bounds.radius += error;
+  box.low -= error;
+  box.high += error;
   return bounds;
 }
 
 Sheet::Sides Sheet::sides(const Region& region, facet::Halfspace halfspace) const {
   Sides sides;
   for (const std::uint32_t corner : region.corners) {
-    const int side = planes_.side(points_[corner], halfspace.plane);
-    if (side == 0) continue;
-    ((side < 0) == halfspace.positive ? sides.any_in : sides.any_out) = true;
+    const int here = side(corner, halfspace.plane);
+    if (here == 0) continue;
+    ((here < 0) == halfspace.positive ? sides.any_in : sides.any_out) = true;
     if (sides.any_in && sides.any_out) break;
   }
   return sides;
@@ -88,8 +96,8 @@ std::optional<Chord> Sheet::chord(const Region& region, std::uint32_t plane) con
   const std::size_t count = region.corners.size();
   for (std::size_t i = 0; i < count && ends < chord.ends.size(); ++i) {
     const Meeting& corner = points_[region.corners[i]];
-    const int here = planes_.side(corner, plane);
-    const int next = planes_.side(points_[region.corners[(i + 1) % count]], plane);
+    const int here = side(region.corners[i], plane);
+    const int next = side(region.corners[(i + 1) % count], plane);
     if (here != 0 && here * next >= 0) continue;
     // The side after a corner on the plane leaves the plane, since corners are on both sides of it.
     chord.ends[ends] = here == 0 ? corner : planes_.meet(plane_, plane, region.planes[i]);
@@ -111,8 +119,8 @@ bool overlap(const WholePlanes& planes, const Chord& one, const Chord& other) {
 void Sheet::find_sides(const Region& region, facet::Halfspace halfspace) {
   sides_.clear();
   for (const std::uint32_t corner : region.corners) {
-    const int side = planes_.side(points_[corner], halfspace.plane);
-    sides_.push_back(halfspace.positive ? side : -side);
+    const int here = side(corner, halfspace.plane);
+    sides_.push_back(halfspace.positive ? here : -here);
   }
 }
 

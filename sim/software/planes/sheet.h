@@ -64,6 +64,12 @@ class Sheet {
   [[nodiscard]] std::uint32_t plane() const { return plane_; }
   [[nodiscard]] const Meeting& point(std::uint32_t corner) const { return points_[corner]; }
   [[nodiscard]] const glm::dvec3& place(std::uint32_t corner) const { return places_[corner]; }
+  /// The same, off by no more than so many units, but for rounding.
+  [[nodiscard]] glm::dvec3 place(std::uint32_t corner, double most_deviation) const {
+    return deviation(corner) <= most_deviation ? places_[corner] : planes_.exact_place(points_[corner].planes);
+  }
+  /// How far the place may be from the point, in units.
+  [[nodiscard]] double deviation(std::uint32_t corner) const { return deviation_of(points_[corner]) + place_error; }
   [[nodiscard]] Bounds bounds(const Region& region) const;
 
   /// Where the region's corners are to a half-space.
@@ -83,6 +89,10 @@ class Sheet {
   Region clip(const Region& region, facet::Halfspace halfspace);
 
  private:
+  [[nodiscard]] int side(std::uint32_t corner, std::uint32_t plane) const {
+    return planes_.side(points_[corner], plane, exactly_[corner]);
+  }
+  void clear();
   std::uint32_t add(std::uint32_t one, std::uint32_t other);
   template <class In, class Out>
   void trace(const Region& region, std::uint32_t plane, const In& to_in, const Out& to_out);
@@ -91,8 +101,9 @@ class Sheet {
   const WholePlanes& planes_;
   std::uint32_t plane_ = 0;
   std::vector<Meeting> points_;
-  std::vector<glm::dvec3> places_;  ///< of the points, in units
-  std::vector<int> sides_;          ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
+  std::vector<glm::dvec3> places_;                                  ///< of the points, in units
+  mutable std::vector<std::optional<WholePlanes::Point>> exactly_;  ///< the points of which it was needed
+  std::vector<int> sides_;  ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
 };
 
 }  // namespace csgsim::software

@@ -4,7 +4,7 @@
 
 namespace csgsim::software {
 
-/// More than the place of a point is off that was rounded, in units (WholePlanes).
+/// More than what rounding puts a place off, or its height above a plane, in units (WholePlanes).
 inline constexpr double place_error = 1e-13;
 
 /// A box in units, from the middle of the model; empty if a low is above its high.

@@ -23,8 +23,8 @@ constexpr double wall_margin = 0.25;
 constexpr double error_of_determinant = 0x1p-49;
 constexpr double error_of_sum = 0x1p-49;
 
-/// Points whose coordinates may be off by more are rounded from exact ones.
-constexpr double most_error = 0x1p-45;
+/// Points whose coordinates may be off by more, in units, are rounded from exact ones.
+constexpr double most_error = 0x1p-34;
 
 /// The least power of two that is no less.
 double power_above(double length) {
@@ -154,11 +154,12 @@ WholePlanes::Point WholePlanes::exact(const Triple& planes) const {
   const Row& p = rows_[planes[0]];
   const Row& q = rows_[planes[1]];
   const Row& r = rows_[planes[2]];
-  std::array<std::array<Wide, 4>, 4> minors;  // of columns i < j
+  std::array<std::array<Wide<4>, 4>, 4> minors;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
-      minors[i][j] = Wide::product(q[i], r[j]);
-      minors[i][j] -= Wide::product(q[j], r[i]);
+      minors[i][j] = product(q[i], r[j]);
+      minors[i][j] -= product(q[j], r[i]);
+      minors[j][i] = -minors[i][j];
     }
   }
   Point point;
@@ -167,20 +168,20 @@ WholePlanes::Point WholePlanes::exact(const Triple& planes) const {
       const std::size_t a = columns_of[k][i];
       const std::size_t b = columns_of[k][(i + 1) % 3];
       const std::size_t c = columns_of[k][(i + 2) % 3];
-      if (p[a] != 0) point[k] += (b < c ? minors[b][c] : -minors[c][b]).times(p[a]);
+      if (p[a] != 0) point[k] += product<5>(minors[b][c], p[a]);
     }
   }
   const int sign = point[3].sign();
   if (sign == 0) throw std::logic_error("three planes do not meet in one point");
   if (sign < 0)
-    for (Wide& one : point) one = -one;
+    for (Wide<5>& one : point) one = -one;
   return point;
 }
 
 int WholePlanes::side(const Point& point, std::uint32_t plane) const {
-  Wide height;
+  Wide<7> height;  // a determinant of four rows, which takes 413 bits
   for (std::size_t i = 0; i < point.size(); ++i)
-    if (rows_[plane][i] != 0) height += point[i].times(rows_[plane][i]);
+    if (rows_[plane][i] != 0) height += product<7>(point[i], rows_[plane][i]);
   return height.sign();
 }
 
@@ -226,6 +227,11 @@ Meeting WholePlanes::meet(std::uint32_t one, std::uint32_t other, std::uint32_t 
 glm::dvec3 WholePlanes::exact_place(const Triple& planes) const { return software::place_of(exactly_rounded(planes)); }
 
 int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
+  std::optional<Point> exactly;
+  return side(point, plane, exactly);
+}
+
+int WholePlanes::side(const Meeting& point, std::uint32_t plane, std::optional<Point>& exactly) const {
   if (plane == point.planes[0] || plane == point.planes[1] || plane == point.planes[2]) return 0;
   const NearRow& near = near_[plane];
   double sum = 0;
@@ -237,7 +243,8 @@ int WholePlanes::side(const Meeting& point, std::uint32_t plane) const {
   }
   const double error = error_of_sum * size + point.place_error + std::abs(near[3]) * point.weight_error;
   if (std::abs(sum) > error) return sum < 0 ? -1 : 1;
-  return side(exact(point.planes), plane);
+  if (!exactly) exactly = exact(point.planes);
+  return side(*exactly, plane);
 }
 
 }  // namespace csgsim::software

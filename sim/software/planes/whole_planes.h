@@ -1,8 +1,10 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -79,12 +81,16 @@ class WholePlanes {
   /// The place of the point of three planes, in units; each coordinate is off by a few units of its last place.
   [[nodiscard]] glm::dvec3 exact_place(const Triple& planes) const;
 
+  /// The same point as a Meeting, exactly: determinants of three rows, which take 315 bits.
+  using Point = std::array<Wide<5>, 4>;
+
   /// -1 behind the plane, 0 on it, 1 before it; exact.
   [[nodiscard]] int side(const Meeting& point, std::uint32_t plane) const;
+  /// The same. Keeps what it has to work out of the point alone for the next time.
+  [[nodiscard]] int side(const Meeting& point, std::uint32_t plane, std::optional<Point>& exactly) const;
 
  private:
   using Row = std::array<Long, 4>;  ///< a normal's components and an offset
-  using Point = std::array<Wide, 4>;
 
   void add_all(std::span<const facet::Plane> planes, const facet::Box& walled);
   void add(const std::array<double, 4>& coefficients);
@@ -99,9 +105,15 @@ class WholePlanes {
   std::vector<std::array<double, 4>> near_;
 };
 
-/// Its place in units.
+/// Its place in units, rounded.
 inline glm::dvec3 place_of(const Meeting& point) {
   return glm::dvec3(point.near[0], point.near[1], point.near[2]) / point.near[3];
+}
+
+/// How far that is off along the axes together, at most, but for the rounding of the division.
+inline double deviation_of(const Meeting& point) {
+  const double coordinates = std::abs(point.near[0]) + std::abs(point.near[1]) + std::abs(point.near[2]);
+  return (point.place_error + coordinates / point.near[3] * point.weight_error) / (point.near[3] - point.weight_error);
 }
 
 }  // namespace csgsim::software

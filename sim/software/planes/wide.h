@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 namespace csgsim::software {
@@ -10,50 +10,15 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of 448 bits, two's complement: enough for a determinant of four planes (WholePlanes), which takes
-/// 413.
+/// A whole number of so many limbs of 64 bits, two's complement. What is past the last limb is lost.
+template <std::size_t limb_count>
 class Wide {
  public:
   Wide() = default;
 
-  /// Exact.
-  static Wide product(Long one, Long other) {
-    const UnsignedLong large = magnitude(one);
-    const UnsignedLong by = magnitude(other);
-    const Limbs limbs{static_cast<std::uint64_t>(large), static_cast<std::uint64_t>(large >> limb_bits)};
-    Wide result;
-    result.add_product(limbs, 2, static_cast<std::uint64_t>(by), 0);
-    result.add_product(limbs, 2, static_cast<std::uint64_t>(by >> limb_bits), 1);
-    return (one < 0) != (other < 0) ? -result : result;
-  }
-
-  /// The low 448 bits.
-  [[nodiscard]] Wide times(Long other) const {
-    const bool is_negative = negative() != (other < 0);
-    const Limbs limbs = negative() ? (-*this).limbs_ : limbs_;
-    std::size_t count = limbs.size();
-    while (count > 0 && limbs[count - 1] == 0) --count;
-    const UnsignedLong by = magnitude(other);
-    Wide result;
-    result.add_product(limbs, count, static_cast<std::uint64_t>(by), 0);
-    result.add_product(limbs, count, static_cast<std::uint64_t>(by >> limb_bits), 1);
-    return is_negative ? -result : result;
-  }
-
-  Wide operator-() const {
-    Wide result;
-    UnsignedLong carry = 1;
-    for (std::size_t i = 0; i < limbs_.size(); ++i) {
-      carry += ~limbs_[i];
-      result.limbs_[i] = static_cast<std::uint64_t>(carry);
-      carry >>= limb_bits;
-    }
-    return result;
-  }
-
   Wide& operator+=(const Wide& other) {
     UnsignedLong carry = 0;
-    for (std::size_t i = 0; i < limbs_.size(); ++i) {
+    for (std::size_t i = 0; i < limb_count; ++i) {
       carry += static_cast<UnsignedLong>(limbs_[i]) + other.limbs_[i];
       limbs_[i] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
@@ -61,7 +26,21 @@ class Wide {
     return *this;
   }
 
-  Wide& operator-=(const Wide& other) { return *this += -other; }
+  Wide& operator-=(const Wide& other) {
+    UnsignedLong carry = 1;
+    for (std::size_t i = 0; i < limb_count; ++i) {
+      carry += static_cast<UnsignedLong>(limbs_[i]) + ~other.limbs_[i];
+      limbs_[i] = static_cast<std::uint64_t>(carry);
+      carry >>= limb_bits;
+    }
+    return *this;
+  }
+
+  Wide operator-() const {
+    Wide result;
+    result -= *this;
+    return result;
+  }
 
   [[nodiscard]] bool negative() const { return (limbs_.back() >> (limb_bits - 1)) != 0; }
 
@@ -74,36 +53,67 @@ class Wide {
   [[nodiscard]] double rounded() const {
     if (negative()) return -(-*this).rounded();
     double sum = 0;
-    for (std::size_t i = limbs_.size(); i-- > 0;) sum = sum * 0x1p64 + static_cast<double>(limbs_[i]);
+    for (std::size_t i = limb_count; i-- > 0;) sum = sum * 0x1p64 + static_cast<double>(limbs_[i]);
     return sum;
   }
 
  private:
-  using Limbs = std::array<std::uint64_t, 7>;
+  template <std::size_t any>
+  friend class Wide;
+  template <std::size_t result, std::size_t one>
+  friend Wide<result> product(const Wide<one>& a, Long b);
+  friend Wide<4> product(Long a, Long b);
+
   static constexpr unsigned limb_bits = 64;
 
-  static UnsignedLong magnitude(Long number) {
-    return number < 0 ? -static_cast<UnsignedLong>(number) : static_cast<UnsignedLong>(number);
-  }
-
-  /// Adds the product of some low limbs, moved up. What is past the last limb is lost.
-  void add_product(const Limbs& one, std::size_t count, std::uint64_t other, std::size_t up) {
-    if (other == 0) return;
+  /// Adds a limb times others, moved up by so many limbs.
+  template <std::size_t others>
+  void add_product(std::uint64_t limb, const std::array<std::uint64_t, others>& by, std::size_t up) {
     UnsignedLong carry = 0;
-    std::size_t i = up;
-    for (; i < std::min(count + up, limbs_.size()); ++i) {
-      carry += static_cast<UnsignedLong>(one[i - up]) * other + limbs_[i];
-      limbs_[i] = static_cast<std::uint64_t>(carry);
+    for (std::size_t i = 0; i < others && i + up < limb_count; ++i) {
+      carry += static_cast<UnsignedLong>(limb) * by[i] + limbs_[i + up];
+      limbs_[i + up] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
     }
-    for (; carry != 0 && i < limbs_.size(); ++i) {
-      carry += limbs_[i];
+    if (others + up < limb_count) limbs_[others + up] = static_cast<std::uint64_t>(carry);
+  }
+
+  /// Takes away the limbs, moved up, where `is_so`.
+  template <std::size_t others>
+  void subtract_if(bool is_so, const std::array<std::uint64_t, others>& by, std::size_t up) {
+    const std::uint64_t mask = is_so ? ~std::uint64_t{0} : 0;
+    UnsignedLong carry = 1;
+    for (std::size_t i = up; i < limb_count; ++i) {
+      carry += static_cast<UnsignedLong>(limbs_[i]) + ~(i - up < others ? by[i - up] & mask : 0);
       limbs_[i] = static_cast<std::uint64_t>(carry);
       carry >>= limb_bits;
     }
   }
 
-  Limbs limbs_{};  ///< the lowest first
+  std::array<std::uint64_t, limb_count> limbs_{};  ///< the lowest first
 };
+
+inline std::array<std::uint64_t, 2> limbs_of(Long number) {
+  const auto bits = static_cast<UnsignedLong>(number);
+  return {static_cast<std::uint64_t>(bits), static_cast<std::uint64_t>(bits >> 64U)};
+}
+
+/// Limbs without a sign are multiplied; a sign bit counts as much less as twice its worth, which is taken away after.
+template <std::size_t result, std::size_t one>
+Wide<result> product(const Wide<one>& a, Long b) {
+  const std::array<std::uint64_t, 2> limbs = limbs_of(b);
+  Wide<result> sum;
+  sum.add_product(limbs[0], a.limbs_, 0);
+  sum.add_product(limbs[1], a.limbs_, 1);
+  sum.subtract_if(b < 0, a.limbs_, limbs.size());
+  sum.subtract_if(a.negative(), limbs, one);
+  return sum;
+}
+
+inline Wide<4> product(Long a, Long b) {
+  Wide<2> wide;
+  wide.limbs_ = limbs_of(a);
+  return product<4>(wide, b);
+}
 
 }  // namespace csgsim::software

@@ -1,0 +1,37 @@
+#include "sim/software/convert/side.h"
+
+#include <span>
+#include <utility>
+
+namespace csgsim::software::convert {
+
+namespace {
+
+/// Appends what a side becomes that ends at each of the points.
+void end_at(const Side& side, std::span<const std::uint32_t> points, std::vector<Side>& sides) {
+  const bool is_forward = side[0] < side[1];
+  std::uint32_t at = side[0];
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t point = points[is_forward ? i : points.size() - 1 - i];
+    sides.push_back({std::exchange(at, point), point});
+  }
+  sides.push_back({at, side[1]});
+}
+
+}  // namespace
+
+bool end_at(const Ends& ends, std::vector<Side>& sides) {
+  const auto is_ended = [&](const Side& side) { return ends.contains(key_of(side)); };
+  if (std::ranges::none_of(sides, is_ended)) return false;
+  std::vector<Side> ended;
+  ended.reserve(sides.size());
+  for (const Side& side : sides) {
+    const auto found = ends.find(key_of(side));
+    end_at(side, found == ends.end() ? std::span<const std::uint32_t>{} : found->second, ended);
+  }
+  cancel(ended);
+  sides = std::move(ended);
+  return true;
+}
+
+}  // namespace csgsim::software::convert

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace csgsim::software::convert {
+
+/// From one point to another.
+using Side = std::array<std::uint32_t, 2>;
+
+/// From the lower number to the higher.
+inline Side ordered(const Side& side) { return {std::min(side[0], side[1]), std::max(side[0], side[1])}; }
+
+/// The same of a side and of one that runs back.
+inline std::uint64_t key_of(const Side& side) {
+  return static_cast<std::uint64_t>(std::min(side[0], side[1])) << 32U | std::max(side[0], side[1]);
+}
+
+/// Takes out pairs that run one against the other, and those that end where they begin, of what has a side:
+/// `side_of(one)`. What is left is sorted.
+template <class One, class SideOf>
+void cancel(std::vector<One>& all, const SideOf& side_of) {
+  std::erase_if(all, [&](const One& one) { return side_of(one)[0] == side_of(one)[1]; });
+  std::sort(all.begin(), all.end(), [&](const One& one, const One& other) {
+    const std::uint64_t key = key_of(side_of(one));
+    const std::uint64_t other_key = key_of(side_of(other));
+    return key != other_key ? key < other_key : side_of(one) < side_of(other);
+  });
+  auto kept = all.begin();
+  for (auto begin = all.begin(); begin != all.end();) {
+    const Side line = ordered(side_of(*begin));
+    const auto is_back = [&](const One& one) { return side_of(one) != line; };
+    const auto end = std::find_if(begin, all.end(), [&](const One& one) { return ordered(side_of(one)) != line; });
+    const auto back = std::find_if(begin, end, is_back);
+    const std::ptrdiff_t pairs = std::min(back - begin, end - back);
+    kept = std::move(begin, back - pairs, kept);
+    kept = std::move(back + pairs, end, kept);
+    begin = end;
+  }
+  all.erase(kept, all.end());
+}
+
+inline void cancel(std::vector<Side>& sides) {
+  cancel(sides, [](const Side& side) -> const Side& { return side; });
+}
+
+/// Points on sides, by the sides' keys, in the order from the end of the lower number to that of the higher.
+using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;
+
+/// Ends each side at its points. Whether there were any.
+bool end_at(const Ends& ends, std::vector<Side>& sides);
+
+}  // namespace csgsim::software::convert
