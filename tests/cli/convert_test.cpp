@@ -84,6 +84,16 @@ TEST_CASE("what cannot be converted is told, and nothing is written") {
   CHECK(folder.files() == 1);
 }
 
+TEST_CASE("a model too thin for the coordinates of a mesh is refused") {
+  const Folder folder;
+  const Outcome outcome = run("convert " + std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/convert/models/sheet.csg -o " +
+                              (folder / "a.off"));
+  CHECK(outcome.code == 1);
+  CHECK(one_line(outcome.err));
+  CHECK(outcome.err.find("sheet.csg: solids are too thin for their size") != std::string::npos);
+  CHECK(folder.files() == 0);
+}
+
 TEST_CASE("what is too much work to convert is refused") {
   const Folder folder;
   const Outcome outcome = run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl"));

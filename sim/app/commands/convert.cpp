@@ -100,6 +100,14 @@ nlohmann::ordered_json model_json(const Options& options, const model::Tree& tre
       fmt::format("{}: nothing is left of the model to convert", printable(shown_name(options.model.model))));
 }
 
+[[noreturn]] void refuse_thin(const Options& options, const convert::Measures& measures) {
+  throw InputError(fmt::format(
+      "{}: solids are too thin for their size, or too small for how far from the origin they are: rounding "
+      "coordinates to doubles may change the volume of the mesh, {:.3g}, by {:.3g}; move or scale the parts "
+      "nearer to each other",
+      printable(shown_name(options.model.model)), measures.volume, measures.volume_error));
+}
+
 /// The files that are written, all of them or none.
 class Outputs {
  public:
@@ -136,6 +144,7 @@ void convert_to_mesh(const Options& options) {
   });
   if (surface.triangles.empty()) refuse_empty(options);
   const convert::Measures measures = convert::measure(surface);
+  if (!has_sure_volume(measures)) refuse_thin(options, measures);
   const std::string content = format.write(surface, {.is_text = options.ascii});
   nlohmann::ordered_json stats = model_json(options, tree);
   stats["triangles"] = surface.triangles.size();

@@ -20,8 +20,9 @@ void ExactOutlines::add(const Fragment& fragment) {
       vertices_[point] = &bodies_->bodies[fragment.body].vertices[corner.vertex];
     round_.push_back(point);
   }
-  std::vector<PlaneSide>& sides =
-      plane_sides_[outline_of(fragment.plane, fragment.is_front ? Facing::front : Facing::back)];
+  const std::size_t outline = outline_of(fragment.plane, fragment.is_front ? Facing::front : Facing::back);
+  ++fragments_[outline];
+  std::vector<PlaneSide>& sides = plane_sides_[outline];
   for (std::size_t i = 0; i < round_.size(); ++i)
     sides.push_back({{round_[i], round_[(i + 1) % round_.size()]}, fragment.corners[i].along});
 }
@@ -31,19 +32,30 @@ std::size_t ExactOutlines::outline_of(std::uint32_t plane, Facing facing) {
   if (number == 0) {
     outlines_.push_back({plane, facing, {}});
     plane_sides_.emplace_back();
+    fragments_.push_back(0);
     number = static_cast<std::uint32_t>(outlines_.size());
   }
   return number - 1;
 }
 
 void ExactOutlines::close() {
+  OnLines found;
   std::vector<Side> open;
-  for (std::vector<PlaneSide>& sides : plane_sides_) {
-    cancel(sides, [](const PlaneSide& one) -> const Side& { return one.side; });
-    for (const PlaneSide& one : sides) open.push_back(one.side);
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    cancel(plane_sides_[i], [](const PlaneSide& one) -> const Side& { return one.side; });
+    find_within(i, found);
+    for (const PlaneSide& one : plane_sides_[i]) open.push_back(one.side);
   }
   cancel(open);
-  const Ends ends = ends_of(open);
+  find_on_open(open, found);
+  Ends ends;
+  for (auto& [key, one] : found) {
+    std::ranges::sort(one.points);
+    one.points.erase(std::unique(one.points.begin(), one.points.end()), one.points.end());
+    std::vector<std::uint32_t> points =
+        points_between(bodies_->planes, points_, one.line[0], one.line[1], one.planes, one.points);
+    if (!points.empty()) ends.emplace(key, std::move(points));
+  }
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     std::vector<Side>& sides = outlines_[i].sides;
     sides.reserve(plane_sides_[i].size());
@@ -53,34 +65,39 @@ void ExactOutlines::close() {
   }
 }
 
-/// Where sides end. Those that run as often one way as the other cancel as they are: the `open` ones alone, sorted, have
-/// to end at points, and at the ends of open ones alone.
-Ends ExactOutlines::ends_of(const std::vector<Side>& open) const {
-  Ends ends;
-  if (open.empty()) return ends;
-  std::vector<bool> is_used(points_.places().size(), false);
-  for (const Side& side : open) is_used[side[0]] = is_used[side[1]] = true;
-  const NearPoints near(points_.places(), is_used);
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    for (const PlaneSide& one : plane_sides_[i]) {
-      const Side line = ordered(one.side);
-      const auto first = std::ranges::lower_bound(open, key_of(line), {}, key_of);
-      if (first == open.end() || ordered(*first) != line || ends.contains(key_of(line))) continue;
-      std::vector<std::uint32_t> found = between(line, {outlines_[i].plane, one.along}, near);
-      if (!found.empty()) ends.emplace(key_of(line), std::move(found));
-    }
-  }
-  return ends;
+/// Finds points of an outline on its own sides. The convex polygon of a single fragment has none.
+void ExactOutlines::find_within(std::size_t outline, OnLines& found) const {
+  if (fragments_[outline] == 1) return;
+  std::vector<Side> sides;
+  sides.reserve(plane_sides_[outline].size());
+  for (const PlaneSide& one : plane_sides_[outline]) sides.push_back(one.side);
+  const NearPoints near(points_.places(), ends_of(sides));
+  for (const PlaneSide& one : plane_sides_[outline]) find_beside(outline, one, near, found);
 }
 
-std::vector<std::uint32_t> ExactOutlines::between(const Side& line, std::array<std::uint32_t, 2> planes,
-                                                  const NearPoints& near) const {
+/// Finds the ends of sides that do not cancel on others of these. They are sorted.
+void ExactOutlines::find_on_open(const std::vector<Side>& open, OnLines& found) const {
+  if (open.empty()) return;
+  const NearPoints near(points_.places(), ends_of(open));
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    for (const PlaneSide& one : plane_sides_[i]) {
+      const auto first = std::ranges::lower_bound(open, key_of(one.side), {}, key_of);
+      if (first != open.end() && key_of(*first) == key_of(one.side)) find_beside(i, one, near, found);
+    }
+  }
+}
+
+void ExactOutlines::find_beside(std::size_t outline, const PlaneSide& one, const NearPoints& near,
+                                OnLines& found) const {
+  const Side line = ordered(one.side);
   const glm::dvec3 farthest = glm::max(glm::abs(points_.places()[line[0]]), glm::abs(points_.places()[line[1]]));
   const double error = 4 * error_of_place * std::max({farthest.x, farthest.y, farthest.z});
-  std::vector<std::uint32_t> candidates;
-  for (const PointAlong& one : near.beside(line[0], line[1], error)) candidates.push_back(one.point);
-  if (candidates.empty()) return candidates;
-  return points_between(bodies_->planes, points_, line[0], line[1], planes, candidates);
+  const std::vector<PointAlong> beside = near.beside(line[0], line[1], error);
+  if (beside.empty()) return;
+  OnLine& on_line = found[key_of(line)];
+  on_line.line = line;
+  on_line.planes = {outlines_[outline].plane, one.along};
+  for (const PointAlong& point : beside) on_line.points.push_back(point.point);
 }
 
 void ExactOutlines::add_whole(const std::vector<bool>& whole) {

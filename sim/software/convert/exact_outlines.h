@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "sim/software/convert/bodies.h"
@@ -39,8 +40,8 @@ class ExactOutlines {
   /// Those of one body.
   void add(std::span<const Fragment> fragments);
 
-  /// After the last fragment: cancels sides, and ends them at the points that are on them where they do not run as
-  /// often one way as the other.
+  /// After the last fragment: cancels sides, and ends them at the points of their outline that are on them; those that
+  /// do not run as often one way as the other end at such points of all outlines.
   void close();
 
   /// After that: the polygons of bodies that are `whole` (side_by_side.h), each body closed in itself. In planes with
@@ -63,11 +64,19 @@ class ExactOutlines {
     std::uint32_t along = 0;
   };
 
+  /// The line of two planes between two points, and points that may be on it.
+  struct OnLine {
+    Side line{};
+    std::array<std::uint32_t, 2> planes{};
+    std::vector<std::uint32_t> points;
+  };
+  using OnLines = std::unordered_map<std::uint64_t, OnLine>;  ///< by the keys of sides
+
   void add(const Fragment& fragment);
   [[nodiscard]] std::size_t outline_of(std::uint32_t plane, Facing facing);
-  [[nodiscard]] Ends ends_of(const std::vector<Side>& open) const;
-  [[nodiscard]] std::vector<std::uint32_t> between(const Side& line, std::array<std::uint32_t, 2> planes,
-                                                   const NearPoints& near) const;
+  void find_within(std::size_t outline, OnLines& found) const;
+  void find_on_open(const std::vector<Side>& open, OnLines& found) const;
+  void find_beside(std::size_t outline, const PlaneSide& one, const NearPoints& near, OnLines& found) const;
 
   const Bodies* bodies_;
   ExactPoints points_;
@@ -75,6 +84,7 @@ class ExactOutlines {
   std::vector<std::array<std::uint32_t, facings>> numbers_;  ///< of outlines by plane and facing, from 1
   std::vector<Plane> outlines_;
   std::vector<std::vector<PlaneSide>> plane_sides_;  ///< of each outline, of fragments, until these are closed
+  std::vector<std::uint32_t> fragments_;             ///< how many each outline has
   std::vector<std::uint32_t> round_;
 };
 

@@ -8,7 +8,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-constexpr std::array<const Format*, 3> rows{&stl_format, &off_format, &three_mf_format};
+constexpr std::array<const Format*, 3> format_rows{&stl_format, &off_format, &three_mf_format};
 
 bool ends_so(std::string_view path, std::string_view ending) {
   const auto is_same = [](char one, char other) { return std::tolower(static_cast<unsigned char>(one)) == other; };
@@ -17,11 +17,11 @@ bool ends_so(std::string_view path, std::string_view ending) {
 
 }  // namespace
 
-std::span<const Format* const> formats() { return rows; }
+std::span<const Format* const> formats() { return format_rows; }
 
 const Format* format_of(std::string_view path) {
-  const auto found = std::ranges::find_if(rows, [&](const Format* row) { return ends_so(path, row->ending); });
-  return found == rows.end() ? nullptr : *found;
+  const auto found = std::ranges::find_if(format_rows, [&](const Format* row) { return ends_so(path, row->ending); });
+  return found == format_rows.end() ? nullptr : *found;
 }
 
 }  // namespace csgsim::software::convert

@@ -21,11 +21,17 @@ using Item = std::pair<Corner, std::uint32_t>;
 
 Corner corner_of(const glm::dvec3& point) { return {point.x, point.y, point.z}; }
 
-std::vector<Item> items(std::span<const glm::dvec3> points, const std::vector<bool>& is_used) {
+std::vector<Item> items(std::span<const glm::dvec3> points, std::span<const std::uint32_t> used) {
   std::vector<Item> items;
-  for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (is_used[i]) items.emplace_back(corner_of(points[i]), i);
+  items.reserve(used.size());
+  for (const std::uint32_t point : used) items.emplace_back(corner_of(points[point]), point);
   return items;
+}
+
+double size_of(std::span<const glm::dvec3> points, std::span<const std::uint32_t> used) {
+  facet::Box box;
+  for (const std::uint32_t point : used) box = facet::hull(box, {points[point], points[point]});
+  return box.empty() ? 0 : box.diagonal();
 }
 
 }  // namespace
@@ -34,10 +40,10 @@ struct NearPoints::Index {
   bg::index::rtree<Item, bg::index::quadratic<16>> tree;
 };
 
-NearPoints::NearPoints(std::span<const glm::dvec3> points, const std::vector<bool>& is_used)
+NearPoints::NearPoints(std::span<const glm::dvec3> points, std::span<const std::uint32_t> used)
     : points_(points),
-      size_(facet::box_of(points).diagonal()),
-      index_(std::make_unique<Index>(Index{decltype(Index::tree)(items(points, is_used))})) {}
+      size_(size_of(points, used)),
+      index_(std::make_unique<Index>(Index{decltype(Index::tree)(items(points, used))})) {}
 
 NearPoints::~NearPoints() = default;
 
@@ -59,7 +65,7 @@ std::vector<PointAlong> NearPoints::beside(std::uint32_t from, std::uint32_t to,
     const auto add = [&](const Item& item) {
       const std::uint32_t point = item.second;
       if (point == from || point == to) return;
-      const double along = glm::dot(points_[point] - start, way) / (length * length);
+      const double along = length > 0 ? glm::dot(points_[point] - start, way) / (length * length) : 0;
       if (glm::distance(points_[point], start + along * way) <= distance) found.push_back({along, point});
     };
     index_->tree.query(bg::index::intersects(box), boost::make_function_output_iterator(add));

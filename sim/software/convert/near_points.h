@@ -10,7 +10,7 @@ namespace csgsim::software::convert {
 
 /// A point beside a line.
 struct PointAlong {
-  double along = 0;  ///< where it is nearest to: 0 at the line's start, 1 at its end
+  double along = 0;  ///< where it is nearest to: 0 at the line's start, 1 at its end; 0 if these are at one place
   std::uint32_t point = 0;
 
   bool operator==(const PointAlong&) const = default;
@@ -22,8 +22,8 @@ struct PointAlong {
 /// Finds points beside lines, by an R-tree.
 class NearPoints {
  public:
-  /// Keeps a reference to the points. Those that are not used are never found.
-  NearPoints(std::span<const glm::dvec3> points, const std::vector<bool>& is_used);
+  /// Keeps a reference to the points, of which those that are used are found.
+  NearPoints(std::span<const glm::dvec3> points, std::span<const std::uint32_t> used);
   ~NearPoints();
   NearPoints(const NearPoints&) = delete;
   NearPoints& operator=(const NearPoints&) = delete;
@@ -35,7 +35,7 @@ class NearPoints {
   struct Index;
 
   std::span<const glm::dvec3> points_;
-  double size_;  ///< of all points
+  double size_;  ///< of the box of those that are used
   std::unique_ptr<const Index> index_;
 };
 

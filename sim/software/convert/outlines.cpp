@@ -107,7 +107,10 @@ NearPoints used_points(const Outlines& outlines) {
   std::vector<bool> is_used(outlines.points.size(), false);
   for (const Outline& outline : outlines.outlines)
     for (const Side& side : outline.sides) is_used[side[0]] = is_used[side[1]] = true;
-  return {outlines.points, is_used};
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t i = 0; i < is_used.size(); ++i)
+    if (is_used[i]) used.push_back(i);
+  return {outlines.points, used};
 }
 
 /// Ends sides at points that are on them.

@@ -1,6 +1,5 @@
 #include "sim/software/convert/side.h"
 
-#include <span>
 #include <utility>
 
 namespace csgsim::software::convert {
@@ -19,6 +18,15 @@ void end_at(const Side& side, std::span<const std::uint32_t> points, std::vector
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> ends_of(std::span<const Side> sides) {
+  std::vector<std::uint32_t> ends;
+  ends.reserve(2 * sides.size());
+  for (const Side& side : sides) ends.insert(ends.end(), side.begin(), side.end());
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  return ends;
+}
 
 bool end_at(const Ends& ends, std::vector<Side>& sides) {
   const auto is_ended = [&](const Side& side) { return ends.contains(key_of(side)); };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <unordered_map>
 #include <vector>
 
@@ -47,6 +48,9 @@ void cancel(std::vector<One>& all, const SideOf& side_of) {
 inline void cancel(std::vector<Side>& sides) {
   cancel(sides, [](const Side& side) -> const Side& { return side; });
 }
+
+/// Their ends, each once, ascending.
+std::vector<std::uint32_t> ends_of(std::span<const Side> sides);
 
 /// Points on sides, by the sides' keys, in the order from the end of the lower number to that of the higher.
 using Ends = std::unordered_map<std::uint64_t, std::vector<std::uint32_t>>;

@@ -17,7 +17,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Looks whether pairs of bodies lie side by side.
+/// Looks whether pairs of bodies lie side by side, which have no walls.
 class Pairs {
  public:
   Pairs(const Bodies& bodies, const Work& work) : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}
@@ -123,12 +123,14 @@ std::vector<bool> side_by_side(const Bodies& bodies, const csg::PositiveTree& tr
   const Pairs pairs(bodies, work);
   std::vector<bool> found(count, false);
   for (const std::vector<std::uint32_t>& group : members) {
+    const auto may_be_whole = [&](std::uint32_t body) { return is_whole(bodies, bodies.bodies[body]); };
     const auto is_free = [&](std::uint32_t body) {
-      return is_whole(bodies, bodies.bodies[body]) && std::ranges::all_of(near[body], [&](std::uint32_t other) {
-               return other <= body || pairs.are_apart(body, other);
-             });
+      return std::ranges::all_of(near[body],
+                                 [&](std::uint32_t other) { return other <= body || pairs.are_apart(body, other); });
     };
-    if (group.empty() || !are_united(tree, paths, group) || !std::ranges::all_of(group, is_free)) continue;
+    if (group.empty() || !std::ranges::all_of(group, may_be_whole) || !are_united(tree, paths, group) ||
+        !std::ranges::all_of(group, is_free))
+      continue;
     for (const std::uint32_t body : group) found[body] = true;
   }
   return found;

@@ -286,6 +286,23 @@ Surface make_surface(const Outlines& outlines) {
   return surface;
 }
 
+namespace {
+
+/// What rounding moves of the volume behind a triangle: its area as seen along each axis, times half a unit of the last
+/// place of the greatest coordinate along that.
+double volume_error(const Surface& surface, const Triangle& triangle, const LongVector& twice_area) {
+  constexpr double half_unit = 0x1p-53;
+  double sum = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    double farthest = 0;
+    for (const std::uint32_t corner : triangle) farthest = std::max(farthest, std::abs(surface.points[corner][axis]));
+    sum += std::abs(static_cast<double>(twice_area[axis])) / 2 * half_unit * farthest;
+  }
+  return sum;
+}
+
+}  // namespace
+
 Measures measure(const Surface& surface) {
   Measures measures;
   Sets points(surface.points.size());
@@ -300,6 +317,7 @@ Measures measure(const Surface& surface) {
     const LongVector area = twice_area(surface, triangle);
     volume += glm::dot(LongVector(surface.points[triangle[0]]) - LongVector(origin), area) / 6;
     measures.area += static_cast<double>(glm::length(area)) / 2.0;
+    measures.volume_error += volume_error(surface, triangle, area);
   }
   measures.volume = static_cast<double>(volume);
   for (std::uint32_t i = 0; i < surface.points.size(); ++i)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,7 @@ Surface make_surface(const Outlines& outlines);
 /// What is told of a surface.
 struct Measures {
   double volume = 0;         ///< cubic model units; of the inside less that of the outside, if that is enclosed
+  double volume_error = 0;   ///< what the rounding of coordinates to doubles may have changed of it, at most
   double area = 0;           ///< square model units
   std::int64_t euler = 0;    ///< points less edges plus triangles
   std::uint64_t shells = 0;  ///< parts that hang together by edges
@@ -30,5 +32,10 @@ struct Measures {
 };
 
 Measures measure(const Surface& surface);
+
+/// Whether that is no more than a thousandth of the volume.
+inline bool has_sure_volume(const Measures& measures) {
+  return measures.volume_error <= 1e-3 * std::abs(measures.volume);
+}
 
 }  // namespace csgsim::software::convert

@@ -28,8 +28,10 @@ using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Storage,
                                                CGAL::No_constraint_intersection_requiring_constructions_tag>;
 
+/// A round may pass through its first corner again: what is no triangle there has no sides either.
 void add_fan(const std::vector<std::uint32_t>& round, std::vector<Triangle>& triangles) {
-  for (std::size_t i = 1; i + 1 < round.size(); ++i) triangles.push_back({round[0], round[i], round[i + 1]});
+  for (std::size_t i = 1; i + 1 < round.size(); ++i)
+    if (round[i] != round[0] && round[i + 1] != round[0]) triangles.push_back({round[0], round[i], round[i + 1]});
 }
 
 /// Whether the turn is clearly to the left. Where it is not, as at a corner that rounding has moved off a straight

@@ -101,7 +101,7 @@ TEST_CASE("sides and places of points where three planes meet, against rational 
     CHECK(off <= Rational(software::deviation_of(point) + software::place_error));
     CHECK(software::deviation_of(point) < 0x1p-31);
   }
-  CHECK(near > 2000);
+  CHECK(near > 1500);
 }
 
 TEST_CASE("a plane through a point is neither before it nor behind it, however the point was found") {
