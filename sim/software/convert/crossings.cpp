@@ -88,12 +88,12 @@ class Crossings {
     found_[key_of(seg.line)].push_back({((place - seg.from) * way) / way.squared_length(), point});
   }
 
-  /// What part of a line is before another that crosses it.
+  /// What part of a line is before another that crosses it; half of it, if rounding has them parallel.
   static double part_before(const Seg& line, const Seg& other) {
     const SeenKernel::Vector_2 across = other.to - other.from;
     const double start = CGAL::determinant(across, line.from - other.from);
     const double end = CGAL::determinant(across, line.to - other.from);
-    return std::clamp(start / (start - end), 0.0, 1.0);
+    return start == end ? 0.5 : std::clamp(start / (start - end), 0.0, 1.0);
   }
 
   [[nodiscard]] glm::dvec3 at(const Seg& seg, double along) const {

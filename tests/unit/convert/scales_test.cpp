@@ -92,7 +92,7 @@ TEST_CASE("models that are hard to convert: closed, and of the right volume") {
     const convert::Surface surface = testing::converted(read::read_csg_file(models + name + ".csg"));
     CHECK(closed_volume(surface) == doctest::Approx(volume).epsilon(within));
   }
-  CHECK(count == 9);
+  CHECK(count == 10);
 }
 
 TEST_CASE("edges between the same two points are parted, whatever faces they are of") {

@@ -304,10 +304,10 @@ TEST_CASE("faces behind a bad one keep their numbers in messages") {
 }
 
 TEST_CASE("faces that are all bad are nothing, with a warning") {
-  for (const auto& [points, faces] : {std::pair("[]", "[[0,1,2]]"), std::pair("[[0,0,0]]", "[[1,2,3]]"),
-                                      std::pair("[[0,0,0],[1,0,0],[0,1,0]]", "[0,1,2]")}) {
-    CAPTURE(faces);
-    const auto [tree, warnings] = read_warned(polyhedron(points, faces));
+  for (const auto& one : {std::pair("[]", "[[0,1,2]]"), std::pair("[[0,0,0]]", "[[1,2,3]]"),
+                          std::pair("[[0,0,0],[1,0,0],[0,1,0]]", "[0,1,2]")}) {
+    CAPTURE(one.second);
+    const auto [tree, warnings] = read_warned(polyhedron(one.first, one.second));
     CHECK(outline(tree) == "nothing");
     CHECK(warnings.size() == 1);
   }
