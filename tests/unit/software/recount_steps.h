@@ -18,6 +18,8 @@ inline Operations steps(std::initializer_list<std::pair<Operation, std::uint64_t
   return operations;
 }
 
+inline Operations operator+(Operations one, const Operations& other) { return one += other; }
+
 /// Arithmetic of longs in fixed point: a product is four products of words, added up; a quotient has two digits.
 inline Operations products(std::uint64_t times) {
   return times * steps({{Operation::multiply, 4}, {Operation::add_long, 3}, {Operation::move, 2}});
