@@ -42,7 +42,7 @@ void DisplayRecount::check(const software::Displayed& found) {
   this->of(Phase::scan_conversion) += csg.operations;
   csg.operations = {};
   for (std::size_t phase = 0; phase < software::phases; ++phase) {
-    CAPTURE(software::phase_rows[phase].name);
+    INFO(std::string(software::phase_rows[phase].name));
     check_same(found.counts.operations[phase], expected.operations[phase]);
     csg.operations += expected.operations[phase];
   }
@@ -71,7 +71,7 @@ void DisplayRecount::check(const software::Displayed& found) {
 
 void check_same(const Operations& found, const Operations& expected) {
   for (std::size_t kind = 0; kind < software::operation_kinds; ++kind) {
-    CAPTURE(software::operation_rows[kind].name);
+    INFO(std::string(software::operation_rows[kind].name));
     CHECK(found.counts[kind] == expected.counts[kind]);
   }
 }

@@ -108,8 +108,8 @@ TEST_CASE("what directories of random scenes take to be built and gone through i
     const auto bucket_size = static_cast<std::uint32_t>(2 + random.below(12));
     for (const software::DirectoryRow* const row : software::directories()) {
       CAPTURE(seed);
-      CAPTURE(row->name);
       const std::string name(row->name);
+      CAPTURE(name);
       const std::unique_ptr<software::Directory> directory = row->make(shapes, {bucket_size});
       cells += check_walks(name, shapes, bucket_size, *directory, random);
       const software::SpaceBuilt built = directory->built();
