@@ -98,7 +98,7 @@ TEST_CASE("what directories of random scenes take to be built and gone through i
   std::uint64_t scenes = 0;
   std::uint64_t splits = 0;
   std::uint64_t cells = 0;
-  for (std::uint64_t seed = 1; scenes < 60; ++seed) {
+  for (std::uint64_t seed = 1; scenes < 80; ++seed) {
     const std::optional<testing::Scene> scene = testing::random_scene(seed);
     if (!scene || !testing::is_faceted(*scene)) continue;
     ++scenes;
