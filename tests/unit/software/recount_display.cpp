@@ -6,6 +6,8 @@
 
 namespace csgsim::testing {
 
+using enum processors::Operation;
+
 using software::Phase;
 
 DisplayRecount::DisplayRecount(const Scene& of)
@@ -21,7 +23,7 @@ DisplayRecount::DisplayRecount(const Scene& of)
       seen(rays.size(), {farthest, software::Seen::nothing_seen}) {
   for (const software::ScreenFacet& facet : screen.facets) scans.push_back(scanned(screen, facet, rays));
   this->of(Phase::transformation) = transformed(facets.corners.size(), screen.facets.size(), screen.linears.size());
-  this->of(Phase::initialisation) = rays.size() * steps({{Operation::store_long, 2}, {Operation::branch_taken, 1}});
+  this->of(Phase::initialisation) = rays.size() * steps({{store_long, 2}, branch_taken});
   expected.polygons = expected.pieces = static_cast<std::uint64_t>(
       std::ranges::count_if(facets.facets, [](const software::Facet& one) { return one.end - one.begin >= 3; }));
   expected.drawn_polygons = screen.facets.size();

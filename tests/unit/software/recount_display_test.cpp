@@ -41,6 +41,8 @@ using testing::steps;
 
 namespace {
 
+using enum processors::Operation;
+
 /// Sorts the events of a ray, as they come by facets.
 void count_sort(std::vector<Event>& events, Operations& sum) {
   if (events.size() > 32) {
@@ -58,14 +60,8 @@ void count_sort(std::vector<Event>& events, Operations& sum) {
   for (std::size_t i = 0; i < events.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) passed += events[i] < events[j] ? 1U : 0U;
   }
-  sum += (events.size() - 1) * steps({{Operation::load_long, 3},
-                                      {Operation::compare_long, 1},
-                                      {Operation::branch, 1},
-                                      {Operation::store_long, 2}});
-  sum += passed * steps({{Operation::load_long, 2},
-                         {Operation::compare_long, 1},
-                         {Operation::store_long, 2},
-                         {Operation::branch_taken, 2}});
+  sum += (events.size() - 1) * steps({{load_long, 3}, compare_long, branch, {store_long, 2}});
+  sum += passed * steps({{load_long, 2}, compare_long, {store_long, 2}, {branch_taken, 2}});
   std::sort(events.begin(), events.end());
 }
 
@@ -73,7 +69,7 @@ void count_sort(std::vector<Event>& events, Operations& sum) {
 void recount_depth_lists(DisplayRecount& recount) {
   const std::size_t pixels = recount.rays.size();
   std::vector<std::vector<Event>> lists(pixels);
-  recount.of(Phase::initialisation) += steps({{Operation::store_long, pixels}});
+  recount.of(Phase::initialisation) += steps({{store_long, pixels}});
   Operations& scanning = recount.of(Phase::scan_conversion);
   for (const FacetScan& scan : recount.scans) {
     scanning += testing::conversion(scan, recount.numbers);
@@ -86,20 +82,14 @@ void recount_depth_lists(DisplayRecount& recount) {
     std::vector<Event>& list = lists[pixel];
     events += list.size();
     Operations& sorting = recount.of(Phase::sorting);
-    sorting += steps({{Operation::load_long, 1}, {Operation::branch, 1}});
-    sorting += list.size() * steps({{Operation::load_long, 2},
-                                    {Operation::load, 1},
-                                    {Operation::store_long, 1},
-                                    {Operation::store, 1},
-                                    {Operation::branch_taken, 1}});
+    sorting += steps({load_long, branch});
+    sorting += list.size() * steps({{load_long, 2}, load, store_long, store, branch_taken});
     count_sort(list, sorting);
     std::size_t used = 0;
     recount.seen[pixel] = sequences.along(list, recount.farthest, used, recount.csg);
   }
-  scanning +=
-      events *
-      steps({{Operation::load_long, 1}, {Operation::store_long, 3}, {Operation::store, 1}, {Operation::add_long, 2}});
-  scanning += steps({{Operation::store_long, 2 * pixels}});
+  scanning += events * steps({load_long, {store_long, 3}, store, {add_long, 2}});
+  scanning += steps({{store_long, 2 * pixels}});
   recount.expected.passes = 1;
   recount.expected.pixel_events = events;
   recount.expected.words.pixels += pixels + 3 * events;
@@ -117,7 +107,7 @@ void recount_depth_peeling(DisplayRecount& recount) {
   };
   const std::size_t count = recount.rays.size();
   std::vector<Pixel> pixels(count);
-  recount.of(Phase::initialisation) += count * steps({{Operation::store_long, 3}, {Operation::store, 1}});
+  recount.of(Phase::initialisation) += count * steps({{store_long, 3}, store});
   SequenceRecount sequences(recount.tree, recount.primitives, recount.csg);
   Operations& scanning = recount.of(Phase::scan_conversion);
   Operations& testing_depths = recount.of(Phase::depth_test);
@@ -133,9 +123,9 @@ void recount_depth_peeling(DisplayRecount& recount) {
   for (bool is_more = true; is_more;) {
     for (Pixel& pixel : pixels) pixel.nearest = recount.farthest;
     pass([&](Pixel& pixel, const Event& event) {
-      testing_depths += steps({{Operation::load_long, 2}, {Operation::compare_long, 2}, {Operation::branch_taken, 1}});
+      testing_depths += steps({{load_long, 2}, {compare_long, 2}, branch_taken});
       if (pixel.is_done || event.depth < pixel.least || event.depth >= pixel.nearest) return;
-      testing_depths += steps({{Operation::branch, 1}, {Operation::store_long, 1}});
+      testing_depths += steps({branch, store_long});
       pixel.nearest = event.depth;
     });
     pass([&](Pixel& pixel, const Event& event) {
@@ -143,21 +133,17 @@ void recount_depth_peeling(DisplayRecount& recount) {
       if (pixel.is_done || event.depth != pixel.nearest) return;
       sequences.follow(pixel.sequence, event.primitive(), recount.csg);
       ++pixel.taken;
-      scanning += steps({{Operation::load_long, 1},
-                         {Operation::load, 1},
-                         {Operation::add, 1},
-                         {Operation::store, 1},
-                         {Operation::store_long, 1}});
+      scanning += steps({load_long, load, add, store, store_long});
     });
     is_more = false;
     for (std::size_t i = 0; i < count; ++i) {
       Pixel& pixel = pixels[i];
-      scanning += steps({{Operation::load, 1}, {Operation::branch, 1}, {Operation::branch_taken, 1}});
+      scanning += steps({load, branch, branch_taken});
       if (pixel.taken == 0) continue;
       ++recount.csg.points;
       pixel.is_done = sequences.is_in(pixel.sequence, pixel.taken, recount.csg);
       is_more = is_more || !pixel.is_done;
-      scanning += steps({{Operation::store_long, pixel.is_done ? 4U : 2U}, {Operation::store, 1}});
+      scanning += steps({{store_long, pixel.is_done ? 4U : 2U}, store});
       if (pixel.is_done) recount.seen[i] = {pixel.nearest, sequences.owner(pixel.sequence, pixel.taken, recount.csg)};
       pixel.least = pixel.nearest + 1;
       pixel.taken = 0;
@@ -175,8 +161,7 @@ class ScanLineRecount {
 
   void run() {
     for (const ScreenFacet& facet : facets_.facets) {
-      sorting() += steps(
-          {{Operation::load, 1}, {Operation::add_long, 1}, {Operation::load_long, 1}, {Operation::store_long, 2}});
+      sorting() += steps({load, add_long, load_long, {store_long, 2}});
       scanning() += testing::edge_setups(facets_.bounds_of(facet).size(), recount_.numbers);
     }
     std::size_t most = 0;
@@ -216,8 +201,7 @@ class ScanLineRecount {
     parts_.clear();
     for (const ScreenFacet* const facet : active) {
       scanning() += testing::row_steps(1, facets_.bounds_of(*facet).size(), recount_.numbers);
-      sorting() +=
-          steps({{Operation::load_long, 1}, {Operation::load, 1}, {Operation::compare, 1}, {Operation::branch, 1}});
+      sorting() += steps({load_long, load, compare, branch});
       std::vector<std::int32_t> columns;
       for (std::int32_t column = facet->pixels.x0; column <= facet->pixels.x1; ++column) {
         if (testing::is_within(facets_, *facet, column, row)) columns.push_back(column);
@@ -239,19 +223,13 @@ class ScanLineRecount {
       ++compared;
       return a < b;
     });
-    sorting() +=
-        compared *
-        steps(
-            {{Operation::load, 2}, {Operation::compare, 1}, {Operation::branch_taken, 1}, {Operation::store_long, 1}});
+    sorting() += compared * steps({{load, 2}, compare, branch_taken, store_long});
     inside_.clear();
     for (std::size_t i = 0; i < limits.size(); ++i) {
       const auto [column, part] = limits[i];
       // It is put behind, or taken from behind, those before it that are active.
       const auto before = std::ranges::count_if(inside_, [&, own = part](std::size_t one) { return one < own; });
-      sorting() += steps({{Operation::load, 1 + static_cast<std::uint64_t>(before)},
-                          {Operation::compare, 1},
-                          {Operation::branch, 1},
-                          {Operation::store, 1}});
+      sorting() += steps({{load, 1 + static_cast<std::uint64_t>(before)}, compare, branch, store});
       if (std::erase(inside_, part) == 0) inside_.insert(inside_.begin() + before, part);
       const bool is_end = i + 1 == limits.size() || limits[i + 1].first != column;
       if (is_end && !inside_.empty()) run_span(column, limits[i + 1].first - 1);
@@ -274,8 +252,7 @@ class ScanLineRecount {
   Seen classify(std::int32_t column) {
     recount_.of(Phase::depth_test) += testing::depths(inside_.size(), recount_.numbers);
     scanning() += testing::pixel_steps(inside_.size());
-    scanning() +=
-        (recount_.numbers.longs * inside_.size()) * steps({{Operation::multiply, 1}, {Operation::load_long, 1}});
+    scanning() += (recount_.numbers.longs * inside_.size()) * steps({multiply, load_long});
     left_.clear();
     for (const std::size_t part : inside_) {
       for (const Event& event : recount_.rays.at(column, row_)) {
@@ -297,11 +274,8 @@ class ScanLineRecount {
   /// The value at the right end is worked out, and both are held against both ends of the range of depths.
   Ends ends_of(const ScreenFacet& facet, std::int32_t first, std::int32_t last) {
     const std::uint64_t longs = recount_.numbers.longs;
-    scanning() += longs * steps({{Operation::multiply, 1},
-                                 {Operation::load_long, 2},
-                                 {Operation::add_long, 1},
-                                 {Operation::store_long, 2}});
-    scanning() += steps({{Operation::compare_long, 4}, {Operation::branch, 4}, {Operation::store, 1}});
+    scanning() += longs * steps({multiply, {load_long, 2}, add_long, {store_long, 2}});
+    scanning() += steps({{compare_long, 4}, {branch, 4}, store});
     const std::int64_t step = std::int64_t{1} << facets_.fraction_bits;
     const std::int64_t beyond = std::int64_t{facets_.farthest} * step;
     const std::int64_t left = view::value_at(facet.depth, first, row_);
@@ -315,8 +289,8 @@ class ScanLineRecount {
 
   bool is_behind(const Ends& before, const Ends& behind, bool is_level) {
     const std::uint64_t longs = recount_.numbers.longs;
-    scanning() += longs * steps({{Operation::load_long, 4}, {Operation::add_long, 2}, {Operation::compare_long, 2}});
-    scanning() += steps({{Operation::branch, 2}});
+    scanning() += longs * steps({{load_long, 4}, {add_long, 2}, {compare_long, 2}});
+    scanning() += steps({{branch, 2}});
     if (is_level) return before.left == behind.left && before.right == behind.right;
     const std::int64_t step = std::int64_t{1} << facets_.fraction_bits;
     return behind.left - before.left >= step && behind.right - before.right >= step;
@@ -346,7 +320,7 @@ class ScanLineRecount {
   /// Pixels are set alike, or to the depths of a surface.
   void fill(std::int32_t first, std::int32_t last, bool has_surface, const Seen& seen) {
     const auto columns = static_cast<std::uint64_t>(last - first + 1);
-    scanning() += columns * steps({{Operation::store_long, 2}, {Operation::branch_taken, 1}});
+    scanning() += columns * steps({{store_long, 2}, branch_taken});
     for (std::int32_t column = first; column <= last; ++column) {
       Seen& pixel = recount_.seen[recount_.pixel({column, row_, {}})];
       pixel = seen;
@@ -398,37 +372,25 @@ class PlanesRecount {
   void run_tile(const view::PixelRect& tile) {
     const std::uint64_t planes = all_.fronts.size() + all_.backs.size();
     // Two products and four values, each held against the greatest and the leaders, and kept.
-    sum() += (planes * longs_) * steps({{Operation::multiply, 2},
-                                        {Operation::load_long, 11},
-                                        {Operation::add_long, 6},
-                                        {Operation::compare_long, 8},
-                                        {Operation::store_long, 4}});
-    sum() += steps({{Operation::branch, 8 * planes}});
+    sum() +=
+        (planes * longs_) * steps({{multiply, 2}, {load_long, 11}, {add_long, 6}, {compare_long, 8}, {store_long, 4}});
+    sum() += steps({{branch, 8 * planes}});
     software::TilePlanes left;
     software::leave_out_hidden(all_, tile, left);
     for (std::int32_t row = tile.y0; row <= tile.y1; ++row) run_row(tile, row, left);
   }
 
   void run_row(const view::PixelRect& tile, std::int32_t row, const software::TilePlanes& left) {
-    sum() += all_.edges.size() * steps({{Operation::load_long, 3 * longs_},
-                                        {Operation::add_long, longs_ + 2},
-                                        {Operation::divide, 2},
-                                        {Operation::multiply, 2},
-                                        {Operation::compare, 1},
-                                        {Operation::branch, 1}});
+    sum() += all_.edges.size() *
+             steps({{load_long, 3 * longs_}, {add_long, longs_ + 2}, {divide, 2}, {multiply, 2}, compare, branch});
     const std::uint64_t planes = left.fronts.size() + left.backs.size();
-    sum() +=
-        (planes * longs_) * steps({{Operation::load_long, 2}, {Operation::add_long, 1}, {Operation::store_long, 1}});
+    sum() += (planes * longs_) * steps({{load_long, 2}, add_long, store_long});
     for (std::int32_t column = tile.x0; column <= tile.x1; ++column) {
       const bool is_within = std::ranges::all_of(all_.edges, [&](const software::TilePlanes::Edge& edge) {
         return (view::value_at(edge.linear, column, row) >= 0) == edge.positive;
       });
       if (!is_within) continue;
-      sum() += planes * steps({{Operation::load_long, longs_},
-                               {Operation::compare_long, longs_},
-                               {Operation::add_long, longs_},
-                               {Operation::branch, 1},
-                               {Operation::branch_taken, 1}});
+      sum() += planes * steps({{load_long, longs_}, {compare_long, longs_}, {add_long, longs_}, branch, branch_taken});
       run_pixel(column, row, left);
     }
   }
@@ -445,21 +407,14 @@ class PlanesRecount {
       }
       return times;
     };
-    sum() += steps({{Operation::store_long, longs_ * (replaced(left.fronts, 1) + replaced(left.backs, -1))}});
-    sum() += (2 * longs_) * steps({{Operation::shift_long, 1},
-                                   {Operation::shifted_bit, recount_.numbers.fraction_bits},
-                                   {Operation::load_long, 1}});
-    sum() += steps({{Operation::compare_long, 3}, {Operation::branch, 3}});
+    sum() += steps({{store_long, longs_ * (replaced(left.fronts, 1) + replaced(left.backs, -1))}});
+    sum() += (2 * longs_) * steps({shift_long, {shifted_bit, recount_.numbers.fraction_bits}, load_long});
+    sum() += steps({{compare_long, 3}, {branch, 3}});
     for (const Event& event : recount_.rays.at(column, row)) {
       if (event.crossing != 2 * primitive_) continue;
       // An interval is kept, then counted and copied to its ray's.
-      sum() += steps({{Operation::store_long, 2}, {Operation::store, 1}});
-      sum() += steps({{Operation::load, 3},
-                      {Operation::load_long, 4},
-                      {Operation::add_long, 4},
-                      {Operation::store, 1},
-                      {Operation::store_long, 4},
-                      {Operation::branch_taken, 2}});
+      sum() += steps({{store_long, 2}, store});
+      sum() += steps({{load, 3}, {load_long, 4}, {add_long, 4}, store, {store_long, 4}, {branch_taken, 2}});
     }
   }
 
@@ -473,13 +428,12 @@ class PlanesRecount {
 void recount_rays(DisplayRecount& recount) {
   const std::size_t pixels = recount.rays.size();
   const std::uint64_t planes = recount.scene.geometry.halfspaces();
-  recount.of(Phase::transformation) = planes * steps({{Operation::multiply, 16 * 4 + 3 * 2},
-                                                      {Operation::divide, 3 * 2},
-                                                      {Operation::add_long, 12 * 4 + 3 * 2},
-                                                      {Operation::load_long, 20},
-                                                      {Operation::store_long, 6}});
+  recount.of(Phase::transformation) =
+      planes *
+      steps(
+          {{multiply, 16 * 4 + 3 * 2}, {divide, 3 * 2}, {add_long, 12 * 4 + 3 * 2}, {load_long, 20}, {store_long, 6}});
   recount.of(Phase::transformation) += testing::calls(planes);
-  recount.of(Phase::initialisation) = steps({{Operation::store_long, 2 * pixels}});
+  recount.of(Phase::initialisation) = steps({{store_long, 2 * pixels}});
   for (std::uint32_t primitive = 0; primitive < recount.primitives; ++primitive)
     PlanesRecount(recount, primitive).run();
   SequenceRecount sequences(recount.tree, recount.primitives, recount.csg, testing::Evaluate::along);
@@ -490,8 +444,7 @@ void recount_rays(DisplayRecount& recount) {
     std::ranges::sort(events, {}, &Event::crossing);
     for (const Event& event : events) {
       if (event.leaves()) continue;
-      sorting +=
-          steps({{Operation::load_long, 2}, {Operation::load, 1}, {Operation::store_long, 2}, {Operation::store, 2}});
+      sorting += steps({{load_long, 2}, load, {store_long, 2}, {store, 2}});
     }
     count_sort(events, sorting);
     std::size_t used = 0;
@@ -519,8 +472,7 @@ DisplayCounts check_method(const Scene& scene, const std::string& method) {
 
 }  // namespace
 
-TEST_CASE(
-    "what methods that draw facet by facet count on random scenes is what facets and rays give, counted plainly") {
+TEST_CASE("methods that go facet by facet count what a plain recount of facets and rays gives on random scenes") {
   std::uint64_t scenes = 0;
   std::uint64_t passes = 0;
   std::uint64_t splits = 0;
@@ -539,7 +491,7 @@ TEST_CASE(
   CHECK(splits > scenes);
   CHECK(ties > scenes);
 }
-TEST_CASE("what methods that draw facet by facet count on the thesis's objects is what facets and rays give") {
+TEST_CASE("methods that go facet by facet count what a plain recount gives on the thesis's objects") {
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     const Scene scene = testing::thesis_scene(one, 48, 36);

@@ -4,6 +4,8 @@
 
 namespace csgsim::testing {
 
+using enum processors::Operation;
+
 using software::Event;
 using software::ScreenFacet;
 using software::ScreenFacets;
@@ -56,33 +58,26 @@ Numbers numbers_of(const Scene& scene) {
 /// Three coefficients and two products; two quotients of two digits with a product each; four longs are kept.
 Operations edge_setups(std::uint64_t edges, const Numbers& numbers) {
   const std::uint64_t longs = numbers.longs;
-  return edges * steps({{Operation::load_long, 3 * longs},
-                        {Operation::multiply, 2 * longs + 4},
-                        {Operation::divide, 4},
-                        {Operation::add_long, 2 * longs + 4},
-                        {Operation::store_long, 4}});
+  return edges * steps({{load_long, 3 * longs},
+                        {multiply, 2 * longs + 4},
+                        {divide, 4},
+                        {add_long, 2 * longs + 4},
+                        {store_long, 4}});
 }
 
 /// An edge's column and remainder are stepped, and held against the ends so far; then the first depth is stepped.
 Operations row_steps(std::uint64_t rows, std::uint64_t edges, const Numbers& numbers) {
-  Operations row = edges * steps({{Operation::load_long, 4},
-                                  {Operation::add_long, 2},
-                                  {Operation::compare_long, 1},
-                                  {Operation::store_long, 2},
-                                  {Operation::compare, 1},
-                                  {Operation::branch, 2}});
-  row += numbers.longs * steps({{Operation::load_long, 2}, {Operation::add_long, 1}, {Operation::store_long, 1}});
-  row += steps({{Operation::compare, 1}, {Operation::branch, 1}, {Operation::branch_taken, 1}});
+  Operations row = edges * steps({{load_long, 4}, {add_long, 2}, compare_long, {store_long, 2}, compare, {branch, 2}});
+  row += numbers.longs * steps({{load_long, 2}, add_long, store_long});
+  row += steps({compare, branch, branch_taken});
   return rows * row;
 }
 
-Operations pixel_steps(std::uint64_t pixels) { return steps({{Operation::branch_taken, pixels}}); }
+Operations pixel_steps(std::uint64_t pixels) { return steps({{branch_taken, pixels}}); }
 
 Operations depths(std::uint64_t pixels, const Numbers& numbers) {
-  Operations depth =
-      numbers.longs *
-      steps({{Operation::add_long, 1}, {Operation::shift_long, 1}, {Operation::shifted_bit, numbers.fraction_bits}});
-  depth += steps({{Operation::compare_long, 2}, {Operation::branch, 2}});
+  Operations depth = numbers.longs * steps({add_long, shift_long, {shifted_bit, numbers.fraction_bits}});
+  depth += steps({{compare_long, 2}, {branch, 2}});
   return pixels * depth;
 }
 

@@ -50,27 +50,21 @@ using testing::operator+;
 
 namespace {
 
+using enum processors::Operation;
+
 /// Heights of corners over a plane: three products of longs each.
 Operations heights(std::uint64_t corners) {
-  return corners * steps({{Operation::load_long, 6},
-                          {Operation::multiply, 12},
-                          {Operation::add_long, 15},
-                          {Operation::compare_long, 2},
-                          {Operation::branch, 2},
-                          {Operation::branch_taken, 1}});
+  return corners *
+         steps({{load_long, 6}, {multiply, 12}, {add_long, 15}, {compare_long, 2}, {branch, 2}, branch_taken});
 }
 
 /// Corners where edges cross a plane: a quotient of two digits, and three products of longs.
 Operations crossings(std::uint64_t times) {
-  return times * steps({{Operation::divide, 2},
-                        {Operation::multiply, 14},
-                        {Operation::add_long, 20},
-                        {Operation::load_long, 8},
-                        {Operation::store_long, 3}});
+  return times * steps({{divide, 2}, {multiply, 14}, {add_long, 20}, {load_long, 8}, {store_long, 3}});
 }
 
 /// Boxes of two new polygons, and their corners.
-Operations kept(std::uint64_t corners) { return steps({{Operation::store_long, 6 + 3 * corners}}); }
+Operations kept(std::uint64_t corners) { return steps({{store_long, 6 + 3 * corners}}); }
 
 /// What clipping facets against each other and putting them into a directory takes.
 class Preprocessing {
@@ -126,7 +120,7 @@ class Preprocessing {
     for (std::uint32_t facet = 0; facet < regions_.size(); ++facet) {
       for (const SpacePart& cell : space) {
         if (std::ranges::count(cell.facets, facet) == 0) continue;
-        sum_ += cell.facets.size() * steps({{Operation::load, 2}, {Operation::compare, 2}, {Operation::branch, 2}});
+        sum_ += cell.facets.size() * steps({{load, 2}, {compare, 2}, {branch, 2}});
         for (const std::uint32_t other : cell.facets) {
           const bool is_same = recount_.facets.facets[facet].primitive == recount_.facets.facets[other].primitive;
           if (other < facet && !is_same && held.insert({facet, other}).second) clip(facet, other);
@@ -142,7 +136,7 @@ class Preprocessing {
         const software::Region of_one = regions_[one][i];
         const software::Region of_other = regions_[other][j];
         ++recount_.expected.crossing_tests;
-        sum_ += steps({{Operation::load_long, 12}, {Operation::compare_long, 6}, {Operation::branch, 6}});
+        sum_ += steps({{load_long, 12}, {compare_long, 6}, {branch, 6}});
         const auto box_of = [&](std::uint32_t facet, const software::Region& region) {
           return sheets_.of(facet).bounds(region).box;
         };
@@ -150,7 +144,7 @@ class Preprocessing {
         sum_ += heights(of_one.corners.size() + of_other.corners.size());
         if (!sheets_.cross(one, of_one, other, of_other)) continue;
         // Two ends on each of them are held against each other.
-        sum_ += crossings(4) + heights(4) + steps({{Operation::compare_long, 2}, {Operation::branch, 2}});
+        sum_ += crossings(4) + heights(4) + steps({{compare_long, 2}, {branch, 2}});
         cut(one, i, sheets_.plane_of(other));
         cut(other, j, sheets_.plane_of(one));
       }
@@ -186,15 +180,15 @@ class Preprocessing {
 
   /// Takes polygons down; a wall cuts those that both of its sides have and that reach beyond it on both.
   void fill(const SpacePart& part, std::vector<Polygon> polygons) {
-    sum_ += steps({{Operation::load_long, 1}, {Operation::branch, 1}});
+    sum_ += steps({load_long, branch});
     if (part.is_cell()) {
-      sum_ += steps({{Operation::store_long, polygons.size()}});
+      sum_ += steps({{store_long, polygons.size()}});
       return;
     }
     std::vector<Polygon> low;
     std::vector<Polygon> high;
     for (Polygon& polygon : polygons) {
-      sum_ += steps({{Operation::load_long, 2}, {Operation::compare_long, 2}, {Operation::branch, 2}});
+      sum_ += steps({{load_long, 2}, {compare_long, 2}, {branch, 2}});
       const bool is_low = has(parts_[part.low], polygon.number);
       const bool is_high = has(parts_[part.high], polygon.number);
       if (is_low != is_high) {
@@ -216,10 +210,7 @@ class Preprocessing {
       (sum > 0 ? high : low).push_back(std::move(polygon));
       return;
     }
-    sum_ += over.size() * steps({{Operation::load_long, 1},
-                                 {Operation::compare_long, 1},
-                                 {Operation::branch, 1},
-                                 {Operation::branch_taken, 1}});
+    sum_ += over.size() * steps({load_long, compare_long, branch, branch_taken});
     const double overhang = 10 * reach_;
     const bool is_above = std::ranges::max(over) > overhang;
     const bool is_below = std::ranges::min(over) < -overhang;
@@ -267,7 +258,7 @@ class Retrieval {
   std::vector<std::uint32_t> run() {
     look_into(0);
     recount_.expected.drawn_cells = cells_.size();
-    recount_.of(Phase::sorting) += steps({{Operation::store_long, 2 * cells_.size()}});
+    recount_.of(Phase::sorting) += steps({{store_long, 2 * cells_.size()}});
     return cells_;
   }
 
@@ -275,26 +266,17 @@ class Retrieval {
   /// The side of its wall that the eye is on, then four sides of the picture at eight corners, by three products each.
   void look_into(std::uint32_t number) {
     ++recount_.expected.looked_parts;
-    recount_.of(Phase::sorting) += steps({{Operation::load_long, 8},
-                                          {Operation::compare_long, 33},
-                                          {Operation::multiply, 4 * 24},
-                                          {Operation::add_long, 4 * 30},
-                                          {Operation::branch, 33}});
+    recount_.of(Phase::sorting) +=
+        steps({{load_long, 8}, {compare_long, 33}, {multiply, 4 * 24}, {add_long, 4 * 30}, {branch, 33}});
     const software::PolygonCell& cell = polygons_.cells[number];
     if (is_out_of_sight(cell.box)) return;
     if (cell.low == software::PolygonCell::none) {
       if (!cell.bucket.empty()) cells_.push_back(number);
       return;
     }
-    const facet::Box& low = polygons_.cells[cell.low].box;
-    const facet::Box& high = polygons_.cells[cell.high].box;
-    const glm::dvec3 across = high.centre() - low.centre();
-    const glm::dvec3 from_wall = eye_.eye - recount_.scene.geometry.planes.centre() -
-                                 (low.high.x < high.high.x   ? glm::dvec3{low.high.x, 0, 0}
-                                  : low.high.y < high.high.y ? glm::dvec3{0, low.high.y, 0}
-                                                             : glm::dvec3{0, 0, low.high.z});
-    const bool is_low_first =
-        eye_.perspective ? glm::dot(across, from_wall) < 0 : glm::dot(across, eye_.axes.forward) > 0;
+    const facet::Plane& wall = polygons_.walls[cell.wall];
+    const glm::dvec3 eye = eye_.eye - recount_.scene.geometry.planes.centre();
+    const bool is_low_first = eye_.perspective ? wall.height(eye) < 0 : glm::dot(wall.normal, eye_.axes.forward) > 0;
     look_into(is_low_first ? cell.low : cell.high);
     look_into(is_low_first ? cell.high : cell.low);
   }
@@ -341,7 +323,7 @@ class Order {
   std::vector<std::uint32_t> of(std::uint32_t begin, std::uint32_t end) {
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t piece = begin; piece < end; ++piece) waiting.push_back(piece);
-    sum_ += (4 * longs_ * waiting.size()) * steps({{Operation::multiply, 1}, {Operation::add_long, 1}});
+    sum_ += (4 * longs_ * waiting.size()) * steps({multiply, add_long});
     std::uint64_t compared = 0;
     std::ranges::stable_sort(waiting, [&](std::uint32_t a, std::uint32_t b) {
       ++compared;
@@ -354,7 +336,7 @@ class Order {
         const int first = first_of(waiting[i], waiting[j]);
         if (first == 0) continue;
         pairs.insert(first < 0 ? std::pair{waiting[i], waiting[j]} : std::pair{waiting[j], waiting[i]});
-        sum_ += steps({{Operation::store, 1}, {Operation::store_long, 1}, {Operation::add, 1}});
+        sum_ += steps({store, store_long, add});
       }
     }
     return taken(std::move(waiting), std::move(pairs));
@@ -378,25 +360,21 @@ class Order {
   }
 
   void count_values(std::uint64_t corners) {
-    sum_ += steps({{Operation::load_long, 3 * longs_}});
-    sum_ += corners * steps({{Operation::load_long, 2},
-                             {Operation::multiply, 2 * longs_},
-                             {Operation::add_long, 3 * longs_},
-                             {Operation::compare_long, 1},
-                             {Operation::branch, 1},
-                             {Operation::branch_taken, 1}});
+    sum_ += steps({{load_long, 3 * longs_}});
+    sum_ += corners *
+            steps({{load_long, 2}, {multiply, 2 * longs_}, {add_long, 3 * longs_}, compare_long, branch, branch_taken});
   }
 
   /// Below 0 where one has to be drawn before the other, above it where behind.
   int first_of(std::uint32_t one, std::uint32_t other) {
     const ScreenFacet& a = pieces_.facets[one];
     const ScreenFacet& b = pieces_.facets[other];
-    sum_ += steps({{Operation::load, 8}, {Operation::compare, 5}, {Operation::branch, 5}});
+    sum_ += steps({{load, 8}, {compare, 5}, {branch, 5}});
     const view::PixelRect both{std::max(a.pixels.x0, b.pixels.x0), std::max(a.pixels.y0, b.pixels.y0),
                                std::min(a.pixels.x1, b.pixels.x1), std::min(a.pixels.y1, b.pixels.y1)};
     if (both.empty()) return 0;
     if (a.primitive == b.primitive) return static_cast<int>(a.leaves) - static_cast<int>(b.leaves);
-    sum_ += steps({{Operation::load_long, 4}, {Operation::compare_long, 2}, {Operation::branch, 2}});
+    sum_ += steps({{load_long, 4}, {compare_long, 2}, {branch, 2}});
     if (depths_of(one).second < depths_of(other).first) return -1;
     if (depths_of(other).second < depths_of(one).first) return 1;
     // The polygon that they have in common, edge by edge, and the difference of their depths at its corners.
@@ -426,7 +404,7 @@ class Order {
       auto next = std::ranges::find_if(waiting, is_free);
       const bool is_conflict = next == waiting.end();
       const auto looked_at = static_cast<std::uint64_t>(next - waiting.begin()) + (is_conflict ? 0U : 1U);
-      sum_ += looked_at * steps({{Operation::load, 1}, {Operation::branch, 1}});
+      sum_ += looked_at * steps({load, branch});
       if (is_conflict) {
         next = waiting.begin();
         ++recount_.expected.conflicts;
@@ -434,9 +412,9 @@ class Order {
       const std::uint32_t piece = *next;
       waiting.erase(next);
       order.push_back(piece);
-      sum_ += steps({{Operation::store_long, 2}});
+      sum_ += steps({{store_long, 2}});
       const std::uint64_t released = std::erase_if(pairs, [&](const auto& pair) { return pair.first == piece; });
-      sum_ += released * steps({{Operation::load_long, 1}, {Operation::add, 1}});
+      sum_ += released * steps({load_long, add});
     }
     return order;
   }
@@ -455,8 +433,8 @@ class Drawing {
         has_depth_buffer_(has_depth_buffer),
         sequences_(recount.tree, recount.primitives, recount.csg),
         pixels_(recount.rays.size()) {
-    recount.of(Phase::initialisation) += pixels_.size() * steps({{Operation::store_long, has_depth_buffer ? 2U : 1U},
-                                                                 {Operation::store, has_depth_buffer ? 1U : 0U}});
+    recount.of(Phase::initialisation) +=
+        pixels_.size() * steps({{store_long, has_depth_buffer ? 2U : 1U}, {store, has_depth_buffer ? 1U : 0U}});
   }
 
   void draw(const FacetScan& scan) {
@@ -490,37 +468,37 @@ class Drawing {
 
   /// A surface that is behind all before; nothing where the pixel is set.
   void set_next(Pixel& pixel, const Event& event) {
-    scanning() += steps({{Operation::load_long, 1}, {Operation::branch, 1}});
+    scanning() += steps({load_long, branch});
     if (pixel.is_set) return;
     add(pixel, event, 1);
   }
 
   void add(Pixel& pixel, const Event& event, std::size_t level) {
     sequences_.follow(pixel.sequence, event.primitive(), recount_.csg);
-    scanning() += steps({{Operation::store_long, 1}});
+    scanning() += steps({store_long});
     pixel.events.push_back(event);
     pixel.level = level;
     ++recount_.csg.points;
     pixel.is_set = sequences_.is_in(pixel.sequence, level, recount_.csg);
     pixel.seen = {recount_.farthest, Seen::nothing_seen};
     if (!pixel.is_set) return;
-    scanning() += steps({{Operation::store_long, has_depth_buffer_ ? 2U : 1U}});
+    scanning() += steps({{store_long, has_depth_buffer_ ? 2U : 1U}});
     const bool is_alone = level == 1;
     pixel.seen = {event.depth, is_alone ? event.primitive() : sequences_.owner(pixel.sequence, level, recount_.csg)};
   }
 
   /// A surface is held against the depth of the last one: behind it, at it, or to be exchanged with it.
   void test(Pixel& pixel, const Event& event) {
-    tested() += testing::comparisons(1) + steps({{Operation::branch, 1}});
+    tested() += testing::comparisons(1) + steps({branch});
     if (pixel.events.empty() || event.depth > pixel.events.back().depth) {
-      tested() += steps({{Operation::store_long, 1}});
+      tested() += steps({store_long});
       return set_next(pixel, event);
     }
     if (event.depth == pixel.events.back().depth) return add(pixel, event, pixel.level + 1);
     const Event last = pixel.events.back();
     pixel.events.pop_back();
     pixel.sequence.pop_back();
-    scanning() += steps({{Operation::load_long, 1}, {Operation::load, 1}});
+    scanning() += steps({load_long, load});
     add(pixel, event, 1);
     if (!pixel.is_set) add(pixel, last, 1);
   }
@@ -590,7 +568,7 @@ void check_scene(const Scene& scene, const std::string& directory, std::uint32_t
 
 }  // namespace
 
-TEST_CASE("what list priority counts on random scenes is what exact regions, pieces and rays give, counted plainly") {
+TEST_CASE("list priority counts what a plain recount of regions, pieces and rays gives") {
   Tally tally;
   std::uint64_t scenes = 0;
   const std::vector<std::string> directories = software::halving_directories();

@@ -6,6 +6,8 @@
 
 namespace csgsim::testing {
 
+using enum processors::Operation;
+
 using software::Counts;
 using software::Event;
 using software::Seen;
@@ -17,7 +19,7 @@ SequenceRecount::SequenceRecount(const PlainTree& tree, std::size_t primitives, 
     change(one, primitive, counts);
     alone_.push_back(tree.holds(one));
     change(one, primitive, counts);
-    counts.operations += steps({{Operation::load, 1}, {Operation::come_back, 1}});
+    counts.operations += steps({load, come_back});
     ++counts.precomputed;
   }
 }
@@ -28,48 +30,34 @@ void SequenceRecount::change(Held& held, std::uint32_t primitive, Counts& counts
   counts.node_visits += looks.visits;
   counts.early_outs += looks.early_outs;
   const std::uint64_t nodes = looks.visits - 1;
-  counts.operations += steps({{Operation::load_long, 1},
-                              {Operation::add, 1},
-                              {Operation::load, 1},
-                              {Operation::logic, 1},
-                              {Operation::store, 1},
-                              {Operation::come_back, 1},
-                              {Operation::branch_taken, 1}});
+  counts.operations += steps({load_long, add, load, logic, store, come_back, branch_taken});
   // Father, operands and their status, the operator, and the status so far.
-  counts.operations += nodes * steps({{Operation::load_long, 3},
-                                      {Operation::load, 4},
-                                      {Operation::compare, 3},
-                                      {Operation::branch_taken, 1},
-                                      {Operation::logic, 1}});
-  counts.operations += steps({{Operation::logic, looks.differences}});
-  counts.operations +=
-      (nodes - looks.early_outs) * steps({{Operation::branch, 1}, {Operation::branch_taken, 1}, {Operation::store, 1}});
+  counts.operations += nodes * steps({{load_long, 3}, {load, 4}, {compare, 3}, branch_taken, logic});
+  counts.operations += steps({{logic, looks.differences}});
+  counts.operations += (nodes - looks.early_outs) * steps({branch, branch_taken, store});
 }
 
 void SequenceRecount::follow(Sequence& sequence, std::uint32_t primitive, Counts& counts) {
-  counts.operations += steps({{Operation::compare_long, 1}, {Operation::branch, 1}});
+  counts.operations += steps({compare_long, branch});
   Sequence& links = links_[sequence];
   const auto found = std::ranges::find(links, primitive);
   const bool is_new = found == links.end();
   if (sequence.empty()) {
     // The first elements are in a table by primitive.
     ++counts.list_steps;
-    counts.operations +=
-        steps({{Operation::add, 1}, {Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
+    counts.operations += steps({add, load_long, compare_long, branch});
   } else {
     const auto passed = static_cast<std::uint64_t>(found - links.begin());
     const std::uint64_t looked_at = passed + (is_new ? 0 : 1);
     counts.list_steps += looked_at;
-    counts.operations += steps({{Operation::load_long, 1}});
-    counts.operations +=
-        looked_at *
-        steps({{Operation::load, 1}, {Operation::compare, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
-    counts.operations += passed * steps({{Operation::load_long, 1}, {Operation::branch_taken, 1}});
+    counts.operations += steps({load_long});
+    counts.operations += looked_at * steps({load, compare, compare_long, branch});
+    counts.operations += passed * steps({load_long, branch_taken});
   }
   if (is_new) {
     links.insert(links.begin(), primitive);
     ++counts.list_elements;
-    counts.operations += steps({{Operation::store, 2}, {Operation::store_long, 4}, {Operation::add_long, 1}});
+    counts.operations += steps({{store, 2}, {store_long, 4}, add_long});
     counts.operations += calls(1);
   }
   sequence.push_back(primitive);
@@ -84,16 +72,15 @@ void SequenceRecount::take_back(Counts& traversal) {
 /// What has been taken in is searched for it; the last one takes the place of what is left.
 void SequenceRecount::take_in(std::uint32_t primitive, Counts& counts, Counts& traversal) {
   const auto place = std::ranges::find(in_, primitive);
-  counts.operations += steps({{Operation::load_long, 1}, {Operation::branch, 1}, {Operation::store, 1}});
-  counts.operations += static_cast<std::uint64_t>(place - in_.begin()) *
-                       steps({{Operation::load, 1}, {Operation::compare, 1}, {Operation::branch_taken, 1}});
+  counts.operations += steps({load_long, branch, store});
+  counts.operations += static_cast<std::uint64_t>(place - in_.begin()) * steps({load, compare, branch_taken});
   if (place == in_.end()) {
     in_.push_back(primitive);
   } else {
     *place = in_.back();
     in_.pop_back();
   }
-  traversal.operations += steps({{Operation::call, 1}});
+  traversal.operations += steps({call});
   change(held_, primitive, traversal);
 }
 
@@ -101,15 +88,14 @@ bool SequenceRecount::evaluated(const Sequence& sequence, Counts& counts) {
   ++counts.evaluations;
   Counts traversal;
   if (evaluate_ == Evaluate::back) {
-    counts.operations +=
-        sequence.size() * steps({{Operation::load_long, 1}, {Operation::load, 1}, {Operation::branch_taken, 1}});
+    counts.operations += sequence.size() * steps({load_long, load, branch_taken});
     take_back(traversal);
     for (std::size_t i = sequence.size(); i-- > 0;) take_in(sequence[i], counts, traversal);
   } else {
     if (taken_in_ == 0) take_back(traversal);
     for (; taken_in_ < sequence.size(); ++taken_in_) take_in(sequence[taken_in_], counts, traversal);
   }
-  traversal.operations += steps({{Operation::load, 1}});
+  traversal.operations += steps({load});
   traversal.operations += calls(1);
   counts.node_visits += traversal.node_visits;
   counts.early_outs += traversal.early_outs;
@@ -119,20 +105,20 @@ bool SequenceRecount::evaluated(const Sequence& sequence, Counts& counts) {
 }
 
 bool SequenceRecount::is_in(const Sequence& sequence, std::size_t at, Counts& counts) {
-  counts.operations += steps({{Operation::load, 1}, {Operation::compare, 1}, {Operation::branch, 1}});
+  counts.operations += steps({load, compare, branch});
   if (const auto known = classes_.find(sequence); known != classes_.end()) {
     ++counts.looked_up;
     return known->second;
   }
-  counts.operations += steps({{Operation::store, 1}});
+  counts.operations += steps({store});
   if (sequence.size() > 1 || at > 1) return classes_[sequence] = evaluated(sequence, counts);
   ++counts.looked_up;
-  counts.operations += steps({{Operation::load, 2}, {Operation::logic, 1}});
+  counts.operations += steps({{load, 2}, logic});
   return classes_[sequence] = alone_[sequence.front()];
 }
 
 std::uint32_t SequenceRecount::owner(std::span<const Event> before, std::span<const Event> at, Counts& counts) const {
-  counts.operations += at.size() * steps({{Operation::load, 2}, {Operation::compare, 1}, {Operation::branch, 1}});
+  counts.operations += at.size() * steps({{load, 2}, compare, branch});
   std::vector<std::uint32_t> candidates;
   for (const Event& event : at) {
     if (event.leaves() == tree_.is_taken_away(event.primitive())) candidates.push_back(event.primitive());
@@ -157,9 +143,7 @@ std::uint32_t SequenceRecount::owner(std::span<const Event> before, std::span<co
     if (tree_.shows(held, candidates[i], looks)) owner = candidates[i];
   }
   counts.node_visits += looks.visits;
-  counts.operations +=
-      looks.visits *
-      steps({{Operation::load_long, 2}, {Operation::load, 3}, {Operation::compare, 2}, {Operation::branch, 2}});
+  counts.operations += looks.visits * steps({{load_long, 2}, {load, 3}, {compare, 2}, {branch, 2}});
   for (const std::uint32_t primitive : active) change(held, primitive, counts);
   return owner;
 }
@@ -184,8 +168,7 @@ Seen SequenceRecount::along(std::span<const Event> events, std::uint32_t farthes
       follow(sequence, events[used++].primitive(), counts);
     const std::uint64_t at = used - begin;
     ++counts.points;
-    counts.operations +=
-        steps({{Operation::load_long, 1 + at}, {Operation::compare_long, at}, {Operation::branch, at}});
+    counts.operations += steps({{load_long, 1 + at}, {compare_long, at}, {branch, at}});
     if (is_in(sequence, at, counts))
       return {events[begin].depth, owner(events.first(begin), events.subspan(begin, at), counts)};
   }
@@ -193,8 +176,7 @@ Seen SequenceRecount::along(std::span<const Event> events, std::uint32_t farthes
 }
 
 std::vector<std::uint32_t> SequenceRecount::held(const Sequence& sequence, Counts& counts) const {
-  counts.operations +=
-      sequence.size() * steps({{Operation::load_long, 1}, {Operation::load, 1}, {Operation::branch_taken, 1}});
+  counts.operations += sequence.size() * steps({load_long, load, branch_taken});
   // The last one that was met comes first.
   std::vector<std::uint32_t> held;
   for (std::size_t i = sequence.size(); i-- > 0;) {

@@ -16,6 +16,8 @@ namespace csgsim::testing {
 
 namespace {
 
+using enum processors::Operation;
+
 using software::Directory;
 using software::FacetShapes;
 using software::SpaceBox;
@@ -27,7 +29,7 @@ using List = std::vector<std::uint32_t>;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-const Operations kept = steps({{Operation::load_long, 1}, {Operation::store_long, 1}});
+const Operations kept = steps({load_long, store_long});
 
 /// Counts what it takes to build a directory.
 class Builder {
@@ -40,13 +42,13 @@ class Builder {
   }
 
  protected:
-  void add(const Operations& operations) { sum_ += operations; }
+  void charge(const Operations& operations) { sum_ += operations; }
 
   /// Whether a facet is within reach of a box. Axes are tried until one separates them: the box's own, the facet's
   /// normal, and for each edge those across it and an axis.
   bool touches(std::uint32_t facet, const facet::Box& box) {
-    add(calls(1));
-    add(comparisons(6));
+    charge(calls(1));
+    charge(comparisons(6));
     ++built_.overlap_tests;
     const facet::Box& around = shapes_.box_of(facet);
     for (int axis = 0; axis < 3; ++axis) {
@@ -67,7 +69,7 @@ class Builder {
     };
     if (corners.size() == 1) return true;
     if (corners.size() == 2) {
-      add(products(12));
+      charge(products(12));
       for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 unit{0};
         unit[axis] = 1;
@@ -79,13 +81,13 @@ class Builder {
     for (std::size_t i = 2; i < corners.size(); ++i)
       normal += glm::cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
     normal = glm::length(normal) > 0 ? normal / glm::length(normal) : glm::dvec3{0};
-    add(products(3 * corners.size() + 3));
-    add(comparisons(2));
+    charge(products(3 * corners.size() + 3));
+    charge(comparisons(2));
     if (is_apart(normal)) return false;
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (int axis = 0; axis < 3; ++axis) {
-        add(products(4));
-        add(comparisons(1));
+        charge(products(4));
+        charge(comparisons(1));
         if (std::abs(normal[axis]) < 1e-6) continue;  // seen edge-on
         glm::dvec3 unit{0};
         unit[axis] = normal[axis] > 0 ? 1 : -1;
@@ -157,18 +159,12 @@ class ExcellBuilder : public Builder {
   void insert(Cell& cell, std::uint32_t facet) {
     if (!touches(facet, block(cell.first, cell.end, 5))) return;
     // The entry of the range is read, and its bucket's level held against the range's.
-    add(steps({{Operation::shift_long, 1},
-               {Operation::shifted_bit, 1},
-               {Operation::add_long, 1},
-               {Operation::load_long, 1},
-               {Operation::load, 1},
-               {Operation::compare, 1},
-               {Operation::branch, 1}}));
+    charge(steps({shift_long, shifted_bit, add_long, load_long, load, compare, branch}));
     if (cell.halves.empty()) {
-      add(steps({{Operation::load_long, buckets(cell)}}));
-      add(steps({{Operation::load, 2}, {Operation::compare, 2}, {Operation::branch, 2}}));
+      charge(steps({{load_long, buckets(cell)}}));
+      charge(steps({{load, 2}, {compare, 2}, {branch, 2}}));
       if (cell.facets.size() < bucket_size_ || cell.level == last) {
-        add(steps({{Operation::store_long, 1}}));
+        charge(steps({store_long}));
         cell.facets.push_back(facet);
         return;
       }
@@ -181,16 +177,16 @@ class ExcellBuilder : public Builder {
     ++built_.splits;
     if (cell.level == level_) {
       const std::uint64_t entries = std::uint64_t{1} << level_++;
-      add(entries * steps({{Operation::load_long, 1}, {Operation::store_long, 2}, {Operation::branch_taken, 1}}));
+      charge(entries * steps({load_long, {store_long, 2}, branch_taken}));
     }
-    add(steps({{Operation::store_long, 4 + (std::uint64_t{1} << (level_ - cell.level - 1))}}));
+    charge(steps({{store_long, 4 + (std::uint64_t{1} << (level_ - cell.level - 1))}}));
     const std::size_t axis = cell.level % 3;
     Cell low{cell.first, cell.end, cell.level + 1};
     low.end[axis] = (cell.first[axis] + cell.end[axis]) / 2;
     Cell high{cell.first, cell.end, cell.level + 1};
     high.first[axis] = low.end[axis];
     for (const std::uint32_t facet : cell.facets) {
-      add(kept);
+      charge(kept);
       for (Cell* const half : {&low, &high}) {
         if (touches(facet, block(half->first, half->end, 5))) half->facets.push_back(facet);
       }
@@ -241,7 +237,7 @@ class OctreeBuilder : public Builder {
       for (const std::uint32_t facet : facets) {
         if (!touches(facet, block(at, {at[0] + half, at[1] + half, at[2] + half}, 7))) continue;
         own.push_back(facet);
-        add(kept);
+        charge(kept);
       }
       cut(at, half, own);
     }
@@ -269,9 +265,9 @@ class KdBuilder : public Builder {
     const std::uint64_t size = facets.size();
     if (levels > 0 && size > bucket_size_) {
       // A facet has its place among 32 along an axis, and a wall has its cost, by two surfaces.
-      add(3 * quotients(2 * size));
-      add(3 * steps({{Operation::load_long, 4 * size}, {Operation::store_long, 2 * size}}));
-      add(3 * products(6 * 32));
+      charge(3 * quotients(2 * size));
+      charge(3 * steps({{load_long, 4 * size}, {store_long, 2 * size}}));
+      charge(3 * products(6 * 32));
     }
     if (part.is_cell()) {
       if (!std::ranges::equal(part.facets, facets)) throw std::logic_error("a cell has other facets");
@@ -283,7 +279,7 @@ class KdBuilder : public Builder {
     std::array<List, 2> halves;
     const std::array both{&parts_[part.low], &parts_[part.high]};
     for (const std::uint32_t facet : facets) {
-      add(kept);
+      charge(kept);
       for (std::size_t half = 0; half < 2; ++half) {
         if (touches(facet, both[half]->box)) halves[half].push_back(facet);
       }
@@ -323,7 +319,7 @@ class GridBuilder : public Builder {
                                  {wall(0, x + 1), wall(1, y + 1), wall(2, z + 1)}};
             if (!touches(facet, one)) continue;
             ++facets[{x, y, z}];
-            add(steps({{Operation::store_long, 2}}));
+            charge(steps({{store_long, 2}}));
           }
         }
       }
@@ -352,9 +348,9 @@ class BoxesBuilder : public Builder {
         std::set<double> middles;
         for (const std::uint32_t facet : facets) middles.insert(shapes_.box_of(facet).centre()[axis]);
         if (middles.size() < 2) continue;
-        add(quotients(facets.size()));
-        add(comparisons(6 * facets.size()));
-        add(products(8 * 16));
+        charge(quotients(facets.size()));
+        charge(comparisons(6 * facets.size()));
+        charge(products(8 * 16));
       }
     }
     return counted();
@@ -362,7 +358,7 @@ class BoxesBuilder : public Builder {
 
   /// Primitives are halved at the middle one, and so are a primitive's facets once a ray has come to its box.
   SpaceBuilt run_primitives() {
-    add(comparisons(6 * shapes_.placed().size()));
+    charge(comparisons(6 * shapes_.placed().size()));
     for (const SpaceBox& box : boxes_) {
       const List facets = below(box);
       if (facets.empty()) continue;
@@ -379,9 +375,9 @@ class BoxesBuilder : public Builder {
 
  private:
   void divide(std::uint64_t groups) {
-    add(comparisons(6 * groups));
+    charge(comparisons(6 * groups));
     if (groups == 1) return;
-    add(comparisons(3 * groups));
+    charge(comparisons(3 * groups));
     ++built_.splits;
   }
 
@@ -448,13 +444,13 @@ struct WalkRecount::Walk {
     end = ray.end;
     for (int axis = 0; axis < 3; ++axis) {
       if (begin > end) return false;
-      sum += steps({{Operation::load_long, 3}, {Operation::branch, 1}});
+      sum += steps({{load_long, 3}, branch});
       if (ray.direction[axis] == 0) {
         sum += comparisons(2);
         if (ray.origin[axis] < box.low[axis] || ray.origin[axis] > box.high[axis]) return false;
         continue;
       }
-      sum += steps({{Operation::add_long, 2}});
+      sum += steps({{add_long, 2}});
       sum += products(2);
       sum += comparisons(3);
       const double one = at(axis, box.low[axis]);
@@ -504,8 +500,7 @@ Operations WalkRecount::along(const SpaceRay& ray, std::size_t cells, bool is_st
     for (std::size_t i = 0; i < cells; ++i) {
       walk.visit();
       walk.sum += comparisons(3);
-      walk.sum += steps(
-          {{Operation::add_long, 3}, {Operation::load_long, 3}, {Operation::compare, 1}, {Operation::branch_taken, 1}});
+      walk.sum += steps({{add_long, 3}, {load_long, 3}, compare, branch_taken});
     }
   } else if (name_ == "excell" || name_ == "octree") {
     go_by_points(walk, begin, end);
@@ -518,38 +513,32 @@ Operations WalkRecount::along(const SpaceRay& ray, std::size_t cells, bool is_st
 
 /// The nearer half first, and what is left of the ray in the other one.
 void WalkRecount::go_by_halves(Walk& walk, const SpacePart& part, double begin, double end) const {
-  walk.sum += steps({{Operation::load_long, 3}});
+  walk.sum += steps({{load_long, 3}});
   if (name_ == "kd-tree") {
-    walk.sum += steps({{Operation::load_long, 2}, {Operation::branch, 1}});
+    walk.sum += steps({{load_long, 2}, branch});
   } else {
-    walk.sum += steps({{Operation::shift_long, 1},
-                       {Operation::shifted_bit, 1},
-                       {Operation::add_long, 1},
-                       {Operation::load_long, 1},
-                       {Operation::load, 1},
-                       {Operation::compare, 1},
-                       {Operation::branch, 1}});
+    walk.sum += steps({shift_long, shifted_bit, add_long, load_long, load, compare, branch});
     if (part.is_cell()) {
-      walk.sum += steps({{Operation::load_long, buckets(part)}});
+      walk.sum += steps({{load_long, buckets(part)}});
     } else {
       // Where the wall is.
-      walk.sum += steps({{Operation::shift_long, 1}, {Operation::shifted_bit, 1}, {Operation::add_long, 2}});
+      walk.sum += steps({shift_long, shifted_bit, {add_long, 2}});
       walk.sum += products(1);
     }
   }
   if (part.is_cell()) return walk.visit();
-  walk.sum += steps({{Operation::load_long, 3}, {Operation::branch, 1}});
+  walk.sum += steps({{load_long, 3}, branch});
   const double direction = walk.ray.direction[part.axis];
   if (direction == 0) {
     walk.sum += comparisons(1);
-    walk.sum += steps({{Operation::store_long, 3}});
+    walk.sum += steps({{store_long, 3}});
     return go_by_halves(walk, parts_[walk.ray.origin[part.axis] < part.wall ? part.low : part.high], begin, end);
   }
   const double t = walk.at(part.axis, part.wall);
   const SpacePart& first = parts_[direction > 0 ? part.low : part.high];
   const SpacePart& second = parts_[direction > 0 ? part.high : part.low];
   const bool goes_through = begin < t && t < end;
-  walk.sum += steps({{Operation::add_long, 1}, {Operation::store_long, goes_through ? 6U : 3U}});
+  walk.sum += steps({add_long, {store_long, goes_through ? 6U : 3U}});
   walk.sum += products(1);
   walk.sum += comparisons(2);
   if (t >= end) return go_by_halves(walk, first, begin, end);
@@ -588,32 +577,23 @@ void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
     if (cell == parts_.end()) throw std::logic_error("no cell holds a query point");
     if (name_ == "excell") {
       // Three tables give the address; the entry is read, and the lists of the bucket.
-      walk.sum += steps({{Operation::load_long, 4 + buckets(*cell)},
-                         {Operation::logic_long, 3},
-                         {Operation::shift_long, 1},
-                         {Operation::shifted_bit, 1},
-                         {Operation::add_long, 1},
-                         {Operation::branch, 1},
-                         {Operation::load, 2}});
+      walk.sum += steps(
+          {{load_long, 4 + buckets(*cell)}, {logic_long, 3}, shift_long, shifted_bit, add_long, branch, {load, 2}});
     } else {
       const auto levels = static_cast<std::uint64_t>(
           bits - std::llround(std::log2(wall_number(0, cell->box.high.x) - wall_number(0, cell->box.low.x))));
-      walk.sum += levels * steps({{Operation::load_long, 2},
-                                  {Operation::logic_long, 3},
-                                  {Operation::add_long, 3},
-                                  {Operation::branch_taken, 4}});
+      walk.sum += levels * steps({{load_long, 2}, {logic_long, 3}, {add_long, 3}, {branch_taken, 4}});
     }
     walk.visit();
     int exit = -1;
     double out = end;
     for (int axis = 0; axis < 3; ++axis) {
-      walk.sum += steps({{Operation::load_long, 1}, {Operation::branch, 1}});
+      walk.sum += steps({load_long, branch});
       const double direction = walk.ray.direction[axis];
       if (direction == 0) continue;
       const std::int64_t size = wall_number(axis, cell->box.high[axis]) - wall_number(axis, cell->box.low[axis]);
-      walk.sum += steps({{Operation::shift_long, 1},
-                         {Operation::shifted_bit, static_cast<std::uint64_t>(std::llround(std::log2(size)))},
-                         {Operation::add_long, 2}});
+      walk.sum +=
+          steps({shift_long, {shifted_bit, static_cast<std::uint64_t>(std::llround(std::log2(size)))}, {add_long, 2}});
       walk.sum += products(2);
       walk.sum += comparisons(1);
       const double wall = walk.at(axis, direction > 0 ? cell->box.high[axis] : cell->box.low[axis]);
@@ -623,7 +603,7 @@ void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
     }
     if (walk.is_over() || exit < 0) return;
     walk.sum += products(4);
-    walk.sum += steps({{Operation::add_long, 4}});
+    walk.sum += steps({{add_long, 4}});
     walk.sum += comparisons(2);
     t = std::max(t, out);
     for (int axis = 0; axis < 3; ++axis) {
@@ -653,15 +633,15 @@ void WalkRecount::go_by_boxes(Walk& walk) const {
     met.push_back({begin, box});
     std::ranges::push_heap(met, std::greater{});
     walk.sum += comparisons(levels(met.size()) - 1);
-    walk.sum += steps({{Operation::store_long, 2}});
+    walk.sum += steps({{store_long, 2}});
   };
   meet(0);
   while (!met.empty()) {
     std::ranges::pop_heap(met, std::greater{});
     const SpaceBox& box = boxes_[met.back().box];
     met.pop_back();
-    walk.sum += levels(met.size()) * (comparisons(2) + steps({{Operation::store_long, 2}}));
-    walk.sum += steps({{Operation::load_long, 2}, {Operation::branch, 1}});
+    walk.sum += levels(met.size()) * (comparisons(2) + steps({{store_long, 2}}));
+    walk.sum += steps({{load_long, 2}, branch});
     if (box.low != 0) {
       meet(box.low);
       meet(box.low + 1);

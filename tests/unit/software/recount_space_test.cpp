@@ -94,7 +94,7 @@ std::size_t check_walks(const std::string& name, const software::FacetShapes& sh
 
 }  // namespace
 
-TEST_CASE("what directories of random scenes take to be built and gone through is what facets and cells give") {
+TEST_CASE("directories count what a plain recount of facets and cells gives") {
   std::uint64_t scenes = 0;
   std::uint64_t splits = 0;
   std::uint64_t cells = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
-#include <utility>
 
 #include "sim/software/cost/operations.h"
 
@@ -11,10 +11,19 @@ namespace csgsim::testing {
 using software::Operation;
 using software::Operations;
 
-/// What a step of an algorithm takes, kind by kind.
-inline Operations steps(std::initializer_list<std::pair<Operation, std::uint64_t>> kinds) {
+/// An operation, so many times.
+struct Step {
+  Operation kind;
+  std::uint64_t times = 1;
+
+  Step(Operation one) : kind(one) {}
+  Step(Operation one, std::uint64_t many) : kind(one), times(many) {}
+};
+
+/// What a part of an algorithm takes, operation by operation.
+inline Operations steps(std::initializer_list<Step> all) {
   Operations operations;
-  for (const auto& [kind, times] : kinds) operations.counts[static_cast<std::size_t>(kind)] += times;
+  for (const Step& step : all) operations.counts[static_cast<std::size_t>(step.kind)] += step.times;
   return operations;
 }
 
@@ -28,18 +37,14 @@ inline Operations quotients(std::uint64_t times) {
   return times * steps({{Operation::divide, 2}, {Operation::multiply, 2}, {Operation::add_long, 2}});
 }
 inline Operations comparisons(std::uint64_t times) {
-  return times * steps({{Operation::load_long, 1}, {Operation::compare_long, 1}, {Operation::branch, 1}});
+  return times * steps({Operation::load_long, Operation::compare_long, Operation::branch});
 }
 /// A call and its return.
-inline Operations calls(std::uint64_t times) {
-  return times * steps({{Operation::call, 1}, {Operation::come_back, 1}});
-}
+inline Operations calls(std::uint64_t times) { return times * steps({Operation::call, Operation::come_back}); }
 /// Comparisons of a library's sort, by which a long each is moved.
 inline Operations sorted(std::uint64_t compared) {
-  return compared * steps({{Operation::load_long, 2},
-                           {Operation::compare_long, 1},
-                           {Operation::branch_taken, 1},
-                           {Operation::store_long, 1}});
+  return compared *
+         steps({{Operation::load_long, 2}, Operation::compare_long, Operation::branch_taken, Operation::store_long});
 }
 
 /// Corners, planes and edges are brought into the picture: a corner takes nine products and two quotients, a plane six
