@@ -475,10 +475,17 @@ WalkRecount::WalkRecount(const std::string& name, const FacetShapes& shapes, std
       halved_(name == "excell-recursive" ? software::directory_of("excell").make(shapes, {bucket_size}) : nullptr),
       parts_(halved_ ? halved_->parts() : made.parts()),
       boxes_(made.boxes()),
-      is_empty_(shapes.placed().empty()) {}
-
-std::uint64_t WalkRecount::buckets(const SpacePart& cell) const {
-  return (cell.facets.size() + bucket_size_ - 1) / bucket_size_;
+      is_empty_(shapes.placed().empty()) {
+  if (name_ != "excell" && name_ != "octree") return;
+  for (const SpacePart& part : parts_) {
+    if (!part.is_cell()) continue;
+    Block block{{}, {}, part.facets.size()};
+    for (int axis = 0; axis < 3; ++axis) {
+      block.first[static_cast<std::size_t>(axis)] = std::llround(number(axis, part.box.low[axis]));
+      block.end[static_cast<std::size_t>(axis)] = std::llround(number(axis, part.box.high[axis]));
+    }
+    blocks_.push_back(block);
+  }
 }
 
 Operations WalkRecount::along(const SpaceRay& ray, std::size_t cells, bool is_stopped) const {
@@ -519,7 +526,7 @@ void WalkRecount::go_by_halves(Walk& walk, const SpacePart& part, double begin, 
   } else {
     walk.sum += steps({shift_long, shifted_bit, add_long, load_long, load, compare, branch});
     if (part.is_cell()) {
-      walk.sum += steps({{load_long, buckets(part)}});
+      walk.sum += steps({{load_long, lists(part.facets.size())}});
     } else {
       // Where the wall is.
       walk.sum += steps({shift_long, shifted_bit, {add_long, 2}});
@@ -549,56 +556,51 @@ void WalkRecount::go_by_halves(Walk& walk, const SpacePart& part, double begin, 
 
 /// A block of a lattice holds the query point; the next one is behind the nearest of its walls.
 void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
-  const int bits = name_ == "excell" ? 5 : 7;
-  const std::int64_t cells = std::int64_t{1} << bits;
-  const auto number = [&](int axis, double place) {
-    const double part = (place - box_.low[axis]) / (box_.high[axis] - box_.low[axis]);
-    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(part * static_cast<double>(cells))), 0,
-                                    cells - 1);
+  const auto at_place = [&](int axis, double place) {
+    return std::clamp<std::int64_t>(static_cast<std::int64_t>(std::floor(number(axis, place))), 0, cells() - 1);
   };
-  const auto wall_number = [&](int axis, double place) {
-    const double part = (place - box_.low[axis]) / (box_.high[axis] - box_.low[axis]);
-    return std::llround(part * static_cast<double>(cells));
+  const auto wall = [&](int axis, std::int64_t number) {
+    const double low = box_.low[axis];
+    const double high = box_.high[axis];
+    return number == cells() ? high : low + (high - low) * (static_cast<double>(number) / static_cast<double>(cells()));
   };
   walk.sum += products(6);
   std::array<std::int64_t, 3> at{};
   double t = begin;
-  for (int axis = 0; axis < 3; ++axis) at[static_cast<std::size_t>(axis)] = number(axis, walk.ray.at(t)[axis]);
+  for (int axis = 0; axis < 3; ++axis) at[static_cast<std::size_t>(axis)] = at_place(axis, walk.ray.at(t)[axis]);
   for (;;) {
-    const auto cell = std::ranges::find_if(parts_, [&](const SpacePart& part) {
-      if (!part.is_cell()) return false;
-      for (int axis = 0; axis < 3; ++axis) {
-        const std::int64_t here = at[static_cast<std::size_t>(axis)];
-        if (here < wall_number(axis, part.box.low[axis]) || here >= wall_number(axis, part.box.high[axis]))
-          return false;
-      }
-      return true;
-    });
-    if (cell == parts_.end()) throw std::logic_error("no cell holds a query point");
+    const auto block = std::ranges::find_if(blocks_, [&](const Block& one) { return one.holds(at); });
+    if (block == blocks_.end()) throw std::logic_error("no cell holds a query point");
+    const auto halvings = [&](std::size_t axis) {
+      return std::bit_width(static_cast<std::uint64_t>(block->end[axis] - block->first[axis])) - 1;
+    };
     if (name_ == "excell") {
       // Three tables give the address; the entry is read, and the lists of the bucket.
-      walk.sum += steps(
-          {{load_long, 4 + buckets(*cell)}, {logic_long, 3}, shift_long, shifted_bit, add_long, branch, {load, 2}});
+      walk.sum += steps({{load_long, 4 + lists(block->facets)},
+                         {logic_long, 3},
+                         shift_long,
+                         shifted_bit,
+                         add_long,
+                         branch,
+                         {load, 2}});
     } else {
-      const auto levels = static_cast<std::uint64_t>(
-          bits - std::llround(std::log2(wall_number(0, cell->box.high.x) - wall_number(0, cell->box.low.x))));
+      const auto levels = static_cast<std::uint64_t>(7 - halvings(0));
       walk.sum += levels * steps({{load_long, 2}, {logic_long, 3}, {add_long, 3}, {branch_taken, 4}});
     }
     walk.visit();
     int exit = -1;
     double out = end;
     for (int axis = 0; axis < 3; ++axis) {
+      const auto number = static_cast<std::size_t>(axis);
       walk.sum += steps({load_long, branch});
       const double direction = walk.ray.direction[axis];
       if (direction == 0) continue;
-      const std::int64_t size = wall_number(axis, cell->box.high[axis]) - wall_number(axis, cell->box.low[axis]);
-      walk.sum +=
-          steps({shift_long, {shifted_bit, static_cast<std::uint64_t>(std::llround(std::log2(size)))}, {add_long, 2}});
+      walk.sum += steps({shift_long, {shifted_bit, static_cast<std::uint64_t>(halvings(number))}, {add_long, 2}});
       walk.sum += products(2);
       walk.sum += comparisons(1);
-      const double wall = walk.at(axis, direction > 0 ? cell->box.high[axis] : cell->box.low[axis]);
-      if (wall >= out) continue;
-      out = wall;
+      const double there = walk.at(axis, wall(axis, direction > 0 ? block->end[number] : block->first[number]));
+      if (there >= out) continue;
+      out = there;
       exit = axis;
     }
     if (walk.is_over() || exit < 0) return;
@@ -607,12 +609,12 @@ void WalkRecount::go_by_points(Walk& walk, double begin, double end) const {
     walk.sum += comparisons(2);
     t = std::max(t, out);
     for (int axis = 0; axis < 3; ++axis) {
-      const std::int64_t low = wall_number(axis, cell->box.low[axis]);
-      const std::int64_t high = wall_number(axis, cell->box.high[axis]);
-      std::int64_t& here = at[static_cast<std::size_t>(axis)];
-      here = std::clamp(number(axis, walk.ray.at(t)[axis]), low, high - 1);
-      if (axis == exit) here = walk.ray.direction[axis] > 0 ? high : low - 1;
-      if (here < 0 || here == cells) return;
+      const auto number = static_cast<std::size_t>(axis);
+      const std::int64_t first = block->first[number];
+      const std::int64_t behind = block->end[number];
+      at[number] = std::clamp(at_place(axis, walk.ray.at(t)[axis]), first, behind - 1);
+      if (axis == exit) at[number] = walk.ray.direction[axis] > 0 ? behind : first - 1;
+      if (at[number] < 0 || at[number] == cells()) return;
     }
   }
 }

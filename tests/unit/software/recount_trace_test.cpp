@@ -642,7 +642,7 @@ TraceOptions any_options(testing::Random& random, const TraceScene& traced) {
 TEST_CASE("ray tracing counts what a plain recount of cells, facets and rays gives") {
   Tally tally;
   std::uint64_t scenes = 0;
-  for (std::uint64_t seed = 1; scenes < 100; ++seed) {
+  for (std::uint64_t seed = 1; scenes < 150; ++seed) {
     const std::optional<Scene> scene = testing::random_scene(seed);
     if (!scene || !testing::is_faceted(*scene)) continue;
     ++scenes;
