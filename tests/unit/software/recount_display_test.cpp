@@ -32,7 +32,6 @@ using testing::comparisons;
 using testing::DisplayRecount;
 using testing::FacetEvent;
 using testing::FacetScan;
-using testing::Operation;
 using testing::Operations;
 using testing::Scene;
 using testing::Sequence;
@@ -319,7 +318,7 @@ class ScanLineRecount {
 
   /// Pixels are set alike, or to the depths of a surface.
   void fill(std::int32_t first, std::int32_t last, bool has_surface, const Seen& seen) {
-    const auto columns = static_cast<std::uint64_t>(last - first + 1);
+    const auto columns = static_cast<std::uint64_t>(last - first) + 1;
     scanning() += columns * steps({{store_long, 2}, branch_taken});
     for (std::int32_t column = first; column <= last; ++column) {
       Seen& pixel = recount_.seen[recount_.pixel({column, row_, {}})];

@@ -40,13 +40,11 @@ using software::SpacePart;
 using testing::DisplayRecount;
 using testing::FacetEvent;
 using testing::FacetScan;
-using testing::Operation;
 using testing::Operations;
 using testing::Scene;
 using testing::Sequence;
 using testing::SequenceRecount;
 using testing::steps;
-using testing::operator+;
 
 namespace {
 

@@ -303,18 +303,19 @@ class GridBuilder : public Builder {
     const double edge = std::cbrt(size.x * size.y * size.z / wanted);
     glm::dvec3 cells{0};
     for (int axis = 0; axis < 3; ++axis) cells[axis] = std::clamp(std::round(size[axis] / edge), 1.0, 128.0);
-    const auto wall = [&](int axis, double cell) {
+    const auto wall = [&](int axis, int cell) {
       return cell == cells[axis] ? box.high[axis] : box.low[axis] + size[axis] * cell / cells[axis];
     };
     const auto cell = [&](int axis, double at) {
-      return std::clamp(std::floor((at - box.low[axis]) / size[axis] * cells[axis]), 0.0, cells[axis] - 1);
+      return static_cast<int>(
+          std::clamp(std::floor((at - box.low[axis]) / size[axis] * cells[axis]), 0.0, cells[axis] - 1));
     };
-    std::map<std::array<double, 3>, std::size_t> facets;
+    std::map<std::array<int, 3>, std::size_t> facets;
     for (const std::uint32_t facet : shapes_.placed()) {
       const facet::Box& around = shapes_.box_of(facet);
-      for (double x = cell(0, around.low.x); x <= cell(0, around.high.x); ++x) {
-        for (double y = cell(1, around.low.y); y <= cell(1, around.high.y); ++y) {
-          for (double z = cell(2, around.low.z); z <= cell(2, around.high.z); ++z) {
+      for (int x = cell(0, around.low.x); x <= cell(0, around.high.x); ++x) {
+        for (int y = cell(1, around.low.y); y <= cell(1, around.high.y); ++y) {
+          for (int z = cell(2, around.low.z); z <= cell(2, around.high.z); ++z) {
             const facet::Box one{{wall(0, x), wall(1, y), wall(2, z)},
                                  {wall(0, x + 1), wall(1, y + 1), wall(2, z + 1)}};
             if (!touches(facet, one)) continue;

@@ -6,6 +6,12 @@
 
 #include "sim/software/cost/operations.h"
 
+namespace csgsim::processors {
+
+inline Operations operator+(Operations one, const Operations& other) { return one += other; }
+
+}  // namespace csgsim::processors
+
 namespace csgsim::testing {
 
 using software::Operation;
@@ -26,8 +32,6 @@ inline Operations steps(std::initializer_list<Step> all) {
   for (const Step& step : all) operations.counts[static_cast<std::size_t>(step.kind)] += step.times;
   return operations;
 }
-
-inline Operations operator+(Operations one, const Operations& other) { return one += other; }
 
 /// Arithmetic of longs in fixed point: a product is four products of words, added up; a quotient has two digits.
 inline Operations products(std::uint64_t times) {

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -37,7 +38,6 @@ using software::TraceCounts;
 using software::TraceOptions;
 using software::TraceScene;
 using testing::comparisons;
-using testing::Operation;
 using testing::Operations;
 using testing::products;
 using testing::quotients;
@@ -45,7 +45,6 @@ using testing::Scene;
 using testing::Sequence;
 using testing::SequenceRecount;
 using testing::steps;
-using testing::operator+;
 
 namespace {
 
@@ -483,7 +482,7 @@ class TraceRecount {
     const auto list = sequences_.held(from.before, counts_.classification);
     std::set<std::uint32_t> held(list.begin(), list.end());
     std::vector<Event> events;
-    for (const std::uint32_t primitive : list) events.push_back({0, 2 * primitive});
+    std::ranges::transform(list, std::back_inserter(events), [](std::uint32_t one) { return Event{0, 2 * one}; });
     Hit hit{{0, Seen::nothing_seen}};
     Sequence sequence = from.before;
     std::vector<RealEvent> waiting;
