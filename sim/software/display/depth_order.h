@@ -124,8 +124,9 @@ class DepthOrder {
     std::vector<std::size_t> left = by_key_;
     while (!left.empty()) {
       auto next = std::ranges::find_if(left, [&](std::size_t piece) { return hidden_by_[piece] == 0; });
-      count_(Operation::load, static_cast<std::uint64_t>(next - left.begin()) + 1);
-      count_(Operation::branch, static_cast<std::uint64_t>(next - left.begin()) + 1);
+      const std::size_t looked_at = std::min(left.size(), static_cast<std::size_t>(next - left.begin()) + 1);
+      count_(Operation::load, looked_at);
+      count_(Operation::branch, looked_at);
       if (next == left.end()) {
         next = left.begin();
         ++conflicts_;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "sim/software/space/clip_ray.h"
@@ -19,6 +20,16 @@ struct BoxNode {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;  ///< of a leaf's facets
 };
+
+inline std::vector<SpaceBox> boxes_of(const std::vector<BoxNode>& nodes, const std::vector<std::uint32_t>& facets) {
+  std::vector<SpaceBox> boxes;
+  boxes.reserve(nodes.size());
+  for (const BoxNode& node : nodes) {
+    boxes.push_back({node.box, node.low, {}});
+    if (node.low == 0) boxes.back().facets = std::span(facets).subspan(node.begin, node.end - node.begin);
+  }
+  return boxes;
+}
 
 /// Counts a tree of boxes over so many facets.
 inline void count_boxes(const std::vector<BoxNode>& nodes, std::size_t facets, SpaceBuilt& built) {

@@ -36,6 +36,8 @@ class Boxes final : public DirectoryOf<Boxes> {
     return built;
   }
 
+  [[nodiscard]] std::vector<SpaceBox> boxes() const override { return boxes_of(nodes_, facets_); }
+
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     if (facets_.empty()) return;

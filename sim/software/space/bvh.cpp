@@ -29,6 +29,8 @@ class Bvh final : public DirectoryOf<Bvh> {
     return built;
   }
 
+  [[nodiscard]] std::vector<SpaceBox> boxes() const override { return boxes_of(nodes_, facets_); }
+
   template <class Count>
   void go(const SpaceRay& ray, CellVisitor& visitor, Count& count) const {
     if (facets_.empty()) return;

@@ -58,6 +58,13 @@ struct SpacePart {
   [[nodiscard]] bool is_cell() const { return low == none; }
 };
 
+/// A node of a tree of boxes.
+struct SpaceBox {
+  facet::Box box;
+  std::uint32_t low = 0;                    ///< two nodes, this one and the one behind it; 0 for a leaf
+  std::span<const std::uint32_t> facets{};  ///< of a leaf
+};
+
 /// What was built, and what that took.
 struct SpaceBuilt {
   std::uint64_t cells = 0;          ///< with or without facets; of a tree of boxes its leaves
@@ -101,6 +108,8 @@ class Directory {
   [[nodiscard]] virtual SpaceBuilt built() const = 0;
   /// Of a directory whose walls halve space, all of space first; nothing of others. Keeps references to it.
   [[nodiscard]] virtual std::vector<SpacePart> parts() const { return {}; }
+  /// Of a tree of boxes as far as it is built, the root first; nothing of others. Keeps references to it.
+  [[nodiscard]] virtual std::vector<SpaceBox> boxes() const { return {}; }
 };
 
 /// A directory that has a template `go` for both.

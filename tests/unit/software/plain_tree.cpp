@@ -119,9 +119,10 @@ Looks PlainTree::positional(const Held& held) const {
 Looks PlainTree::change(Held& held, std::uint32_t primitive) const {
   const Held before = held;
   held[primitive] = !held[primitive];
-  Looks looks{1, 0};
+  Looks looks{1};
   for (std::uint32_t at = nodes_[leaf_of_[primitive]].parent; at != none; at = nodes_[at].parent) {
     ++looks.visits;
+    looks.differences += nodes_[at].op == Operator::subtract ? 1U : 0U;
     if (holds(at, before) == holds(at, held)) {
       ++looks.early_outs;
       break;

@@ -12,10 +12,12 @@ namespace csgsim::testing {
 struct Looks {
   std::uint64_t visits = 0;
   std::uint64_t early_outs = 0;
+  std::uint64_t differences = 0;  ///< of the visits of a change, those of differences
 
   Looks& operator+=(const Looks& more) {
     visits += more.visits;
     early_outs += more.early_outs;
+    differences += more.differences;
     return *this;
   }
 };

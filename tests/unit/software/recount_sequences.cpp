@@ -1,0 +1,195 @@
+#include "tests/unit/software/recount_sequences.h"
+
+#include <algorithm>
+
+#include "tests/unit/software/recount_steps.h"
+
+namespace csgsim::testing {
+
+using enum processors::Operation;
+
+using software::Counts;
+using software::Event;
+using software::Seen;
+
+SequenceRecount::SequenceRecount(const PlainTree& tree, std::size_t primitives, Counts& counts, Evaluate evaluate)
+    : tree_(tree), primitives_(primitives), evaluate_(evaluate), held_(primitives) {
+  Held one(primitives);
+  for (std::uint32_t primitive = 0; primitive < primitives; ++primitive) {
+    change(one, primitive, counts);
+    alone_.push_back(tree.holds(one));
+    change(one, primitive, counts);
+    counts.operations += steps({load, come_back});
+    ++counts.precomputed;
+  }
+}
+
+/// A leaf is inverted, and each node above it worked out again until one stays as it is.
+void SequenceRecount::change(Held& held, std::uint32_t primitive, Counts& counts) const {
+  const Looks looks = tree_.change(held, primitive);
+  counts.node_visits += looks.visits;
+  counts.early_outs += looks.early_outs;
+  const std::uint64_t nodes = looks.visits - 1;
+  counts.operations += steps({load_long, add, load, logic, store, come_back, branch_taken});
+  // Father, operands and their status, the operator, and the status so far.
+  counts.operations += nodes * steps({{load_long, 3}, {load, 4}, {compare, 3}, branch_taken, logic});
+  counts.operations += steps({{logic, looks.differences}});
+  counts.operations += (nodes - looks.early_outs) * steps({branch, branch_taken, store});
+}
+
+void SequenceRecount::follow(Sequence& sequence, std::uint32_t primitive, Counts& counts) {
+  counts.operations += steps({compare_long, branch});
+  Sequence& links = links_[sequence];
+  const auto found = std::ranges::find(links, primitive);
+  const bool is_new = found == links.end();
+  if (sequence.empty()) {
+    // The first elements are in a table by primitive.
+    ++counts.list_steps;
+    counts.operations += steps({add, load_long, compare_long, branch});
+  } else {
+    const auto passed = static_cast<std::uint64_t>(found - links.begin());
+    const std::uint64_t looked_at = passed + (is_new ? 0 : 1);
+    counts.list_steps += looked_at;
+    counts.operations += steps({load_long});
+    counts.operations += looked_at * steps({load, compare, compare_long, branch});
+    counts.operations += passed * steps({load_long, branch_taken});
+  }
+  if (is_new) {
+    links.insert(links.begin(), primitive);
+    ++counts.list_elements;
+    counts.operations += steps({{store, 2}, {store_long, 4}, add_long});
+    counts.operations += calls(1);
+  }
+  sequence.push_back(primitive);
+  elements_.insert(sequence);
+}
+
+void SequenceRecount::take_back(Counts& traversal) {
+  for (const std::uint32_t primitive : in_) change(held_, primitive, traversal);
+  in_.clear();
+}
+
+/// What has been taken in is searched for it; the last one takes the place of what is left.
+void SequenceRecount::take_in(std::uint32_t primitive, Counts& counts, Counts& traversal) {
+  const auto place = std::ranges::find(in_, primitive);
+  counts.operations += steps({load_long, branch, store});
+  counts.operations += static_cast<std::uint64_t>(place - in_.begin()) * steps({load, compare, branch_taken});
+  if (place == in_.end()) {
+    in_.push_back(primitive);
+  } else {
+    *place = in_.back();
+    in_.pop_back();
+  }
+  traversal.operations += steps({call});
+  change(held_, primitive, traversal);
+}
+
+bool SequenceRecount::evaluated(const Sequence& sequence, Counts& counts) {
+  ++counts.evaluations;
+  Counts traversal;
+  if (evaluate_ == Evaluate::back) {
+    counts.operations += sequence.size() * steps({load_long, load, branch_taken});
+    take_back(traversal);
+    for (std::size_t i = sequence.size(); i-- > 0;) take_in(sequence[i], counts, traversal);
+  } else {
+    if (taken_in_ == 0) take_back(traversal);
+    for (; taken_in_ < sequence.size(); ++taken_in_) take_in(sequence[taken_in_], counts, traversal);
+  }
+  traversal.operations += steps({load});
+  traversal.operations += calls(1);
+  counts.node_visits += traversal.node_visits;
+  counts.early_outs += traversal.early_outs;
+  counts.operations += traversal.operations;
+  counts.traversal += traversal.operations;
+  return tree_.holds(held_);
+}
+
+bool SequenceRecount::is_in(const Sequence& sequence, std::size_t at, Counts& counts) {
+  counts.operations += steps({load, compare, branch});
+  if (const auto known = classes_.find(sequence); known != classes_.end()) {
+    ++counts.looked_up;
+    return known->second;
+  }
+  counts.operations += steps({store});
+  if (sequence.size() > 1 || at > 1) return classes_[sequence] = evaluated(sequence, counts);
+  ++counts.looked_up;
+  counts.operations += steps({{load, 2}, logic});
+  return classes_[sequence] = alone_[sequence.front()];
+}
+
+std::uint32_t SequenceRecount::owner(std::span<const Event> before, std::span<const Event> at, Counts& counts) const {
+  counts.operations += at.size() * steps({{load, 2}, compare, branch});
+  std::vector<std::uint32_t> candidates;
+  for (const Event& event : at) {
+    if (event.leaves() == tree_.is_taken_away(event.primitive())) candidates.push_back(event.primitive());
+  }
+  if (candidates.size() == 1) return candidates.front();
+  ++counts.ties;
+  std::vector<std::uint32_t> active;
+  for (const std::span<const Event> events : {before, at}) {
+    for (const Event& event : events) {
+      if (event.leaves()) {
+        std::erase(active, event.primitive());
+      } else {
+        active.push_back(event.primitive());
+      }
+    }
+  }
+  Held held(primitives_);
+  for (const std::uint32_t primitive : active) change(held, primitive, counts);
+  std::uint32_t owner = Seen::nothing_seen;
+  Looks looks;
+  for (std::size_t i = 0; i < candidates.size() && owner == Seen::nothing_seen; ++i) {
+    if (tree_.shows(held, candidates[i], looks)) owner = candidates[i];
+  }
+  counts.node_visits += looks.visits;
+  counts.operations += looks.visits * steps({{load_long, 2}, {load, 3}, {compare, 2}, {branch, 2}});
+  for (const std::uint32_t primitive : active) change(held, primitive, counts);
+  return owner;
+}
+
+std::uint32_t SequenceRecount::owner(const Sequence& sequence, std::size_t at, Counts& counts) const {
+  std::vector<Event> events;
+  for (auto one = sequence.begin(); one != sequence.end(); ++one) {
+    const bool leaves = std::count(sequence.begin(), one, *one) % 2 != 0;
+    events.push_back({0, 2 * *one + (leaves ? 1 : 0)});
+  }
+  const auto first = events.end() - static_cast<std::ptrdiff_t>(at);
+  std::sort(first, events.end());
+  return owner({events.begin(), first}, {first, events.end()}, counts);
+}
+
+Seen SequenceRecount::along(std::span<const Event> events, std::uint32_t farthest, std::size_t& used, Counts& counts) {
+  Sequence sequence;
+  taken_in_ = 0;
+  for (used = 0; used < events.size();) {
+    const std::size_t begin = used;
+    while (used < events.size() && events[used].depth == events[begin].depth)
+      follow(sequence, events[used++].primitive(), counts);
+    const std::uint64_t at = used - begin;
+    ++counts.points;
+    counts.operations += steps({{load_long, 1 + at}, {compare_long, at}, {branch, at}});
+    if (is_in(sequence, at, counts))
+      return {events[begin].depth, owner(events.first(begin), events.subspan(begin, at), counts)};
+  }
+  return {farthest, Seen::nothing_seen};
+}
+
+std::vector<std::uint32_t> SequenceRecount::held(const Sequence& sequence, Counts& counts) const {
+  counts.operations += sequence.size() * steps({load_long, load, branch_taken});
+  // The last one that was met comes first.
+  std::vector<std::uint32_t> held;
+  for (std::size_t i = sequence.size(); i-- > 0;) {
+    if (std::ranges::find(held, sequence[i]) != held.end()) continue;
+    if (std::ranges::count(sequence, sequence[i]) % 2 != 0) held.push_back(sequence[i]);
+  }
+  return held;
+}
+
+/// A bit and a first element a primitive; three pointers and a class an element; five words a node and a leaf a
+/// primitive, of the status tree.
+std::uint64_t SequenceRecount::words() const {
+  return (primitives_ + 31) / 32 + primitives_ + 4 * elements_.size() + 5 * tree_.nodes() + primitives_;
+}
+
+}  // namespace csgsim::testing
