@@ -39,15 +39,30 @@ std::size_t ExactOutlines::outline_of(std::uint32_t plane, Facing facing) {
 }
 
 void ExactOutlines::close() {
+  for (std::vector<PlaneSide>& sides : plane_sides_) cancel_plane_sides(sides);
   OnLines found;
+  for (std::size_t i = 0; i < outlines_.size(); ++i) find_within(i, found);
+  end_at_points(found);
+  found.clear();
   std::vector<Side> open;
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    cancel(plane_sides_[i], [](const PlaneSide& one) -> const Side& { return one.side; });
-    find_within(i, found);
-    for (const PlaneSide& one : plane_sides_[i]) open.push_back(one.side);
-  }
+  for (const std::vector<PlaneSide>& sides : plane_sides_)
+    for (const PlaneSide& one : sides) open.push_back(one.side);
   cancel(open);
   find_on_open(open, found);
+  end_at_points(found);
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    outlines_[i].sides.reserve(plane_sides_[i].size());
+    for (const PlaneSide& one : plane_sides_[i]) outlines_[i].sides.push_back(one.side);
+    std::vector<PlaneSide>().swap(plane_sides_[i]);
+  }
+}
+
+void ExactOutlines::cancel_plane_sides(std::vector<PlaneSide>& sides) {
+  cancel(sides, [](const PlaneSide& one) -> const Side& { return one.side; });
+}
+
+/// Ends sides at those of the points that are on them, exactly.
+void ExactOutlines::end_at_points(OnLines& found) {
   Ends ends;
   for (auto& [key, one] : found) {
     std::ranges::sort(one.points);
@@ -56,12 +71,17 @@ void ExactOutlines::close() {
         points_between(bodies_->planes, points_, one.line[0], one.line[1], one.planes, one.points);
     if (!points.empty()) ends.emplace(key, std::move(points));
   }
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    std::vector<Side>& sides = outlines_[i].sides;
-    sides.reserve(plane_sides_[i].size());
-    for (const PlaneSide& one : plane_sides_[i]) sides.push_back(one.side);
-    std::vector<PlaneSide>().swap(plane_sides_[i]);
-    end_at(ends, sides);
+  const auto is_ended = [&](const PlaneSide& one) { return ends.contains(key_of(one.side)); };
+  for (std::vector<PlaneSide>& sides : plane_sides_) {
+    if (std::ranges::none_of(sides, is_ended)) continue;
+    std::vector<PlaneSide> ended;
+    for (const PlaneSide& one : sides) {
+      std::vector<Side> parts{one.side};
+      end_at(ends, parts);
+      for (const Side& part : parts) ended.push_back({part, one.along});
+    }
+    cancel_plane_sides(ended);
+    sides = std::move(ended);
   }
 }
 

@@ -40,8 +40,8 @@ class ExactOutlines {
   /// Those of one body.
   void add(std::span<const Fragment> fragments);
 
-  /// After the last fragment: cancels sides, and ends them at the points of their outline that are on them; those that
-  /// do not run as often one way as the other end at such points of all outlines.
+  /// After the last fragment: cancels sides, and ends them at the points of their outline that are on them; then those
+  /// that do not run as often one way as the other, at the ends of such sides of all outlines.
   void close();
 
   /// After that: the polygons of bodies that are `whole` (side_by_side.h), each body closed in itself. In planes with
@@ -74,6 +74,8 @@ class ExactOutlines {
 
   void add(const Fragment& fragment);
   [[nodiscard]] std::size_t outline_of(std::uint32_t plane, Facing facing);
+  static void cancel_plane_sides(std::vector<PlaneSide>& sides);
+  void end_at_points(OnLines& found);
   void find_within(std::size_t outline, OnLines& found) const;
   void find_on_open(const std::vector<Side>& open, OnLines& found) const;
   void find_beside(std::size_t outline, const PlaneSide& one, const NearPoints& near, OnLines& found) const;

@@ -100,7 +100,7 @@ TEST_CASE("edges between the same two points are parted, whatever faces they are
 }
 
 TEST_CASE("slivers finer than coordinates are closed, also where their corners are at one place") {
-  for (const char* const name : {"slivers_at_corners", "points_at_one_place"}) {
+  for (const char* const name : {"slivers_at_corners", "points_at_one_place", "ends_within_a_plane"}) {
     CAPTURE(name);
     const convert::Surface surface = testing::converted(read::read_csg_file(models + name + ".csg"));
     closed_volume(surface);
