@@ -25,7 +25,7 @@ struct Operand {
   Known known{};
 };
 
-/// Leaves out the operands that are not kept, of which the tree has none.
+/// Leaves out the operands that are not kept. The tree must not refer to them.
 void keep(const std::vector<bool>& is_kept, LocalTree& tree, std::vector<Operand>& operands);
 
 /// Divides a face of a body by others into parts of the boundary and parts that are none.

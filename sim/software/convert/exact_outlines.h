@@ -40,12 +40,12 @@ class ExactOutlines {
   /// Those of one body.
   void add(std::span<const Fragment> fragments);
 
-  /// After the last fragment: cancels sides, and ends them at the points of their outline that are on them; then those
-  /// that do not run as often one way as the other, at the ends of such sides of all outlines.
+  /// Called after the last fragment. Cancels sides, and ends them at the points of their outline that are on them; then
+  /// those that do not run as often one way as the other, at the ends of such sides of all outlines.
   void close();
 
-  /// After that: the polygons of bodies that are `whole` (side_by_side.h), each body closed in itself. In planes with
-  /// faces on both sides the sum of the sides stays: where one face is against another they cancel.
+  /// Called after close(). Adds the polygons of bodies that are `whole` (side_by_side.h), each body closed in itself.
+  /// In planes with faces on both sides the sum of the sides stays: where one face is against another they cancel.
   void add_whole(const std::vector<bool>& whole);
 
   [[nodiscard]] const std::vector<Plane>& outlines() const { return outlines_; }

@@ -92,7 +92,7 @@ class Evaluation {
     return ball;
   }
 
-  /// Whether a ball is inside or outside of an operand; if neither is told, leaves the faces whose planes may pass
+  /// Whether a ball is inside or outside of an operand; if neither is known, keeps the faces whose planes may pass
   /// through it. The plane of a face in the ball does.
   [[nodiscard]] Known look(const Ball& ball, Operand& operand) const {
     const Body& body = bodies_.bodies[operand.body];
@@ -113,7 +113,7 @@ class Evaluation {
     return {};
   }
 
-  /// Faces of the body. The tree has the operands that are not known, of which the body itself is one.
+  /// Adds faces of the body. The tree has the operands that are not known, including the body itself.
   void add_group(std::span<std::uint32_t> faces, const LocalTree& tree, std::vector<Operand> operands) {
     constexpr std::size_t most_at_once = 4;
     const Ball ball = ball_about(faces);
@@ -178,7 +178,7 @@ class Evaluation {
     }
   }
 
-  /// Adds all of the face or nothing of it, if what is known of the operands tells which.
+  /// Adds all of the face or nothing of it, if the known operands decide that.
   bool add_whole(const BodyFace& face, const LocalTree& tree, std::span<const Operand> operands) {
     std::vector<Known> known;
     std::vector<bool> may_differ;

@@ -32,7 +32,7 @@ struct Fragment {
 Fragment fragment_of(const Sheet& sheet, const Region& region, bool is_front, std::uint32_t body,
                      std::span<const BodySide> sides);
 
-/// Is given the fragments of one body.
+/// A function that is given the fragments of one body.
 using TakeFragments = std::function<void(std::span<const Fragment>)>;
 
 /// The boundary of what a tree leaves of the bodies, exactly, in convex parts that do not overlap, body by body in

@@ -22,7 +22,7 @@ struct PointAlong {
 /// Finds points beside lines, by an R-tree.
 class NearPoints {
  public:
-  /// Keeps a reference to the points, of which those that are used are found.
+  /// Keeps a reference to the points. Only those that are `used` are found.
   NearPoints(std::span<const glm::dvec3> points, std::span<const std::uint32_t> used);
   ~NearPoints();
   NearPoints(const NearPoints&) = delete;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <stdexcept>

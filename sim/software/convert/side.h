@@ -10,10 +10,10 @@
 
 namespace csgsim::software::convert {
 
-/// From one point to another.
+/// A line from one point to another.
 using Side = std::array<std::uint32_t, 2>;
 
-/// From the lower number to the higher.
+/// The same line, from the lower number to the higher.
 inline Side ordered(const Side& side) { return {std::min(side[0], side[1]), std::max(side[0], side[1])}; }
 
 /// The same of a side and of one that runs back.
@@ -22,7 +22,7 @@ inline std::uint64_t key_of(const Side& side) {
 }
 
 /// Takes out pairs that run one against the other, and those that end where they begin, of what has a side:
-/// `side_of(one)`. What is left is sorted.
+/// `side_of(one)`. The rest is sorted.
 template <class One, class SideOf>
 void cancel(std::vector<One>& all, const SideOf& side_of) {
   std::erase_if(all, [&](const One& one) { return side_of(one)[0] == side_of(one)[1]; });

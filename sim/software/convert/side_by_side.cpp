@@ -17,7 +17,7 @@ namespace csgsim::software::convert {
 
 namespace {
 
-/// Looks whether pairs of bodies lie side by side, which have no walls.
+/// Looks whether pairs of bodies without walls lie side by side.
 class Pairs {
  public:
   Pairs(const Bodies& bodies, const Work& work) : bodies_(bodies), work_(work), tolerance_(bodies.tolerance) {}

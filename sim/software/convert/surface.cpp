@@ -92,7 +92,7 @@ class Pairing {
     }
   }
 
-  /// In the order around their edge.
+  /// The leaves in their order around the edge.
   [[nodiscard]] std::vector<Leaf> leaves_around(std::span<const HalfEdge> edges) const {
     std::vector<Leaf> leaves;
     leaves.reserve(edges.size());

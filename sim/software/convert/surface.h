@@ -33,7 +33,7 @@ struct Measures {
 
 Measures measure(const Surface& surface);
 
-/// Whether that is no more than a thousandth of the volume.
+/// Whether `volume_error` is at most a thousandth of the volume.
 inline bool has_sure_volume(const Measures& measures) {
   return measures.volume_error <= 1e-3 * std::abs(measures.volume);
 }

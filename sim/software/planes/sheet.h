@@ -64,7 +64,7 @@ class Sheet {
   [[nodiscard]] std::uint32_t plane() const { return plane_; }
   [[nodiscard]] const Meeting& point(std::uint32_t corner) const { return points_[corner]; }
   [[nodiscard]] const glm::dvec3& place(std::uint32_t corner) const { return places_[corner]; }
-  /// The same, off by no more than so many units, but for rounding.
+  /// The same, off by at most `most_deviation` units, besides rounding.
   [[nodiscard]] glm::dvec3 place(std::uint32_t corner, double most_deviation) const {
     return deviation(corner) <= most_deviation ? places_[corner] : planes_.exact_place(points_[corner].planes);
   }
@@ -102,7 +102,7 @@ class Sheet {
   std::uint32_t plane_ = 0;
   std::vector<Meeting> points_;
   std::vector<glm::dvec3> places_;                                  ///< of the points, in units
-  mutable std::vector<std::optional<WholePlanes::Point>> exactly_;  ///< the points of which it was needed
+  mutable std::vector<std::optional<WholePlanes::Point>> exactly_;  ///< the exact points that were needed
   std::vector<int> sides_;  ///< of a region's corners: -1 in the half-space, 0 on its plane, 1 out
 };
 

@@ -10,7 +10,7 @@ namespace csgsim::software {
 __extension__ using Long = __int128;
 __extension__ using UnsignedLong = unsigned __int128;
 
-/// A whole number of so many limbs of 64 bits, two's complement. What is past the last limb is lost.
+/// A whole number of `limb_count` limbs of 64 bits, two's complement. What is past the last limb is lost.
 template <std::size_t limb_count>
 class Wide {
  public:
@@ -66,7 +66,7 @@ class Wide {
 
   static constexpr unsigned limb_bits = 64;
 
-  /// Adds a limb times others, moved up by so many limbs.
+  /// Adds a limb times others, moved up by `up` limbs.
   template <std::size_t others>
   void add_product(std::uint64_t limb, const std::array<std::uint64_t, others>& by, std::size_t up) {
     UnsignedLong carry = 0;

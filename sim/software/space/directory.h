@@ -108,7 +108,7 @@ class Directory {
   [[nodiscard]] virtual SpaceBuilt built() const = 0;
   /// Of a directory whose walls halve space, all of space first; nothing of others. Keeps references to it.
   [[nodiscard]] virtual std::vector<SpacePart> parts() const { return {}; }
-  /// Of a tree of boxes as far as it is built, the root first; nothing of others. Keeps references to it.
+  /// The nodes of a tree of boxes as far as it is built, the root first; empty for others. Keeps references to it.
   [[nodiscard]] virtual std::vector<SpaceBox> boxes() const { return {}; }
 };
 

@@ -30,7 +30,7 @@ Rational determinant(const Row& p, const Row& q, const Row& r, const std::array<
   return p[a] * (q[b] * r[c] - q[c] * r[b]) - p[b] * (q[a] * r[c] - q[c] * r[a]) + p[c] * (q[a] * r[b] - q[b] * r[a]);
 }
 
-/// Where three planes meet, by Cramer's rule.
+/// The point where three planes meet, by Cramer's rule.
 std::array<Rational, 3> meeting(const Row& p, const Row& q, const Row& r) {
   const Rational all = determinant(p, q, r, {0, 1, 2});
   return {-determinant(p, q, r, {3, 1, 2}) / all, -determinant(p, q, r, {0, 3, 2}) / all,
@@ -46,7 +46,7 @@ double number(Random& random) {
   return (2 * random.unit() - 1) * size;
 }
 
-/// Of a usual kind, across an axis, or at a small angle to the x-axis.
+/// A plane of a usual kind, across an axis, or at a small angle to the x-axis.
 facet::Plane plane(Random& random) {
   facet::Plane plane{{number(random), number(random), number(random)}, number(random) / 2};
   const std::uint64_t kind = random.below(4);
@@ -55,7 +55,7 @@ facet::Plane plane(Random& random) {
   return plane;
 }
 
-/// As nearly through a place as doubles tell.
+/// A plane as nearly through a place as doubles allow.
 facet::Plane plane_through(Random& random, const glm::dvec3& place) {
   const glm::dvec3 normal(number(random), number(random), number(random));
   return {normal, -(normal.x * place.x + normal.y * place.y + normal.z * place.z)};

@@ -54,7 +54,7 @@ void count_sort(std::vector<Event>& events, Operations& sum) {
     return;
   }
   if (events.empty()) return;
-  // By insertion: each passes those that are before it and belong behind it, and is held against one that stays.
+  // Insertion sort: each event passes those before it that belong behind it, and is compared with one that stays.
   std::uint64_t passed = 0;
   for (std::size_t i = 0; i < events.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) passed += events[i] < events[j] ? 1U : 0U;
@@ -438,7 +438,7 @@ void recount_rays(DisplayRecount& recount) {
   SequenceRecount sequences(recount.tree, recount.primitives, recount.csg, testing::Evaluate::along);
   Operations& sorting = recount.of(Phase::sorting);
   for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
-    // By primitives, each as it is entered and left.
+    // Primitives in order, each as it is entered and left.
     std::vector<Event> events(recount.rays.at(pixel).begin(), recount.rays.at(pixel).end());
     std::ranges::sort(events, {}, &Event::crossing);
     for (const Event& event : events) {

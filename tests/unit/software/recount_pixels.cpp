@@ -65,7 +65,8 @@ Operations edge_setups(std::uint64_t edges, const Numbers& numbers) {
                         {store_long, 4}});
 }
 
-/// An edge's column and remainder are stepped, and held against the ends so far; then the first depth is stepped.
+/// An edge's column and remainder are stepped, and compared with the ends found before; then the first depth is
+/// stepped.
 Operations row_steps(std::uint64_t rows, std::uint64_t edges, const Numbers& numbers) {
   Operations row = edges * steps({{load_long, 4}, {add_long, 2}, compare_long, {store_long, 2}, compare, {branch, 2}});
   row += numbers.longs * steps({{load_long, 2}, add_long, store_long});

@@ -31,7 +31,7 @@ void SequenceRecount::change(Held& held, std::uint32_t primitive, Counts& counts
   counts.early_outs += looks.early_outs;
   const std::uint64_t nodes = looks.visits - 1;
   counts.operations += steps({load_long, add, load, logic, store, come_back, branch_taken});
-  // Father, operands and their status, the operator, and the status so far.
+  // Father, operands and their status, the operator, and the status of the operands before.
   counts.operations += nodes * steps({{load_long, 3}, {load, 4}, {compare, 3}, branch_taken, logic});
   counts.operations += steps({{logic, looks.differences}});
   counts.operations += (nodes - looks.early_outs) * steps({branch, branch_taken, store});
