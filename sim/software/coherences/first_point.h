@@ -21,6 +21,7 @@ class Alone {
     if (tree.is_constant()) return;
     StatusTree<Count> status(tree);
     for (std::uint32_t primitive = 0; primitive < is_in_.size(); ++primitive) {
+      count(Operation::call, 3);
       status.flip(primitive, count);
       is_in_[primitive] = status.evaluate(count);
       status.flip(primitive, count);

@@ -171,6 +171,7 @@ class IntervalArithmetic : public Method {
         const bool holds = interval.front <= depth && depth < interval.back;
         if (holds && tree.leaf_of[interval.primitive] != model::no_index) active_.push_back(interval.primitive);
       }
+      count_(Operation::call, active_.size() + 1);
       for (const std::uint32_t primitive : active_) traversal.flip(primitive, count_);
       count_.point();
       count_.evaluation();

@@ -44,6 +44,7 @@ class IntervalLists : public Method {
     count_(Operation::store_long, 2 * intervals.size());
     ends_.clear();
     count_.evaluation();
+    count_(Operation::call);
     visit(subject_.tree.root);
     for (const Interval& interval : intervals) interval_of_[interval.primitive] = nullptr;
     return ends_.empty() ? nothing : seen_at(intervals, ends_.front());

@@ -64,6 +64,7 @@ class Weave : public Method {
   }
 
   bool holds(std::span<const std::uint32_t> held_by) {
+    count_(Operation::call, held_by.size() + 1);
     for (const std::uint32_t primitive : held_by) traversal_->flip(primitive, count_);
     count_.evaluation();
     const bool is_in = traversal_->evaluate(count_);

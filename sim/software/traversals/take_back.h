@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <span>
 
+#include "sim/software/cost/operations.h"
+
 namespace csgsim::software {
 
 /// A traversal is outside all primitives again; `in` are those that it was in. By a step of its own (`clear`), if it
@@ -12,7 +14,10 @@ void take_back(Traversal& traversal, std::span<const std::uint32_t> in, Count& c
   if constexpr (requires { traversal.clear(count); }) {
     traversal.clear(count);
   } else {
-    for (const std::uint32_t primitive : in) traversal.flip(primitive, count);
+    for (const std::uint32_t primitive : in) {
+      count(Operation::call);
+      traversal.flip(primitive, count);
+    }
   }
 }
 

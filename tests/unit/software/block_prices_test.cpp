@@ -89,9 +89,10 @@ constexpr double column = 10;
 /// The slope is added, both longs are shifted by 12 places, and the depth is held against both ends of its range.
 constexpr double depth = 2 * 8 + 2 * (8 + 2 * 12) + 2 * 6 + 2 * 8;
 
-/// The status tree of one leaf is inverted, looked at and inverted again, to know what is behind a first surface.
-constexpr double flip = 16 + 4 + 16 + 12 + 4 + 12 + 10;
-constexpr double alone = 2 * flip + 12 + 16;
+/// The status tree of one leaf is inverted, looked at and inverted again, to know what is behind a first surface: three
+/// calls.
+constexpr double flip = 18 + 16 + 4 + 16 + 12 + 4 + 12 + 10;
+constexpr double alone = 2 * flip + 18 + 12 + 16;
 constexpr double first_element = 6 + 8 + 4 + 16 + 6 + 8;
 constexpr double element_made = 18 + 2 * 12 + 4 * 16 + 8 + 16;
 constexpr double class_read = 12 + 4 + 8;

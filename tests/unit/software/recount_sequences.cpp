@@ -19,7 +19,7 @@ SequenceRecount::SequenceRecount(const PlainTree& tree, std::size_t primitives, 
     change(one, primitive, counts);
     alone_.push_back(tree.holds(one));
     change(one, primitive, counts);
-    counts.operations += steps({load, come_back});
+    counts.operations += steps({load}) + calls(1);
     ++counts.precomputed;
   }
 }
@@ -30,7 +30,7 @@ void SequenceRecount::change(Held& held, std::uint32_t primitive, Counts& counts
   counts.node_visits += looks.visits;
   counts.early_outs += looks.early_outs;
   const std::uint64_t nodes = looks.visits - 1;
-  counts.operations += steps({load_long, add, load, logic, store, come_back, branch_taken});
+  counts.operations += steps({load_long, add, load, logic, store, branch_taken}) + calls(1);
   // Father, operands and their status, the operator, and the status of the operands before.
   counts.operations += nodes * steps({{load_long, 3}, {load, 4}, {compare, 3}, branch_taken, logic});
   counts.operations += steps({{logic, looks.differences}});
@@ -80,7 +80,6 @@ void SequenceRecount::take_in(std::uint32_t primitive, Counts& counts, Counts& t
     *place = in_.back();
     in_.pop_back();
   }
-  traversal.operations += steps({call});
   change(held_, primitive, traversal);
 }
 

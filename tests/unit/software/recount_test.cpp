@@ -16,7 +16,9 @@
 #include "tests/support/drawing.h"
 #include "tests/support/software_ways.h"
 #include "tests/unit/software/plain_tree.h"
+#include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
+#include "tests/unit/software/shown.h"
 
 using namespace csgsim;
 using software::Counts;
@@ -125,6 +127,12 @@ void check_pruned(const Counted& counted, const view::View& view) {
   }
 }
 
+/// Whatever is called comes back.
+void check_calls(const software::Operations& done) {
+  CHECK(done.counts[static_cast<std::size_t>(software::Operation::call)] ==
+        done.counts[static_cast<std::size_t>(software::Operation::come_back)]);
+}
+
 /// Returns the ties of a scene.
 std::uint64_t check_scene(const Scene& scene) {
   const Counted counted(scene);
@@ -168,5 +176,30 @@ TEST_CASE("what software counts on the thesis's objects is what rays and trees g
   for (const testing::ThesisObject& one : testing::thesis_objects(view::Projection::perspective)) {
     CAPTURE(one.name);
     check_scene(testing::thesis_scene(one, 64, 64));
+  }
+}
+TEST_CASE("every method counts as many calls as returns") {
+  for (std::uint64_t seed = 5001; seed <= 5020; ++seed) {
+    const std::optional<Scene> scene = testing::random_scene(seed);
+    if (!scene) continue;
+    CAPTURE(seed);
+    const SoftwareScene drawn(scene->tree, scene->geometry, scene->view);
+    for (const testing::Way& way : testing::all_ways()) {
+      if (drawn.is_too_deep(way)) continue;
+      const std::string name = testing::to_text(way);
+      CAPTURE(name);
+      const std::unique_ptr<software::Method> method = drawn.make(way, true);
+      software::draw(drawn.rays(), *method);
+      check_calls(method->counts().operations);
+    }
+    if (!testing::is_faceted(*scene)) continue;
+    const testing::Shown shown(*scene);
+    for (const software::DisplayRow* const row : software::display_methods()) {
+      CAPTURE(row->name);
+      const software::Displayed displayed = shown.by(*row, true);
+      for (std::size_t phase = 0; phase < software::phases; ++phase)
+        check_calls(displayed.counts.of(static_cast<software::Phase>(phase)));
+      check_calls(displayed.counts.csg.operations);
+    }
   }
 }
