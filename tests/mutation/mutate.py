@@ -169,6 +169,8 @@ def parsed(arguments):
     parser.add_argument("--again", type=Path, help="try the survivors of this results file again, and nothing else")
     parser.add_argument("--except", dest="excepted", action="append", default=[], metavar="CASE",
                         help="leave out a test case that fails without any mutation; may be repeated")
+    parser.add_argument("--near", action="store_true",
+                        help="of the command line's tests ask only those whose file is named like the edited one")
     parser.add_argument("--all", action="store_true", help="with --again: those that were killed as well")
     parser.add_argument("--jobs", type=int, default=2, help="compilers at a time (%(default)s)")
     options = parser.parse_args(arguments)
@@ -193,7 +195,7 @@ def main(arguments):
     except OSError:
         raise SystemExit(f"mutate.py: another run uses {options.build}; name another folder with --build") from None
     restore_after_a_crash(options.build)
-    judges = Judges(ROOT, options.build, options.jobs, options.excepted)
+    judges = Judges(ROOT, options.build, options.jobs, options.excepted, options.near)
     judges.configure()
     judges.measure(options.judge or dict.fromkeys(name for room in rooms for name in JUDGES_OF[room]))
     if options.again:
