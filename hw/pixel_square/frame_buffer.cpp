@@ -139,6 +139,7 @@ void FrameBuffer::take(std::size_t port, const PortWord& word) {
   Incoming& square = incoming_[port];
   if (square.gathered == header_bits) return store(square, span_of(word.bits));
   take_header(square, word);
+  served_square_ = square.region;
   if (square.gathered == header_bits) finish_if_whole(square);
 }
 
