@@ -46,9 +46,7 @@ SquareClocks CornerDivider::account(std::uint64_t clocks) const {
   return whole(all, SquareActivity::done, clocks);
 }
 
-DividerStatus CornerDivider::status() const {
-  return {state_.empty() ? "receiving" : state_, square_};
-}
+DividerStatus CornerDivider::status() const { return {state_.empty() ? "receiving" : state_, square_}; }
 
 void CornerDivider::work() {
   while (true) {

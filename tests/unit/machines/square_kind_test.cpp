@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hw/division/divide.h"
+#include "hw/kinds/load.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/timeline.h"
@@ -251,4 +253,86 @@ TEST_CASE("a group's first square counts what the group takes, if it has boxes t
   CHECK(clocks({.steps = {}, .group_boxes = 5}) == none + 5 * 7);
   CHECK(clocks({.steps = {}, .group_entries = 9}) == none + 9);
   CHECK(clocks({.steps = {}, .group_boxes = 5, .group_entries = 9}) == none + 5 * 7 + 9);
+}
+
+TEST_CASE("an ideal figure of a machine of squares is the one that its page tells") {
+  const auto own = [](const std::string& key) {
+    return machines::own<Figures>(kinds::load("pixel-square+" + key + "=ideal"));
+  };
+  // One gate; at once; nothing latched; every plane; no screen; as many words as there are sources.
+  CHECK(own("global_or.fan_in").or_fan_in == 0);
+  CHECK(own("renderers.move_bits").move_bits == pixel_square::all_planes);
+  CHECK(own("renderers.latch_bits").latch_bits == pixel_square::no_latch);
+  CHECK(own("backing.width").backing_width == pixel_square::all_planes);
+  CHECK(own("refresh.rate").refresh_rate == pixel_square::not_shown);
+  CHECK(own("ring.channels").ring_channels == pixel_square::all_channels);
+  CHECK(own("divider.port").record_bits == 256);
+  CHECK(own("divider.box_clocks").box_clocks == 0);
+  CHECK(own("divider.halfspace_clocks").halfspace_clocks == 0);
+  CHECK(own("divider.cell_clocks").cell_clocks == 0);
+  CHECK(own("divider.node_clocks").node_clocks == 0);
+  CHECK(own("divider.linear_clocks").linear_clocks == 0);
+}
+
+TEST_CASE("squares come in groups only where the machine's own dividers have two levels") {
+  Figures figures = dividing();
+  figures.group_side = 2;
+  using Places = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
+  const auto places = [&](pixel_square::DividerKind divider, std::uint32_t levels) {
+    figures.divider = divider;
+    figures.levels = levels;
+    Machine machine = machine_of(1, figures);
+    machine.picture = {4, 2};
+    Places all;
+    for (const isa::Region& region : machines::regions(machine)) all.emplace_back(region.x, region.y);
+    return all;
+  };
+  const Places rows{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 1}, {1, 1}, {2, 1}, {3, 1}};
+  using enum pixel_square::DividerKind;
+  CHECK(places(corners, 2) == Places{{0, 0}, {1, 0}, {0, 1}, {1, 1}, {2, 0}, {3, 0}, {2, 1}, {3, 1}});
+  CHECK(places(corners, 1) == rows);
+  CHECK(places(host, 2) == rows);
+  CHECK(places(processors, 2) == rows);
+}
+
+TEST_CASE("squares in Morton order come along a Z, and those beyond the picture's edges are left out") {
+  Machine machine = machine_of(1, {.order = pixel_square::SquareOrder::morton});
+  machine.picture = {3, 5};
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+  for (const isa::Region& region : machines::regions(machine)) all.emplace_back(region.x, region.y);
+  CHECK(all == std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 0},
+                                                                    {1, 0},
+                                                                    {0, 1},
+                                                                    {1, 1},
+                                                                    {2, 0},
+                                                                    {2, 1},
+                                                                    {0, 2},
+                                                                    {1, 2},
+                                                                    {0, 3},
+                                                                    {1, 3},
+                                                                    {2, 2},
+                                                                    {2, 3},
+                                                                    {0, 4},
+                                                                    {1, 4},
+                                                                    {2, 4}});
+}
+
+TEST_CASE("rows are latched only where squares leave from the pixels' memory") {
+  const isa::Program program = program_of(4, {square(2, {enable})});
+  const auto clocks = [&](const Figures& figures) { return time(program, machine_of(2, figures)).clocks; };
+  Figures one{.buffers = 1, .port_bits = 64, .port_fifo_depth = 8};
+  Figures two = one;
+  two.buffers = 2;
+  Figures backing = one;
+  backing.backing_bits = 8;
+  const std::uint64_t at_once = clocks(one);
+  CHECK(clocks(two) == at_once);
+  for (Figures* const figures : {&one, &two, &backing}) figures->latch_bits = 1;
+  // The header is a word, and all 16 bits of colours are the next: it needs both rows of four planes. The first goes
+  // over in the fifth clock after the square was drawn, the second four later, in place of the second clock.
+  CHECK(clocks(one) == at_once + 9 - 2);
+  CHECK(clocks(two) == at_once);
+  Figures unlatched = backing;
+  unlatched.latch_bits = pixel_square::no_latch;
+  CHECK(clocks(backing) == clocks(unlatched));
 }

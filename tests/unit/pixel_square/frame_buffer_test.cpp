@@ -262,3 +262,17 @@ TEST_CASE(
   CHECK(rows == "- - - - 0 0 - - - 1 1 - - - 0 ");
   CHECK(squares == "- - - - - - - - - - - 2,0 2,0 2,0 - ");
 }
+
+TEST_CASE("a frame of colours begins with its screen's turns, though the frame buffer has slept") {
+  // A picture without colours takes no turns. Then one of 24 bits takes them in one of five clocks, as above.
+  const pixel_square::Figures figures{
+      .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
+  Board board(figures, 100);
+  board.buffer.begin({{4, 2}, 1, 0, 0});
+  board.bench.edges(7);
+  CHECK(board.buffer.account(7).of(SquareActivity::refreshing) == 0);
+  board.begin(1);
+  board.bench.edges(20);
+  CHECK(board.buffer.account(20).of(SquareActivity::refreshing) == 7);  // at 5, 6, 10, 11, 15, 16 and 20
+  CHECK(board.buffer.account(20).of(SquareActivity::waiting_for_renderer) == 13);
+}

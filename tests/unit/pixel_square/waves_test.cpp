@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/base/error.h"
 #include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
@@ -354,4 +355,12 @@ TEST_CASE("a wave shows each of several dividers by its number") {
   CHECK(board.changes("divider_0.square") == "- 0,0 -");
   CHECK(board.changes("divider_1.square") == "- 8,0 -");
   CHECK(board.changes("divider_1.store_fill") == "0 1 0");
+}
+
+TEST_CASE("a machine that divides refuses a Program that is not what it makes of its model, and a warning is thrown") {
+  const machines::Machine machine = dividing_machine(1);
+  Board board(machine, slab_program(machine), {});
+  board.program.segments[0].instructions.pop_back();
+  CHECK_THROWS_AS(board.run(), InputError);
+  CHECK_THROWS_AS(SC_REPORT_WARNING("test", "a warning"), sc_core::sc_report);
 }
