@@ -237,13 +237,13 @@ TEST_CASE("a wave of a machine whose host divides shows what it sends, and throu
   const auto first = board.sampler.seen;
   board.sampler.seen.clear();
   CHECK(board.run() == clocks);
-  for (const auto& [name, seen] : first) {
-    if (name.ends_with(".stored")) continue;
+  for (const auto& one : first) {
+    const std::string& name = one.first;
+    if (name.starts_with("pixel_") || name.find(".pixels.") != std::string::npos) continue;
     CAPTURE(name);
     std::vector<std::string> again = board.sampler.seen.at(name);
     again.erase(again.begin());  // the clock between the frames
-    if (name.starts_with("pixel_") || name.find(".pixels.") != std::string::npos) continue;
-    CHECK(again == seen);
+    CHECK(again == one.second);
   }
   CHECK(board.shown("pixel_1_1.stored") == "19 3");
   CHECK(board.shown("pixel_2_0.stored") == "19 6");
