@@ -194,7 +194,7 @@ TEST_CASE("words come out in the order in which they went in, however many there
 TEST_CASE("a square can be begun when its last word is there, or when the store is full") {
   Agenda agenda(2);
   const TimedStored part;
-  const TimedStored last{.whole = std::nullopt, .is_clear = false, .is_last = true};
+  const TimedStored last{.whole = std::nullopt, .is_last = true};
   StoreTiming store(3, 0, 1, agenda);
   store.write(1, part);
   CHECK_FALSE(store.may_begin(5));
