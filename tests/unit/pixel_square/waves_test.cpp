@@ -245,6 +245,10 @@ TEST_CASE("a wave of a machine whose host divides shows what it sends, and throu
     again.erase(again.begin());  // the clock between the frames
     CHECK(again == one.second);
   }
+  // In the clock before it nothing of the first is left.
+  CHECK(board.shown("host.state") == "1 -, 2 waiting_for_host, 6 sending, 10 done");
+  CHECK(board.shown("frame_buffer.state") == "8 -, 3 working, 6 -, 2 working");
+  CHECK(board.shown("frame_buffer.squares") == "10 0, 9 1");
   CHECK(board.shown("pixel_1_1.stored") == "19 3");
   CHECK(board.shown("pixel_2_0.stored") == "19 6");
   CHECK(board.shown("pixel_1_1.renderer") == "9 -, 10 0");
