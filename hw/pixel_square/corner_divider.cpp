@@ -46,11 +46,7 @@ SquareClocks CornerDivider::account(std::uint64_t clocks) const {
   return whole(all, SquareActivity::done, clocks);
 }
 
-DividerStatus CornerDivider::status() const {
-  if (!divider_) return {state_.empty() ? "receiving" : state_, std::nullopt};
-  if (!square_) return {name_of(SquareActivity::done), std::nullopt};
-  return {state_, square_};
-}
+DividerStatus CornerDivider::status() const { return {state_.empty() ? "receiving" : state_, square_}; }
 
 void CornerDivider::work() {
   while (true) {
@@ -68,6 +64,7 @@ void CornerDivider::work() {
     for (const std::size_t square : own_) divide(square, path);
     let_pass();
     square_.reset();
+    state_ = name_of(SquareActivity::done);
   }
 }
 

@@ -10,10 +10,8 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// `count` is 64 at most.
-std::uint64_t low_bits(std::uint64_t value, unsigned count) {
-  return count < 64 ? value & ((std::uint64_t{1} << count) - 1) : value;
-}
+/// `count`: of a colour, so that it is less than 64.
+std::uint64_t low_bits(std::uint64_t value, unsigned count) { return value & ((std::uint64_t{1} << count) - 1); }
 
 std::uint64_t bits_of(std::span<const std::uint64_t> bits, std::uint64_t from, unsigned count) {
   const auto place = static_cast<unsigned>(from % 64);
@@ -139,6 +137,7 @@ void FrameBuffer::take(std::size_t port, const PortWord& word) {
   Incoming& square = incoming_[port];
   if (square.gathered == header_bits) return store(square, span_of(word.bits));
   take_header(square, word);
+  served_square_ = square.region;
   if (square.gathered == header_bits) finish_if_whole(square);
 }
 

@@ -35,7 +35,7 @@ void DividerTiming::list_pieces(std::size_t square) {
   }
   const std::vector<TimedCommand> commands = timed_commands(program_, square, machine_, {}, told_);
   const auto store = [&](const TimedCommand& command, std::uint64_t clocks) {
-    pieces_.push_back({std::exchange(before_, 0) + clocks, command.words, {command, false, false}});
+    pieces_.push_back({std::exchange(before_, 0) + clocks, command.words, {command, false}});
   };
   std::size_t instruction = 0;
   for (const isa::DivisionStep& step : counts.steps) {
@@ -53,7 +53,7 @@ void DividerTiming::list_pieces(std::size_t square) {
     }
   }
   if (commands.empty()) {
-    pieces_.push_back({std::exchange(before_, 0), 1, {std::nullopt, true, true}});
+    pieces_.push_back({std::exchange(before_, 0), 1, {std::nullopt, true}});
   } else {
     store(commands.back(), 0);
     pieces_.back().last.is_last = true;

@@ -60,7 +60,6 @@ class ProcessorsTiming {
     std::size_t command = 0;  ///< of these, at hand
     std::uint64_t sent = 0;   ///< words of it, or of the header
     bool all_sent = false;    ///< but some wait for the ring
-    Time free_from = 0;       ///< for another square
     std::optional<std::size_t> renderer{};
   };
   /// Whether somebody keeps a renderer, and from which edge on nobody does.

@@ -94,7 +94,7 @@ TimedStored SenderTiming::take_word(Time now) {
   const TimedCommand& command = commands_[command_];
   if (++sent_ < command.words) return {};
   sent_ = 0;
-  return {command, false, ++command_ == commands_.size()};
+  return {command, ++command_ == commands_.size()};
 }
 
 /// The next word begins to leave behind that edge.

@@ -11,7 +11,6 @@ namespace csgsim::pixel_square {
 /// A word that a divider has stored.
 struct TimedStored {
   std::optional<TimedCommand> whole;  ///< with the last word of a command
-  bool is_clear = false;              ///< all of a square in which nothing is seen
   bool is_last = false;               ///< of its square
 };
 

@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hw/host/recipes.h"
@@ -167,4 +169,32 @@ TEST_CASE("the largest work whose clocks a double holds is accepted, and more is
   program.preparation.planes = static_cast<std::uint64_t>(most * 1.0001);
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine),
                        doctest::Contains("take a faster one, by host.processor"), InputError);
+}
+
+TEST_CASE("work of 9e15 clocks is accepted, and of the fewest clocks more that there can be refused") {
+  // A machine with the clock of an MC68000: its clocks are the host's.
+  machines::Machine machine = machine_named("pixel-planes-4+host.processor=mc68000");
+  machine.clock_hz = processors::load_processor("mc68000").clock_hz;
+  REQUIRE(machine.clock_hz == 8'000'000);
+  isa::Program program;
+  program.shape = machine.array;
+  const auto clocks_of = [](std::string_view name) {
+    for (const host::Recipe& recipe : host::recipes())
+      if (recipe.name == name) return static_cast<std::uint64_t>(clocks_on_mc68000(recipe.each));
+    return std::uint64_t{0};
+  };
+  const std::uint64_t plane = clocks_of("planes");
+  const std::uint64_t value = clocks_of("values");
+  constexpr std::uint64_t most = 9'000'000'000'000'000;
+  const auto work_of = [&](std::uint64_t clocks) {
+    std::uint64_t& values = program.preparation.values;
+    for (values = 0; (clocks - values * value) % plane != 0; ++values) REQUIRE(values < plane);
+    program.preparation.planes = (clocks - values * value) / plane;
+  };
+  work_of(most);
+  CHECK(host::compile_clocks(program, machine) == most);
+  // A plane's clocks and a value's, of which the compiler makes twice what the manual tells, are multiples of 8.
+  REQUIRE(std::gcd(plane, value) == 8);
+  work_of(most + 8);
+  CHECK_THROWS_AS(host::compile_clocks(program, machine), InputError);
 }

@@ -4,8 +4,12 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
+#include "hw/pixel_square/taps.h"
+#include "hw/systemc/segment_names.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
@@ -220,4 +224,55 @@ TEST_CASE("while the screen reads one bank the other takes words") {
   board.bench.edges(1);
   CHECK(board.frames.read() == 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 0, 4, 5, 6, 0});
+}
+
+TEST_CASE(
+    "waves show the turns of the screen, the row that it reads, and of a square's words those behind its header") {
+  // As in the case of the screen's turns above: the ten words are stored at 1 to 4, 7 to 9 and 12 to 14, of which the
+  // eighth, at 12, is the last of the header. The screen reads row 0 at 5 and 6, row 1 at 10 and 11.
+  const pixel_square::Figures figures{
+      .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
+  Board board(figures, 100);
+  isa::Program program;
+  program.segments = {{.region = {0, 0, 2, 2}, .instructions = {}}, {.region = {2, 0, 2, 2}, .instructions = {}}};
+  systemc::SegmentNames names;
+  names.begin(program.segments);
+  const std::vector<wave::Tap> taps = pixel_square::frame_buffer_taps(board.buffer, program, names);
+  const auto shown = [&](const std::string& name) {
+    const auto tap = std::ranges::find(taps, "frame_buffer." + name, &wave::Tap::name);
+    REQUIRE(tap != taps.end());
+    if (tap->show == wave::Show::text) return tap->text().substr(0, 3);
+    const wave::Number number = tap->number();
+    return number ? std::to_string(*number) : std::string();
+  };
+  board.begin(1);
+  board.send(0, {2, 0, 2, 2}, {1, 2, 3, 4});
+  std::string states;
+  std::string rows;
+  std::string squares;
+  for (int edge = 1; edge <= 15; ++edge) {
+    board.bench.edges(1);
+    states += (shown("state").empty() ? "-" : shown("state")) + " ";
+    rows += (shown("refreshed_row").empty() ? "-" : shown("refreshed_row")) + " ";
+    squares += (shown("square").empty() ? "-" : shown("square")) + " ";
+    CHECK(shown("port") == (shown("state") == "wor" ? "0" : ""));
+    CHECK(shown("squares") == (edge < 14 ? "0" : "1"));
+  }
+  CHECK(states == "wor wor wor wor ref ref wor wor wor ref ref wor wor wor ref ");
+  CHECK(rows == "- - - - 0 0 - - - 1 1 - - - 0 ");
+  CHECK(squares == "- - - - - - - - - - - 2,0 2,0 2,0 - ");
+}
+
+TEST_CASE("a frame of colours begins with its screen's turns, though the frame buffer has slept") {
+  // A picture without colours takes no turns. Then one of 24 bits takes them in one of five clocks, as above.
+  const pixel_square::Figures figures{
+      .port_bits = port_bits, .refresh_rate = 10, .refresh_bits = 12, .refresh_clocks = 2};
+  Board board(figures, 100);
+  board.buffer.begin({{4, 2}, 1, 0, 0});
+  board.bench.edges(7);
+  CHECK(board.buffer.account(7).of(SquareActivity::refreshing) == 0);
+  board.begin(1);
+  board.bench.edges(20);
+  CHECK(board.buffer.account(20).of(SquareActivity::refreshing) == 7);  // at 5, 6, 10, 11, 15, 16 and 20
+  CHECK(board.buffer.account(20).of(SquareActivity::waiting_for_renderer) == 13);
 }

@@ -99,7 +99,7 @@ struct Board {
 };
 
 /// The colours of the square after these, as the reference has them.
-std::vector<std::uint32_t> reference(const std::vector<Instruction>& instructions) {
+std::vector<std::uint32_t> reference_colours(const std::vector<Instruction>& instructions) {
   reference::ReferenceArray judge(isa::Region{0, 0, square.width, square.height}, 8);
   for (const Instruction& one : instructions) judge.execute(one);
   std::vector<std::uint32_t> values(std::size_t{square.width} * square.height);
@@ -131,7 +131,7 @@ TEST_CASE("finished squares wait in the backing store, and the next is drawn mea
   board.bench.edges(2);
   CHECK(board.finished.read() == 3);
   CHECK(testing::bits_of(words, port_bits) ==
-        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+        testing::travelling(square, reference_colours({enable_all, ramp}), colour.width, port_bits));
 }
 
 TEST_CASE("a square moves to the backing store a few bits a clock, those of all pixels of the renderer") {
@@ -189,7 +189,7 @@ TEST_CASE("a square is drawn in its clocks, moves to the second buffer in none, 
   CHECK(board.colours.num_available() == 1);
   board.bench.edges(square_words - 1);
   CHECK(testing::bits_of(testing::drained(board.colours), port_bits) ==
-        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+        testing::travelling(square, reference_colours({enable_all, ramp}), colour.width, port_bits));
 
   const pixel_square::SquareClocks account = board.renderer.account(28);
   CHECK(account.of(SquareActivity::waiting_for_divider) == 1);
@@ -236,7 +236,7 @@ TEST_CASE("without a second buffer rows are latched, and the latch is filled aga
   board.bench.edges(2);
   CHECK(board.finished.read() == 1);
   CHECK(testing::bits_of(testing::drained(board.colours), port_bits) ==
-        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+        testing::travelling(square, reference_colours({enable_all, ramp}), colour.width, port_bits));
 }
 
 TEST_CASE("a row that takes long to be latched holds up its words, but not the header") {
@@ -271,13 +271,35 @@ TEST_CASE(
   CHECK(board.finished.read() == 2);
   words.push_back(board.colours.read());
   CHECK(testing::bits_of(words, port_bits) ==
-        testing::travelling(square, reference({enable_all, ramp}), colour.width, port_bits));
+        testing::travelling(square, reference_colours({enable_all, ramp}), colour.width, port_bits));
   words.clear();
   while (words.size() < square_words) {
     board.bench.edges(1);
     words.push_back(board.colours.read());
   }
   CHECK(testing::bits_of(words, port_bits) ==
-        testing::travelling(square, reference({enable_all, two}), colour.width, port_bits));
+        testing::travelling(square, reference_colours({enable_all, two}), colour.width, port_bits));
   CHECK(board.listener.squares == std::vector<std::uint32_t>{1, 1});
+}
+
+namespace {
+
+/// With a port of 64 bits the square is two words, which leave at the edges after the one at which it is finished: none
+/// waits for a row.
+void check_unlatched(pixel_square::Figures figures) {
+  figures.port_bits = 64;
+  figures.latch_bits = 1;
+  Board board(figures, 100);
+  board.send({enable_all, ramp});
+  check_finished_at(board, drawn_at);
+  board.bench.edges(2);
+  CHECK(board.colours.num_available() == 2);
+}
+
+}  // namespace
+
+TEST_CASE("nothing is latched where a square leaves from a second buffer") { check_unlatched({.buffers = 2}); }
+
+TEST_CASE("nothing is latched where a square leaves from the backing store") {
+  check_unlatched({.buffers = 1, .backing_bits = 8});
 }

@@ -197,7 +197,7 @@ TEST_CASE("the wires of a design have the widths of its scan-out and colour") {
 }
 
 TEST_CASE("a Program's memory has a line for each word and each instruction, and the fewest digits for its numbers") {
-  // A start, an instruction and an end of its segment, and the end of the frame.
+  // A start and an instruction of its segment, and the end of the frame.
   const isa::Program program = showing(24, {isa::Opcode::enable_all});
   const rtl::ProgramMemory memory = rtl::program_memory(program, 256);
   CHECK(memory.begin_count == 2);

@@ -1,0 +1,291 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "hw/pixel_square/timing_agenda.h"
+#include "hw/pixel_square/timing_leaving.h"
+#include "hw/pixel_square/timing_renderer.h"
+#include "hw/pixel_square/timing_store.h"
+
+// What the clocks of a machine of squares are worked out with.
+
+using namespace csgsim;
+using pixel_square::Agenda;
+using pixel_square::Fifo;
+using pixel_square::LeavingSquare;
+using pixel_square::Numbers;
+using pixel_square::PartNumbers;
+using pixel_square::RowLatch;
+using pixel_square::SquareActivity;
+using pixel_square::StoreTiming;
+using pixel_square::Time;
+using pixel_square::TimedStored;
+
+namespace {
+
+constexpr std::size_t many = 200;  // more than three words of 64
+
+using Asked = std::vector<std::size_t>;
+
+/// Those asked from `first` on, at most `most`.
+Asked asked(const Numbers& numbers, std::size_t first, std::size_t most = many) {
+  Asked all;
+  numbers.each_from(first, [&](std::size_t number) {
+    all.push_back(number);
+    return all.size() < most;
+  });
+  return all;
+}
+
+Asked once_around(const std::set<std::size_t>& numbers, std::size_t first, std::size_t most = many) {
+  Asked all(numbers.lower_bound(first), numbers.end());
+  all.insert(all.end(), numbers.begin(), numbers.lower_bound(first));
+  all.resize(std::min(all.size(), most));
+  return all;
+}
+
+std::size_t any_number() { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, many)); }
+
+}  // namespace
+
+TEST_CASE("numbers are asked once around from any of them on, as long as there is an answer") {
+  CHECK(rc::check([] {
+    Numbers numbers(many);
+    std::set<std::size_t> expected;
+    RC_ASSERT(numbers.empty());
+    for (int i = *rc::gen::inRange(0, 60); i > 0; --i) {
+      const std::size_t number = any_number();
+      if (*rc::gen::inRange(0, 4) == 0) {
+        numbers.remove(number);
+        expected.erase(number);
+      } else {
+        numbers.add(number);
+        expected.insert(number);
+      }
+    }
+    RC_ASSERT(numbers.empty() == expected.empty());
+    for (int i = 0; i < 5; ++i) {
+      const std::size_t first = any_number();
+      RC_ASSERT(asked(numbers, first) == once_around(expected, first));
+      const auto most = *rc::gen::inRange<std::size_t>(1, 9);
+      RC_ASSERT(asked(numbers, first, most) == once_around(expected, first, most));
+    }
+    for (const std::size_t number : expected) RC_ASSERT(numbers.take() == std::optional(number));
+    RC_ASSERT(numbers.take() == std::nullopt);
+    RC_ASSERT(numbers.empty());
+  }));
+}
+
+TEST_CASE("numbers at the ends of words of 64 are asked in order, and none of no numbers") {
+  const std::set<std::size_t> edges{0, 1, 62, 63, 64, 65, 127, 128, 191, 192};
+  Numbers numbers(193);
+  for (const std::size_t number : edges) numbers.add(number);
+  for (const std::size_t first : edges) CHECK(asked(numbers, first) == once_around(edges, first));
+  CHECK(asked(numbers, 2, 3) == Asked{62, 63, 64});
+  CHECK(asked(numbers, 128, 3) == Asked{128, 191, 192});
+  CHECK(asked(numbers, 192, 3) == Asked{192, 0, 1});
+  CHECK(asked(Numbers(0), 0).empty());
+  CHECK(Numbers(0).empty());
+  CHECK(asked(Numbers(64), 5).empty());
+}
+
+TEST_CASE("after the last in turn comes the first") {
+  CHECK(pixel_square::next_in_turn(0, 1) == 0);
+  CHECK(pixel_square::next_in_turn(0, 2) == 1);
+  CHECK(pixel_square::next_in_turn(1, 2) == 0);
+  CHECK(pixel_square::next_in_turn(5, 9) == 6);
+}
+
+TEST_CASE("every part of a machine has a number of its own, pixels before decoders, processors in their order") {
+  const PartNumbers parts{.renderers = 3, .dividers = 2, .processors = 4};
+  std::vector<std::size_t> all;
+  for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.pixels(i));
+  for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.decoder(i));
+  for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.output(i));
+  all.insert(all.end(), {parts.sender(), parts.frame_buffer(), parts.ring(), parts.divider(0), parts.divider(1)});
+  for (std::size_t i = 0; i < 4; ++i) all.push_back(parts.processor(i));
+  for (std::size_t i = 0; i < all.size(); ++i) CHECK(all[i] == i);
+  CHECK(parts.count() == all.size());
+  CHECK(PartNumbers{}.count() == 6);  // one renderer of three parts, the sender, the frame buffer, the ring
+}
+
+TEST_CASE("parts act at the edges that they were last put down for, at one edge in the order of their numbers") {
+  CHECK(rc::check([] {
+    Agenda agenda(many);
+    std::map<std::size_t, Time> due;
+    Time now = 0;
+    const auto any_time = [&] {
+      return now + *rc::gen::resize(rc::kNominalSize,
+                                    rc::gen::weightedElement<Time>({{3, 0}, {6, 1}, {2, 2}, {1, 3}, {1, 70}}));
+    };
+    const auto put = [&](std::size_t part, Time when) {
+      agenda.put(part, when);
+      due[part] = when;
+    };
+    put(any_number(), any_time());
+    for (int step = 0; step < 100 && !due.empty(); ++step) {
+      for (int i = *rc::gen::inRange(0, 3); i > 0; --i) put(any_number(), any_time());
+      const std::size_t sleeper = any_number();
+      const Time when = any_time();
+      agenda.wake(sleeper, when);
+      due.emplace(sleeper, when);  // unless it does not sleep
+      std::pair<Time, std::size_t> expected{~Time{0}, 0};
+      for (const auto& [part, time] : due) expected = std::min(expected, {time, part});
+      RC_ASSERT(agenda.next() == expected);
+      now = expected.first;
+      due.erase(expected.second);
+    }
+  }));
+}
+
+TEST_CASE("a word is there at the edge after the one at which it was written, and a place after it was read") {
+  Agenda agenda(2);
+  Fifo<int> fifo(2, 0, 1, agenda);
+  CHECK_FALSE(fifo.has_word(0));
+  CHECK_FALSE(fifo.word_follows());
+  CHECK(fifo.has_room(1));
+  fifo.write(1, 7);
+  CHECK(agenda.next() == std::pair<Time, std::size_t>{2, 1});  // the reader looks
+  CHECK_FALSE(fifo.has_word(1));
+  CHECK(fifo.word_follows());
+  CHECK(fifo.has_word(2));
+  CHECK(fifo.oldest() == 7);
+  CHECK(fifo.has_room(2));
+  fifo.write(2, 8);
+  CHECK_FALSE(fifo.has_room(3));
+  CHECK_FALSE(fifo.room_follows());
+  CHECK(agenda.next() == std::pair<Time, std::size_t>{3, 1});
+  CHECK(fifo.read(3) == 7);
+  CHECK_FALSE(fifo.has_room(3));
+  CHECK(fifo.room_follows());
+  CHECK(fifo.has_room(4));
+  CHECK(agenda.next() == std::pair<Time, std::size_t>{4, 0});  // the writer looks
+  CHECK(fifo.has_word(3));
+  CHECK(fifo.read(4) == 8);
+  CHECK_FALSE(fifo.word_follows());
+}
+
+TEST_CASE("words come out in the order in which they went in, however many there are") {
+  Agenda agenda(2);
+  Fifo<int> fifo(100, 0, 1, agenda);
+  Numbers with_words(70);
+  fifo.show(with_words, 65);
+  int read = 0;
+  int written = 0;
+  for (const int more : {5, 30, 8, 60, 1}) {
+    for (int i = 0; i < more; ++i) fifo.write(1, written++);
+    CHECK(asked(with_words, 0) == Asked{65});
+    for (int i = 0; i < more - 1; ++i) CHECK(fifo.read(2) == read++);
+  }
+  while (read < written) {
+    CHECK(asked(with_words, 0) == Asked{65});
+    CHECK(fifo.read(2) == read++);
+  }
+  CHECK(with_words.empty());
+}
+
+TEST_CASE("a square can be begun when its last word is there, or when the store is full") {
+  Agenda agenda(2);
+  const TimedStored part;
+  const TimedStored last{.whole = std::nullopt, .is_last = true};
+  StoreTiming store(3, 0, 1, agenda);
+  store.write(1, part);
+  CHECK_FALSE(store.may_begin(5));
+  store.write(2, last);
+  CHECK_FALSE(store.may_begin(2));
+  CHECK(store.may_begin(3));
+  CHECK_FALSE(store.read(3).is_last);
+  CHECK(store.may_begin(4));
+  CHECK(store.read(4).is_last);
+  CHECK_FALSE(store.may_begin(9));
+  for (const Time now : {5U, 6U}) store.write(now, part);
+  CHECK_FALSE(store.may_begin(9));
+  store.write(7, part);
+  CHECK_FALSE(store.may_begin(7));
+  CHECK(store.may_begin(8));
+  store.read(8);
+  CHECK_FALSE(store.may_begin(9));
+  // Two ends: the first is there before the second.
+  StoreTiming both(9, 0, 1, agenda);
+  both.write(1, last);
+  both.write(4, last);
+  CHECK(both.may_begin(2));
+  both.read(2);
+  CHECK_FALSE(both.may_begin(4));
+  CHECK(both.may_begin(5));
+}
+
+TEST_CASE("of each word that leaves are told the rows of the square that it holds, and the picture's row") {
+  CHECK(rc::check([] {
+    const isa::Region region{3, *rc::gen::inRange<std::uint32_t>(0, 50), *rc::gen::inRange<std::uint32_t>(1, 9),
+                             *rc::gen::inRange<std::uint32_t>(1, 9)};
+    const auto colour_bits = *rc::gen::inRange<std::uint32_t>(1, 25);
+    const auto port_bits = *rc::gen::inRange<std::uint64_t>(1, 300);
+    const std::uint64_t row_bits = std::uint64_t{region.width} * colour_bits;
+    const std::uint64_t all_bits = row_bits * region.height;
+    LeavingSquare square(region, colour_bits, port_bits);
+    LeavingSquare background = square;
+    const auto words_of = [&](std::uint64_t bits) {
+      std::uint64_t words = 0;
+      for (std::uint64_t gone = 0; gone < bits; gone += port_bits) ++words;
+      return words;
+    };
+    for (std::uint64_t i = 0; i < words_of(64); ++i) {
+      RC_ASSERT(square.words_left() == words_of(64) - i + words_of(all_bits));
+      RC_ASSERT(!square.rows());
+      RC_ASSERT(!square.picture_row());
+      square.advance();
+    }
+    background.skip_header();
+    for (std::uint64_t bit = 0; bit < all_bits; bit += port_bits) {
+      for (LeavingSquare* const one : {&square, &background}) {
+        RC_ASSERT(one->words_left() == words_of(all_bits) - bit / port_bits);
+        RC_ASSERT(one->rows().value().first == bit / row_bits);
+        RC_ASSERT(one->rows().value().last == (std::min(bit + port_bits, all_bits) - 1) / row_bits);
+        RC_ASSERT(one->picture_row() == region.y + bit / row_bits);
+        one->advance();
+      }
+    }
+    RC_ASSERT(square.words_left() == 0U);
+    RC_ASSERT(background.words_left() == 0U);
+  }));
+}
+
+TEST_CASE("a square's place leaves in words of 64 bits together") {
+  for (const auto& [port_bits, words] :
+       std::vector<std::pair<std::uint64_t, std::uint64_t>>{{1, 64}, {8, 8}, {63, 2}, {64, 1}, {65, 1}, {1000, 1}})
+    CHECK(pixel_square::header_words(port_bits) == words);
+}
+
+TEST_CASE("a row goes over when it is latched and the next word of colours needs it, and then the next is latched") {
+  // It begins to leave at 10: the first row is latched at 11 to 14 and goes over at 15, the second is latched at 15 to
+  // 18.
+  RowLatch latch(4, 10);
+  CHECK(latch.there(0) == 15);
+  CHECK(latch.there(0) == 15);
+  CHECK(latch.there(1) == 19);
+  // A third one, which nobody wants before 41, is latched at 19 to 22 and goes over at 41; the fourth at 45.
+  latch.pass(40);
+  CHECK(latch.there(2) == 41);
+  CHECK(latch.there(3) == 45);
+  // A word that needs two rows waits for both.
+  RowLatch quick(1, 0);
+  CHECK(quick.there(1) == 3);
+}
+
+TEST_CASE("the clocks of a part are told from the first of the frame to its last") {
+  pixel_square::PartClocks clocks;
+  clocks.wait(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
+  clocks.work(2);                                    // 4 and 5
+  clocks.wait(SquareActivity::waiting_for_renderer, 6);
+  clocks.wait(SquareActivity::waiting_for_renderer, 7);  // 6
+  const pixel_square::SquareClocks& whole = clocks.whole(10);
+  CHECK(whole == pixel_square::SquareClocks{2, 3, 0, 1, 0, 4});
+}
