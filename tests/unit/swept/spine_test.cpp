@@ -67,6 +67,11 @@ TEST_CASE("a segment leaves its start towards the first of its points that is el
   const Segment bend{2, {{{0, 0, 0}, {3, 4, 0}, {3, 9, 0}}}};
   CHECK(are_same(smooth({bend}).leaving(0), {0.6, 0.8, 0}));
   CHECK(are_same(smooth({bend}).arriving(0), {0, 1, 0}));
+  // Also by short steps.
+  const Segment small{2, {{{0, 0, 0}, {0.3, 0.4, 0}, {0.3, 0.9, 0}}}};
+  CHECK(are_same(smooth({small}).leaving(0), {0.6, 0.8, 0}));
+  CHECK(are_same(smooth({small}).arriving(0), {0, 1, 0}));
+  CHECK(are_same(smooth({small}).tangent(0.5), glm::normalize(glm::dvec3(0.3, 0.9, 0))));
   // Not even a place is left between three points that are one.
   for (const auto which : {0, 1}) {
     CHECK(testing::error_of([&] {
