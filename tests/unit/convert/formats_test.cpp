@@ -186,6 +186,12 @@ TEST_CASE("binary STL byte by byte: header, count, normals and corners in single
   CHECK(float_at(bytes, 84 + 158) == doctest::Approx(2 / std::sqrt(4.05)));
 }
 
+TEST_CASE("a surface without triangles is a file of none") {
+  CHECK(convert::stl_format.write({}, {}).size() == 84);
+  CHECK(convert::stl_format.write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
+  CHECK(convert::off_format.write({}, {}) == "OFF\n0 0 0\n");
+}
+
 TEST_CASE("STL as text, word by word, and no normal where there is no area") {
   convert::Surface surface = small_surface();
   surface.triangles = {{0, 1, 3}, {0, 1, 1}};

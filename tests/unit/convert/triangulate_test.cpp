@@ -179,6 +179,25 @@ TEST_CASE("a corner that is as good as straight makes no slivers along its side"
   }
 }
 
+TEST_CASE("an outline whose turns are all clearly to the left is a fan from its least point") {
+  const glm::dvec3 z(0, 0, 1);
+  std::vector<glm::dvec3> hexagon;
+  for (int i = 0; i < 6; ++i)
+    hexagon.emplace_back(std::cos(i * std::numbers::pi / 3), std::sin(i * std::numbers::pi / 3), 0);
+  CHECK(convert::triangulate(hexagon, outline_of(z, {{3, 4, 5, 0, 1, 2}})) ==
+        std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}});
+  // The sine of a turn has to be a thousandth: at (2, -h), h. A fan from 0 has a triangle of 2 h there.
+  for (const double h : {0.0009, 0.0011}) {
+    const std::vector<glm::dvec3> points{{0, 0, 0}, {2, -h, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
+    const double least = least_area(points, convert::triangulate(points, outline_of(z, {{0, 1, 2, 3, 4}})), z);
+    if (h < 0.001) {
+      CHECK(least > 1);
+    } else {
+      CHECK(least == doctest::Approx(2 * h));
+    }
+  }
+}
+
 TEST_CASE("a star that runs around twice is no convex round, though all its turns are to the left") {
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 5; ++i)

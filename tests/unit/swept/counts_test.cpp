@@ -193,3 +193,15 @@ TEST_CASE("a twisted side is four elements where one is as far off as a quarter 
   check_equal(counts.arithmetic, sum_of({times(25 + 8, point_price), times(5, flat_price), times(8, line_price),
                                          halves_price(1, 2), halves_price(1, 3), times(2, section_price)}));
 }
+
+TEST_CASE("a trajectory that swings to both sides of its line is halved, though its middle is on it") {
+  // By 4/3 of the tolerance its inner coefficients may be off.
+  for (const double off : {0.13, 0.14}) {
+    const Curve swing{3, false, {{0, 0, 0}, {off, 0, 10.0 / 3}, {-off, 0, 20.0 / 3}, {0, 0, 10}}};
+    const auto surface = swept::surface_of(swept::Sweep{square_of_two(), swing});
+    const SubdivisionCounts counts = counts_of(*surface, 0, {0.1});
+    CAPTURE(off);
+    CHECK((counts.elements == 1) == (off < 0.4 / 3));
+    CHECK(counts_of(*surface, 0, {0.1, swept::Flatness::plane}).elements == 1);
+  }
+}

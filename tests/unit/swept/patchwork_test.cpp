@@ -108,6 +108,8 @@ RepairCounts repaired(const std::string& expression, Repair repair) {
   RepairCounts repairs;
   (repair == Repair::filter ? swept::filter : swept::repair_by_quadtree)(stream, nullptr, record, repairs);
   CHECK(record.fault == "");
+  CHECK(record.points.size() == repairs.vertices);
+  CHECK(record.elements.size() == repairs.elements);
   return repairs;
 }
 
