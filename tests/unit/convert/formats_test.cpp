@@ -90,7 +90,9 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
       testing::converted("multmatrix([[1,0,0,5],[0,1,0,5],[0,0,1,5],[0,0,0,1]]){cube([1,2,3]);}");
   // A point on an edge, nearer to one of its ends than single precision tells.
   const convert::Triangle first = cube.triangles.front();
-  const auto [a, b, c] = first;
+  const std::uint32_t a = first[0];
+  const std::uint32_t b = first[1];
+  const std::uint32_t c = first[2];
   const auto other = std::ranges::find_if(cube.triangles, [&](const convert::Triangle& triangle) {
     return std::ranges::count(triangle, a) == 1 && std::ranges::count(triangle, b) == 1 && triangle != first;
   });
