@@ -5,13 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "host/facet/solid.h"
+#include "host/model/tree.h"
 #include "host/read/read.h"
+#include "hw/base/work.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"

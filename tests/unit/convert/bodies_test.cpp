@@ -5,16 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <numbers>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host/csg/positive_tree.h"
 #include "host/facet/planes.h"
+#include "host/model/tree.h"
 #include "host/read/read.h"
+#include "hw/base/work.h"
 #include "sim/software/convert/exact_points.h"
 #include "sim/software/convert/face_planes.h"
 #include "sim/software/convert/fragments.h"
@@ -245,6 +248,18 @@ TEST_CASE("what lies side by side and is united alone has nothing that has to be
                         {cube + moved_by(2, 1, 0, turned_by_45(moved_by(0, -2, 0, cube))), {true, true}}}) {
     CAPTURE(row.csg);
     CHECK(whole_of(row.csg) == row.whole);
+  }
+}
+
+TEST_CASE("a body whose polygons are not known has to be divided, and so has what is beside it") {
+  const std::string cube = "cube([2,2,2]);";
+  const model::Tree tree = read::read_csg_text(cube + moved_by(2, 0, 0, cube) + moved_by(9, 0, 0, cube), "m.csg");
+  for (std::size_t unknown = 0; unknown < 3; ++unknown) {
+    CAPTURE(unknown);
+    Bodies bodies = convert::make_bodies(tree, {});
+    bodies.bodies[unknown].polygons.clear();
+    CHECK(convert::side_by_side(bodies, csg::make_positive(tree), {}) ==
+          Bits{unknown == 2, unknown == 2, unknown != 2});
   }
 }
 

@@ -1,19 +1,20 @@
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host/csg/positive_tree.h"
 #include "host/facet/planes.h"
 #include "host/facet/solid.h"
+#include "host/model/tree.h"
 #include "host/read/read.h"
+#include "hw/base/work.h"
 #include "sim/software/convert/bodies.h"
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/exact_faces.h"
@@ -154,8 +155,8 @@ TEST_CASE("planes that are turned by little are held against each other where th
 }
 
 TEST_CASE("an edge too short for its coordinates is a point: 2^-48 of the largest, along any axis") {
-  // A step of a thousandth or more from one cube to another; at 5e11 the limit is 0.00178. With it there are six corners in
-  // the section, without it five.
+  // A step of a thousandth or more from one cube to another; at 5e11 the limit is 0.00178. With it there are six
+  // corners in the section, without it five.
   struct Step {
     const char* far;
     const char* height;

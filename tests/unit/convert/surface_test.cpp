@@ -3,20 +3,21 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "host/model/tree.h"
 #include "host/read/read.h"
-#include "places.h"
 #include "sim/software/convert/boundary.h"
-#include "sim/software/convert/formats.h"
+#include "sim/software/convert/outlines.h"
+#include "sim/software/convert/side.h"
+#include "sim/software/convert/triangulate.h"
 #include "tests/oracle/random_model.h"
-#include "tests/support/error_of.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

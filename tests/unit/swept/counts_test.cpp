@@ -1,12 +1,13 @@
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
+#include "host/swept/curve.h"
 #include "host/swept/net.h"
 #include "host/swept/surface.h"
 #include "host/swept/sweep.h"

@@ -3,21 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "host/swept/element.h"
 #include "host/swept/filter.h"
 #include "host/swept/mesh.h"
-#include "host/swept/net.h"
+#include "host/swept/output.h"
 #include "host/swept/quadtree.h"
+#include "host/swept/surface.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;

@@ -3,13 +3,15 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
 
+#include "host/swept/curve.h"
 #include "host/swept/orientation.h"
+#include "host/swept/sweep.h"
 #include "tests/support/error_of.h"
 
 using namespace csgsim;
