@@ -20,6 +20,8 @@ double off_plane(const glm::dvec3& point, const std::array<glm::dvec3, 3>& plane
   constexpr double sliver = 1e-9;
   const double reach = glm::max(glm::dot(one, one), glm::dot(other, other));
   if (length > sliver * reach) return glm::abs(glm::dot(point - plane[0], normal)) / length;
+  const glm::dvec3 third = plane[2] - plane[1];
+  if (glm::dot(third, third) > reach) return off_line(point, plane[1], plane[2]);
   return glm::dot(one, one) >= glm::dot(other, other) ? off_line(point, plane[0], plane[1])
                                                       : off_line(point, plane[0], plane[2]);
 }

@@ -97,13 +97,13 @@ class Closing {
 
   solids::Mesh mesh() {
     solids::Mesh made;
-    std::vector<std::uint32_t> numbers(points_.size(), 0);
+    std::vector<std::uint32_t> numbers;
     std::vector<bool> is_used(points_.size(), false);
     for (const Face& face : faces_) {
       for (const std::uint32_t vertex : face) is_used[vertex] = true;
     }
     for (std::size_t i = 0; i < points_.size(); ++i) {
-      numbers[i] = static_cast<std::uint32_t>(made.points.size());
+      numbers.push_back(static_cast<std::uint32_t>(made.points.size()));
       if (is_used[i]) made.points.push_back(points_[i]);
     }
     made.faces = std::move(faces_);

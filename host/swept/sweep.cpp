@@ -210,7 +210,6 @@ std::string fault_of(const Sweep& sweep) {
     if (const std::string fault = fault_of(*curve); !fault.empty()) return named(name, fault);
   }
   if (!sweep.contour.closed) return "the contour is open; write `closed` in its curve";
-  if (sweep.contour.degree == 0) return "the contour is a point; take degree 1, 2 or 3";
   if (sweep.trajectory.degree == 0) return "the trajectory is a point; take degree 1, 2 or 3";
   if (sweep.rotation.closed || sweep.scale.closed) return "rotation and scale go from an end to the other; take `open`";
   if (turn_of(sweep.contour) == 0) return "the contour goes around nothing; move its points apart";

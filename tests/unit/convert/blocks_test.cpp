@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host/facet/solid.h"
+#include "host/model/tree.h"
 #include "host/read/read.h"
+#include "hw/base/work.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
@@ -129,4 +133,117 @@ TEST_CASE("what is no bintree is told") {
           std::string::npos);
   }
   CHECK(told("bintree 1\nresolution 2\ncube 0 0 x 1\n0").find("'x' is no number") != std::string::npos);
+}
+
+TEST_CASE("a block model by hand: its cube, its code, its blocks and cells") {
+  // 4 by 4 by 2 in a cube of 4 whose low corner is (0, 0, -1): of four layers of cells across z the middle two. Halved
+  // across x, y and z: eight cubes of 2, the lower ones with the upper layer in; halved in turn to cells.
+  const std::string pair_low = "(01";
+  const std::string pair_high = "(10";
+  const auto cube_of = [](const std::string& pair) {
+    const std::string half = "(" + pair + pair;  // across y, of those across z
+    return "(" + half + half;                    // across x
+  };
+  const std::string column = "(" + cube_of(pair_low) + cube_of(pair_high);
+  const std::string code = "((" + column + column + "(" + column + column;
+  const convert::Bintree bintree = convert::blocks(read::read_csg_text("cube([4,4,2]);", "m.csg"), 4);
+  CHECK(bintree.code == code);
+  CHECK(bintree.low == glm::dvec3(0, 0, -1));
+  CHECK(bintree.side == 4);
+  CHECK(bintree.cell() == 1);
+  const convert::BlockCounts counts = convert::count_blocks(bintree);
+  CHECK(counts.blocks == 64);
+  CHECK(counts.full == 32);
+  CHECK(counts.cells == 32);
+  const convert::BlockCounts whole = convert::count_blocks({.resolution = 8, .code = "(01"});
+  CHECK(whole.blocks == 2);
+  CHECK(whole.full == 1);
+  CHECK(whole.cells == 8 * 8 * 8 / 2);
+  for (const auto& [csg, low] : {std::pair<const char*, glm::dvec3>{"cube([2,6,4]);", {-2, 0, -1}},
+                                 {"cube([2,4,6]);", {-2, -1, 0}},
+                                 {"cube([6,4,2]);", {0, -1, -2}}}) {
+    const convert::Bintree other = convert::blocks(read::read_csg_text(csg, "m.csg"), 2);
+    CHECK(other.side == 6);
+    CHECK(other.low == low);
+    CHECK(other.cell() == 3);
+  }
+  const convert::Bintree nothing = convert::blocks(model::Tree{}, 8);
+  CHECK(nothing.code == "0");
+  CHECK(nothing.resolution == 8);
+  CHECK(nothing.side == 1);
+}
+
+TEST_CASE("halves across each axis in turn: a cell of eight, in each place") {
+  // Of the cube of 2 the cell at (x, y, z): out before it or behind it, across x, then y, then z.
+  for (int x = 0; x < 2; ++x) {
+    for (int y = 0; y < 2; ++y) {
+      for (int z = 0; z < 2; ++z) {
+        std::vector<bool> cells(8, false);
+        cells[static_cast<std::size_t>((z * 2 + y) * 2 + x)] = true;
+        const auto halves = [](int which, const std::string& in) { return which == 0 ? "(" + in + "0" : "(0" + in; };
+        const std::string code = halves(x, halves(y, halves(z, "1")));
+        CHECK(convert::code_of(cells, 2) == code);
+        CHECK(convert::cells_of({.resolution = 2, .code = code}) == cells);
+      }
+    }
+  }
+}
+
+TEST_CASE("the text of a bintree, line by line, of 120 characters at most") {
+  convert::Bintree bintree{.resolution = 4, .low = {1, -2.5, 0}, .side = 0.1, .code = std::string(120, '0')};
+  CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n");
+  bintree.code += "(";
+  CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n(\n");
+}
+
+TEST_CASE("words of a bintree, each of which has to be there, and its resolutions") {
+  const auto told = [](const std::string& text) {
+    return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
+  };
+  const auto of_resolution = [](const std::string& resolution) {
+    return "bintree 1\nresolution " + resolution + "\ncube 0 0 0 1\n0";
+  };
+  for (const char* const resolution : {"2", "4", "1024"}) CHECK(told(of_resolution(resolution)) == "");
+  for (const char* const resolution : {"0", "1", "3", "6", "1023", "2048"})
+    CHECK(told(of_resolution(resolution)) ==
+          "b.bintree: the resolution is no power of two from 2 to 1024; write the bintree again");
+  CHECK(told(of_resolution("4x")) == "b.bintree: '4x' is no number; write the bintree again");
+  CHECK(told(of_resolution("-4")) == "b.bintree: '-4' is no number; write the bintree again");
+  CHECK(told("bintree 2\nresolution 2\ncube 0 0 0 1\n0") == "b.bintree: '1' is missing; write the bintree again");
+  CHECK(told("bintree 1\nsize 2\ncube 0 0 0 1\n0") == "b.bintree: 'resolution' is missing; write the bintree again");
+  CHECK(told("bintree 1\nresolution 2\nbox 0 0 0 1\n0") == "b.bintree: 'cube' is missing; write the bintree again");
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0") == "b.bintree: '' is no number; write the bintree again");
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 0 1\n").find("the code is not that") != std::string::npos);
+  CHECK(told("bintree 1\nresolution 2\ncube 0 -inf 0 1\n0").find("no place or no size") != std::string::npos);
+  CHECK(told("bintree 1\nresolution 2\ncube 0 0 inf 1\n0").find("no place or no size") != std::string::npos);
+  // Blanks of any kind, also within the code.
+  const convert::Bintree read = convert::read_bintree("\tbintree 1 resolution 2\r\ncube 1 2 3 1e-3 ( 0\n1", "b");
+  CHECK(read.code == "(01");
+  CHECK(read.low == glm::dvec3(1, 2, 3));
+  CHECK(read.side == 1e-3);
+}
+
+TEST_CASE("a middle on a plane counts as moved towards the higher cells") {
+  // Cells of 2 in a cube of 4, whose middles are at 1 and 3: of a box from 1 to 3 the first is in, the second is out.
+  // Cubes of a tenth in two corners, which no middle is in, make the model as large.
+  const std::string model =
+      "cube([0.1,0.1,0.1]);multmatrix([[1,0,0,3.9],[0,1,0,3.9],[0,0,1,3.9],[0,0,0,1]]){cube([0.1,0.1,0.1]);}"
+      "multmatrix([[1,0,0,1],[0,1,0,1],[0,0,1,1],[0,0,0,1]]){cube([2,2,2]);}";
+  const std::vector<bool> cells = convert::cells_of(convert::blocks(read::read_csg_text(model, "m.csg"), 2));
+  for (std::size_t i = 0; i < 8; ++i) CHECK(cells[i] == (i == 0));
+}
+
+TEST_CASE("rays of blocks are charged: each face of a body for each ray of the rows that it is in") {
+  const auto work_of = [](const std::string& csg, std::uint32_t resolution) {
+    const Work work(1'000'000'000);
+    convert::blocks(read::read_csg_text(csg, "m.csg"), resolution, {}, work);
+    return work.done();
+  };
+  CHECK(work_of("cube([4,4,4]);", 8) - work_of("cube([4,4,4]);", 2) == 6 * (8 * 8 - 2 * 2));
+  // In half of the rows.
+  CHECK(work_of("cube([4,2,4]);", 16) - work_of("cube([4,2,4]);", 4) == 6 * (8 * 16 - 2 * 4));
+  const Work little(100);
+  CHECK(testing::error_of([&] {
+          convert::blocks(read::read_csg_text("cube([4,4,4]);", "m.csg"), 1024, {}, little);
+        }).find("converting the model to blocks takes more work") == 0);
 }

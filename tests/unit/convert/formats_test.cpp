@@ -3,6 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -15,6 +18,7 @@
 #include "places.h"
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/surface.h"
+#include "tests/support/error_of.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 
@@ -86,7 +90,9 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
       testing::converted("multmatrix([[1,0,0,5],[0,1,0,5],[0,0,1,5],[0,0,0,1]]){cube([1,2,3]);}");
   // A point on an edge, nearer to one of its ends than single precision tells.
   const convert::Triangle first = cube.triangles.front();
-  const auto [a, b, c] = first;
+  const std::uint32_t a = first[0];
+  const std::uint32_t b = first[1];
+  const std::uint32_t c = first[2];
   const auto other = std::ranges::find_if(cube.triangles, [&](const convert::Triangle& triangle) {
     return std::ranges::count(triangle, a) == 1 && std::ranges::count(triangle, b) == 1 && triangle != first;
   });
@@ -132,4 +138,112 @@ TEST_CASE("3MF states millimetres") {
   const std::string bytes = convert::three_mf_format.write(testing::converted("cube([1,2,3]);"), {});
   const std::string model = solids::unzip(bytes, "cube.3mf", "3D/3dmodel.model");
   CHECK(model.find("<model unit=\"millimeter\"") != std::string::npos);
+}
+
+namespace {
+
+/// A tetrahedron at three axes.
+convert::Surface small_surface() {
+  return {{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 0.1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {0, 1, 2, 3}};
+}
+
+std::uint32_t word_at(const std::string& bytes, std::size_t at, int count = 4) {
+  std::uint32_t word = 0;
+  for (int i = 0; i < count; ++i)
+    word |= static_cast<std::uint32_t>(static_cast<unsigned char>(bytes.at(at + static_cast<std::size_t>(i))))
+            << (8 * i);
+  return word;
+}
+
+float float_at(const std::string& bytes, std::size_t at) { return std::bit_cast<float>(word_at(bytes, at)); }
+
+}  // namespace
+
+TEST_CASE("the table of formats: endings, and which has a text beside its binary form") {
+  std::vector<std::string> endings;
+  for (const convert::Format* const format : convert::formats()) {
+    endings.emplace_back(format->ending);
+    CHECK(format->has_text == (format->ending == ".stl"));
+    CHECK(convert::format_of(format->ending) == format);
+    CHECK(convert::format_of(format->ending.substr(1)) == nullptr);
+    CHECK(convert::format_of("a" + std::string(format->ending) + "x") == nullptr);
+  }
+  CHECK(endings == std::vector<std::string>{".stl", ".off", ".3mf"});
+  CHECK(convert::format_of("") == nullptr);
+}
+
+TEST_CASE("binary STL byte by byte: header, count, normals and corners in single precision") {
+  const std::string bytes = convert::stl_format.write(small_surface(), {});
+  REQUIRE(bytes.size() == 84 + 4 * 50);
+  CHECK(bytes.substr(0, 20) == "binary STL by csgsim");
+  CHECK(bytes.substr(20, 60) == std::string(60, ' '));
+  CHECK(word_at(bytes, 80) == 4);
+  // The second facet is in the plane of x and z and faces -y.
+  const std::array<float, 12> second{0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0.1F};
+  for (std::size_t i = 0; i < second.size(); ++i) CHECK(float_at(bytes, 84 + 50 + 4 * i) == second[i]);
+  CHECK(word_at(bytes, 84 + 50 + 48, 2) == 0);
+  // The last one's normal is (0.2, 0.1, 2), of the root of 4.05.
+  CHECK(float_at(bytes, 84 + 150) == doctest::Approx(0.2 / std::sqrt(4.05)));
+  CHECK(float_at(bytes, 84 + 154) == doctest::Approx(0.1 / std::sqrt(4.05)));
+  CHECK(float_at(bytes, 84 + 158) == doctest::Approx(2 / std::sqrt(4.05)));
+}
+
+TEST_CASE("a surface without triangles is a file of none") {
+  CHECK(convert::stl_format.write({}, {}).size() == 84);
+  CHECK(convert::stl_format.write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
+  CHECK(convert::off_format.write({}, {}) == "OFF\n0 0 0\n");
+}
+
+TEST_CASE("STL as text, word by word, and no normal where there is no area") {
+  convert::Surface surface = small_surface();
+  surface.triangles = {{0, 1, 3}, {0, 1, 1}};
+  CHECK(convert::stl_format.write(surface, {.is_text = true}) ==
+        "solid csgsim\n"
+        "facet normal 0 -1 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 0 0.1\n endloop\nendfacet\n"
+        "facet normal 0 0 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 1 0 0\n endloop\nendfacet\n"
+        "endsolid csgsim\n");
+}
+
+TEST_CASE("OFF, word by word") {
+  CHECK(convert::off_format.write(small_surface(), {}) ==
+        "OFF\n4 4 0\n0 0 0\n1 0 0\n0 2 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+}
+
+TEST_CASE("3MF, word by word: one object that is built, and the parts that packages have") {
+  const std::string bytes = convert::three_mf_format.write(small_surface(), {});
+  CHECK(solids::unzip(bytes, "a.3mf", "3D/3dmodel.model") ==
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
+        " <resources>\n  <object id=\"1\" type=\"model\">\n   <mesh>\n    <vertices>\n"
+        "     <vertex x=\"0\" y=\"0\" z=\"0\" />\n     <vertex x=\"1\" y=\"0\" z=\"0\" />\n"
+        "     <vertex x=\"0\" y=\"2\" z=\"0\" />\n     <vertex x=\"0\" y=\"0\" z=\"0.1\" />\n    </vertices>\n"
+        "    <triangles>\n     <triangle v1=\"0\" v2=\"2\" v3=\"1\" />\n     <triangle v1=\"0\" v2=\"1\" v3=\"3\" />\n"
+        "     <triangle v1=\"0\" v2=\"3\" v3=\"2\" />\n     <triangle v1=\"1\" v2=\"2\" v3=\"3\" />\n    </triangles>\n"
+        "   </mesh>\n  </object>\n </resources>\n <build>\n  <item objectid=\"1\" />\n </build>\n</model>\n");
+  CHECK(solids::unzip(bytes, "a.3mf", "[Content_Types].xml").find("Extension=\"model\"") != std::string::npos);
+  CHECK(solids::unzip(bytes, "a.3mf", "_rels/.rels").find("Target=\"/3D/3dmodel.model\"") != std::string::npos);
+  // The first local header: PK 3 4, deflated, at no time of the first of January 1980 (a day from bit 0, a month from
+  // 5).
+  CHECK(word_at(bytes, 0) == 0x04034b50);
+  CHECK(word_at(bytes, 8, 2) == 8);
+  CHECK(word_at(bytes, 10, 2) == 0);
+  CHECK(word_at(bytes, 12, 2) == (1U << 5U | 1U));
+}
+
+TEST_CASE("binary STL may change a volume by a thousandth, no more, along each axis") {
+  // From 2^24 on floats are 2 apart: what is 0.9 above an even number is rounded down by that, of 900.9 or of 898.9.
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double size : {900.9, 898.9}) {
+      CAPTURE(axis);
+      CAPTURE(size);
+      convert::Surface surface = small_surface();
+      for (glm::dvec3& point : surface.points) {
+        const double height = std::array{1.0, 2.0, 0.1}.at(static_cast<std::size_t>(axis));
+        point[axis] = 0x1p24 + point[axis] / height * size;
+      }
+      const std::string told = testing::error_of([&] { convert::stl_format.write(surface, {}); });
+      CHECK(told.empty() == (size > 900));
+      if (!told.empty()) CHECK(told.find("since its coordinates reach 1.68e+07;") != std::string::npos);
+    }
+  }
 }
