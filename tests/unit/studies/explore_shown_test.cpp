@@ -2,14 +2,8 @@
 // figures follow from the rows by hand.
 
 #include <doctest/doctest.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -21,6 +15,7 @@
 #include "sim/studies/explore/front.h"
 #include "sim/studies/explore/show.h"
 #include "sim/studies/row_text.h"
+#include "tests/support/standard_output.h"
 
 using namespace csgsim;
 using studies::ExploreRow;
@@ -29,36 +24,6 @@ using studies::Values;
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-/// What is written to standard output as long as it lives.
-class StandardOutput {
- public:
-  StandardOutput() {
-    std::fflush(stdout);
-    kept_ = ::dup(STDOUT_FILENO);
-    const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    ::dup2(file, STDOUT_FILENO);
-    ::close(file);
-  }
-  ~StandardOutput() {
-    std::fflush(stdout);
-    ::dup2(kept_, STDOUT_FILENO);
-    ::close(kept_);
-    ::unlink(path_.c_str());
-  }
-  StandardOutput(const StandardOutput&) = delete;
-  StandardOutput& operator=(const StandardOutput&) = delete;
-
-  [[nodiscard]] std::string text() const {
-    std::fflush(stdout);
-    std::ifstream file(path_);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
- private:
-  std::string path_ = std::filesystem::temp_directory_path() / ("csgsim-explored-" + std::to_string(::getpid()));
-  int kept_ = -1;
-};
 
 /// A row of a design that is told apart by a figure and by z bits.
 ExploreRow shown_row(const std::string& model, const char* alu_bits, unsigned z_bits, double fps, std::uint64_t bits) {
@@ -90,7 +55,7 @@ std::vector<ShownGroup> shown_groups(const std::vector<ExploreRow>& rows, const 
 }
 
 std::string printed(const std::vector<ExploreRow>& rows, const std::vector<ShownGroup>& groups) {
-  const StandardOutput output;
+  const testing::StandardOutput output;
   studies::print_explored(rows, groups);
   return output.text();
 }
