@@ -20,6 +20,7 @@
 #include "sim/shell/compiled_model.h"
 #include "sim/shell/run_options.h"
 #include "sim/studies/csv.h"
+#include "sim/studies/fitted_program.h"
 #include "tests/support/drawing.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/studies/explored.h"
@@ -194,7 +195,11 @@ TEST_CASE("a row tells what the Program and its run take, and wrong pixels, of t
     const machines::Resources resources = machine.kind->resources(machine, isa::frame_header(program));
     CHECK(*row.machine_mm2 == doctest::Approx(process::machine_mm2(machine, resources, process).value()));
     REQUIRE(row.frame_joules);
-    CHECK(*row.frame_joules > 0);
+    studies::RunTimer timer;
+    const std::uint64_t pixel_clocks = process::pixel_clocks(program, machine, timer.told(program, machine).skips);
+    const double seconds = static_cast<double>(drawn.result.interval_clocks) / static_cast<double>(machine.clock_hz);
+    CHECK(*row.frame_joules ==
+          doctest::Approx(process::frame_joules(machine, resources, {pixel_clocks, seconds}, process).value()));
     CHECK(row.unexplained == 0);
   }
   const ExploreRow narrow = row_in(rows[0]);

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -16,6 +17,8 @@
 #include "places.h"
 #include "sim/report/codec.h"
 #include "sim/shell/model_options.h"
+#include "sim/viewer/drawings.h"
+#include "sim/viewer/evaluations.h"
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/session.h"
 #include "tests/support/error_of.h"
@@ -353,4 +356,35 @@ TEST_CASE("what is recorded is asked for by the pixel, the window and the probes
   wish["probes"] = {"a", "b"};
   ask(session, "wave", wish);
   CHECK(words == std::vector<std::string>{"--pixel=1,2", "--window=i1:i2", "--probe=a", "--probe=b"});
+}
+
+TEST_CASE("a drawing that several wish for at a time is evaluated once, and the latest is the one asked for last") {
+  viewer::Drawings drawings({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()});
+  CHECK(drawings.latest() == nullptr);
+  viewer::Evaluations evaluations(std::chrono::hours(1));
+  const Json wish{{"knobs", {{"size", "64x64"}}}};
+  constexpr std::size_t count = 4;
+  std::atomic<std::size_t> waiting = 0;
+  std::vector<std::shared_ptr<viewer::Drawing>> drawn(count);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < count; ++i) {
+    threads.emplace_back([&, i] {
+      viewer::Evaluation evaluation(evaluations, "");
+      ++waiting;
+      while (waiting < count) std::this_thread::yield();
+      drawn[i] = drawings.drawn(wish, evaluation);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::shared_ptr<viewer::Drawing>& one : drawn) CHECK(one == drawn[0]);
+  CHECK(drawings.latest() == drawn[0]);
+  viewer::Evaluation evaluation(evaluations, "");
+  const std::shared_ptr<viewer::Drawing> other = drawings.compiled(box_wish(), evaluation);
+  CHECK(other != drawn[0]);
+  CHECK_FALSE(other->found->drawn);
+  CHECK(drawings.latest() == other);
+  CHECK(drawings.compiled(wish, evaluation) == drawn[0]);
+  CHECK(drawings.latest() == drawn[0]);
+  CHECK(drawings.drawn(box_wish(), evaluation) == other);
+  CHECK(other->found->drawn);
 }
