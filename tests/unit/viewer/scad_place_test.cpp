@@ -1,7 +1,6 @@
 // Where OpenSCAD's errors are in a source that is edited, with a script in OpenSCAD's place.
 
 #include <doctest/doctest.h>
-#include <stdlib.h>
 #include <unistd.h>
 
 #include <cstdlib>
