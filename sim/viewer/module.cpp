@@ -87,5 +87,5 @@ std::string serve(const Serving& serving) {
 }  // namespace csgsim::viewer
 
 // The name is that of module_symbol.
-extern "C" [[gnu::visibility("default")]] const csgsim::viewer::Module csgsim_viewer_2;
-const csgsim::viewer::Module csgsim_viewer_2{csgsim::viewer::serve};
+extern "C" [[gnu::visibility("default")]] const csgsim::viewer::Module csgsim_viewer_3;
+const csgsim::viewer::Module csgsim_viewer_3{csgsim::viewer::serve};

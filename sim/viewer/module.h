@@ -11,10 +11,19 @@
 
 namespace csgsim::viewer {
 
+/// How long a connection may take for what it does.
+struct ConnectionTimes {
+  std::chrono::milliseconds request = std::chrono::seconds(10);  ///< from the answer before it, or the beginning
+  std::chrono::milliseconds reply = std::chrono::seconds(60);    ///< until the client has taken it
+  std::chrono::milliseconds leave = std::chrono::seconds(2);     ///< until the client of a last reply is gone
+  std::chrono::milliseconds between_events{500};                 ///< of a page that stays open
+};
+
 /// How long to serve, and whom.
 struct Serving {
   std::uint16_t port = 0;  ///< 0: any that is free
   RequestLimits limits{};
+  ConnectionTimes times{};
   std::chrono::milliseconds patience{};       ///< after the last page was closed; none: without an end
   std::function<void(std::uint16_t)> begun;   ///< called with the port, before the first request
   RequestReader::Gate gate;                   ///< called with each header, before the body is read
@@ -34,6 +43,6 @@ struct Module {
 inline constexpr const char* module_file = "csgsim_viewer.so";
 
 /// Of the only symbol of the module, a Module. It changes with this file, so that another version's is not taken.
-inline constexpr const char* module_symbol = "csgsim_viewer_2";
+inline constexpr const char* module_symbol = "csgsim_viewer_3";
 
 }  // namespace csgsim::viewer

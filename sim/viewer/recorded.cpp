@@ -1,21 +1,17 @@
 #include "sim/viewer/recorded.h"
 
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
 
-#include "hw/base/child_process.h"
 #include "hw/base/error.h"
 #include "hw/isa/binary.h"
 
 namespace csgsim::viewer {
 
 namespace {
-
-const ChildLimits wave_limits{.time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 
 /// The program that this process runs.
 std::string own_program() {
@@ -28,16 +24,21 @@ std::string own_program() {
 }  // namespace
 
 std::string recorded(const isa::Program& program, std::span<const std::string> options) {
-  std::vector<std::string> words{own_program(), "wave", "/dev/stdin"};
+  return recorded_by(own_program(), program, options);
+}
+
+std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
+                        const ChildLimits& limits) {
+  std::vector<std::string> words{csgsim, "wave", "/dev/stdin"};
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), {"--output", "-"});
   const std::vector<std::byte> bytes = isa::encode(program);
   MemoryFile input("the Program of a wave");
   input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  std::optional<ChildEnd> end = run_child(words, input, wave_limits);
+  std::optional<ChildEnd> end = run_child(words, input, limits);
   if (!end) throw InputError("csgsim wave cannot be run: its program has been moved");
   if (is_done(*end)) return std::move(end->output);
-  const std::string why = why_failed(*end, wave_limits);
+  const std::string why = why_failed(*end, limits);
   if (end->exceeded == Exceeded::nothing) throw InputError(why);
   throw InputError("csgsim wave: " + why + "; make the picture smaller, or record it with csgsim wave and a --window");
 }

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <span>
 #include <string>
 
+#include "hw/base/child_process.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::viewer {
@@ -11,5 +14,13 @@ namespace csgsim::viewer {
 /// of its own, since SystemC elaborates once a process. Throws InputError with what that says, or where it takes longer
 /// than three minutes, or prints more than 512 MB.
 std::string recorded(const isa::Program& program, std::span<const std::string> options);
+
+/// What csgsim wave may take then.
+inline constexpr ChildLimits wave_limits{
+    .time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
+
+/// The same by the program of that name.
+std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
+                        const ChildLimits& limits = wave_limits);
 
 }  // namespace csgsim::viewer

@@ -115,7 +115,8 @@ void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, c
     }
   }
   for (const auto& [row, more] : reasons) {
-    const std::string others = more > 0 ? fmt::format(", as do {}", shell::counted(more, "other design")) : "";
+    const std::string others =
+        more > 0 ? fmt::format(", as {} {}", more == 1 ? "does" : "do", shell::counted(more, "other design")) : "";
     fmt::print("  {} cannot be drawn{}: {}\n", names.text(row->point), others, row->reason);
   }
 }

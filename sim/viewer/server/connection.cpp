@@ -13,14 +13,14 @@ namespace csgsim::viewer {
 
 namespace {
 
-using namespace std::chrono_literals;
 using boost::system::error_code;
 
-constexpr auto longest_request = 10s;  ///< from the answer before it, or the beginning, to its last byte
-constexpr auto longest_reply = 60s;    ///< until the client has taken it
-constexpr auto longest_leave = 2s;
-constexpr auto stream_interval = 500ms;
 constexpr std::string_view no_event = ":\n\n";
+
+Reply late_reply(std::chrono::milliseconds most) {
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(most);
+  return error_reply(408, "the request is not complete after " + std::to_string(seconds.count()) + " s");
+}
 
 /// Called on a worker.
 Reply reply_to(const Request& request, const Serving& serving) {
@@ -84,7 +84,7 @@ void Connection::out_of_time() {
 }
 
 void Connection::read_request() {
-  enter(Phase::reading, longest_request);
+  enter(Phase::reading, server_.serving.times.request);
   advance();
 }
 
@@ -93,7 +93,7 @@ void Connection::read() {
                           [self = shared_from_this()](error_code error, std::size_t count) {
                             if (!self->is_open_) return;
                             if (self->is_late_ && self->reader_.has_begun())
-                              return self->refuse(error_reply(408, "the request is not complete after 10 s"));
+                              return self->refuse(late_reply(self->server_.serving.times.request));
                             if (error || self->is_late_) return self->close();
                             self->reader_.put({self->block_.data(), count});
                             self->advance();
@@ -130,7 +130,7 @@ void Connection::answer() {
 }
 
 void Connection::write(Reply reply, bool keeps_alive) {
-  enter(Phase::writing, longest_reply);
+  enter(Phase::writing, server_.serving.times.reply);
   head_ = head_of(reply, keeps_alive);
   body_ = std::move(reply.body);
   const std::array parts{boost::asio::buffer(head_), boost::asio::buffer(body_)};
@@ -151,12 +151,12 @@ void Connection::stay() {
                              if (!self->is_open_) return;
                              if (error) return self->close();
                              self->head_ = no_event;
-                             self->enter(Phase::staying, stream_interval);
+                             self->enter(Phase::staying, self->server_.serving.times.between_events);
                            });
 }
 
 void Connection::leave() {
-  enter(Phase::leaving, longest_leave);
+  enter(Phase::leaving, server_.serving.times.leave);
   error_code ignored;
   socket_.shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
   throw_away();

@@ -8,7 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "hw/base/hash.h"
+#include "hw/isa/binary.h"
+#include "sim/shell/compiled_model.h"
+#include "sim/shell/model_options.h"
 #include "sim/shell/usage.h"
+#include "tests/unit/calls/parsed.h"
 
 using namespace csgsim;
 
@@ -104,4 +109,98 @@ TEST_CASE("a run reads its Program, its machine's file and the checkpoint that i
   CHECK(options.files_read() == std::vector<fs::path>{"a.csgt", "b.toml", "c.checkpoint"});
   options.machine = "pixel-planes-4";  // a name is no file
   CHECK(options.inputs() == std::vector<fs::path>{"a.csgt"});
+}
+
+namespace {
+
+/// A box as a Program for pixel-planes-4.
+isa::Program small_program() {
+  const std::vector<std::string> words{"box.csg", "--size", "16x12", "--camera", "0,-50,0,0,0,0"};
+  const shell::ModelOptions options = shell::model_options_in(words);
+  return shell::compile_model(shell::read_model_text(options, "cube(size=[8,6,4],center=true);"), options,
+                              shell::machine_of(options))
+      .program;
+}
+
+/// The hash of all bytes of a file, read by this test.
+std::string hash_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  Hash hash;
+  hash.add(bytes);
+  return hash.text();
+}
+
+}  // namespace
+
+TEST_CASE("run takes a Program, a machine with figures, options of runs and checkpoints") {
+  using calls::RunProgramOptions;
+  const testing::Parsed<RunProgramOptions> all({"a.csgt", "--machine", "pixel-planes-4", "--set", "alu.bits=2",
+                                                "--stats", "s.json", "--resume", "c.checkpoint"});
+  CHECK(all.options.program == "a.csgt");
+  CHECK(all.options.machine == "pixel-planes-4");
+  CHECK(all.options.sets == std::vector<std::string>{"alu.bits=2"});
+  CHECK(all.options.run.stats == "s.json");
+  CHECK(all.options.checkpoints.resume == "c.checkpoint");
+  CHECK(testing::option_error<RunProgramOptions>({}) != "");
+  CHECK(testing::option_error<RunProgramOptions>({"a.csgt", "--machine", "pixel-plane-4"}) != "");
+}
+
+TEST_CASE("what is set for a Program is a figure, not of a scene") {
+  calls::RunProgramOptions options;
+  options.program = "a.csgt";
+  options.sets = {"alu.bits=4"};
+  CHECK(testing::usage_error_of([&] { calls::refuse_misuse(options); }) == "");
+  options.sets = {"effects.depth_cue.on=true"};
+  CHECK(testing::usage_error_of([&] { calls::refuse_misuse(options); }) != "");
+}
+
+TEST_CASE("a Program in the file's place is run as its file, and has the hash that its file would have") {
+  const Folder folder("csgsim-calls-load");
+  const isa::Program program = small_program();
+  calls::RunProgramOptions options;
+  options.program = folder.file("p.csgt");
+  const std::vector<std::byte> bytes = isa::encode(program);
+  std::ofstream(options.program, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  const calls::Loaded of_file = calls::load(options);
+  CHECK(of_file.hash.empty());
+  CHECK_FALSE(of_file.is_in_place);
+  CHECK_FALSE(of_file.subject().is_in_place);
+  CHECK(of_file.inputs == std::vector<fs::path>{options.program});
+  const calls::Loaded in_place = calls::load(options, {.text = {}, .program = &program});
+  CHECK(in_place.hash == hash_of_file(options.program));
+  CHECK(in_place.is_in_place);
+  CHECK(in_place.subject().is_in_place);
+  CHECK(in_place.subject().hash == in_place.hash);
+  CHECK(in_place.inputs == of_file.inputs);
+  CHECK(isa::encode(in_place.program) == bytes);
+  CHECK(isa::encode(of_file.program) == bytes);
+  for (const calls::Loaded* const loaded : {&of_file, &in_place}) {
+    CHECK(loaded->machine.picture.width == 16);
+    CHECK(loaded->machine.picture.height == 12);
+    CHECK(&loaded->subject().program == &loaded->program);
+    CHECK(&loaded->subject().machine == &loaded->machine);
+  }
+  // The machine that is asked for, and the figures that are set.
+  options.machine = "pixel-planes-4";
+  options.sets = {"clock.frequency=5000000"};
+  CHECK(calls::load(options).machine.clock_hz == 5'000'000);
+  CHECK(of_file.machine.clock_hz == 10'000'000);
+  fs::remove(options.program);
+  CHECK(calls::load(options, {.text = {}, .program = &program}).machine.clock_hz == 5'000'000);
+}
+
+TEST_CASE("advice on a Program is of the machine that was asked for, or of its own") {
+  calls::RunProgramOptions options;
+  machines::Machine machine;
+  machine.name = "its own";
+  CHECK(calls::advice_of(options, machine).machine == "its own");
+  CHECK_FALSE(calls::advice_of(options, machine).is_asked);
+  CHECK_FALSE(calls::advice_of(options, machine).settings);
+  options.machine = "another";
+  options.run.advice = true;
+  CHECK(calls::advice_of(options, machine).machine == "another");
+  CHECK(calls::advice_of(options, machine).is_asked);
+  CHECK(calls::advice_of(options, machine).ask.starts_with("csgsim run --advice "));
 }

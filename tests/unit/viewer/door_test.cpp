@@ -96,3 +96,39 @@ TEST_CASE("tokens are 32 hexadecimal digits, each another") {
   }
   CHECK(tokens.size() == 100);
 }
+
+TEST_CASE("a path has the token between its first two slashes, and what is behind the second is asked for") {
+  const auto status = [](const std::string& path) {
+    viewer::Request request = own_get();
+    request.path = path;
+    return status_of(request);
+  };
+  CHECK(status("/" + door.token + "/") == 200);
+  CHECK(status("/" + door.token + "/a/b") == 200);
+  for (const std::string& path :
+       {std::string(), std::string("/"), std::string("//"), "/" + door.token, door.token + "/", "x" + door.token + "/",
+        "//" + door.token + "/", "/" + door.token + "0/", "/" + door.token.substr(1) + "/", "/x/" + door.token + "/"})
+    CHECK(status(path) == 403);
+  viewer::Request request = own_get();
+  request.path = "/" + door.token + "/a/b";
+  CHECK(viewer::admit(door, request).path == "a/b");
+  CHECK_FALSE(viewer::Admission{}.is_admitted);
+  CHECK(viewer::Door{}.port == 0);
+}
+
+TEST_CASE("whatever is refused is told why") {
+  const auto refusal = [](std::string viewer::Request::*member, const char* value) {
+    viewer::Request request = own_post();
+    request.*member = value;
+    const viewer::Reply reply = viewer::admit(door, request).refusal;
+    return std::to_string(reply.status) + " " + reply.body;
+  };
+  const auto told = [](const std::string& status, const std::string& why) {
+    return status + " {\"error\":\"csgsim view " + why + "\"}\n";
+  };
+  CHECK(refusal(&viewer::Request::host, "h") == told("403", "answers 127.0.0.1 and localhost alone"));
+  CHECK(refusal(&viewer::Request::origin, "o") == told("403", "answers its own page alone"));
+  CHECK(refusal(&viewer::Request::site, "cross-site") == told("403", "answers its own page alone"));
+  CHECK(refusal(&viewer::Request::path, "/x/") == told("403", "asks for the whole address that it printed"));
+  CHECK(refusal(&viewer::Request::content_type, "text/plain") == told("415", "takes application/json"));
+}

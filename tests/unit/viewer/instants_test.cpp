@@ -15,6 +15,7 @@
 #include "places.h"
 #include "sim/debug/field_picture.h"
 #include "sim/engine/engine.h"
+#include "sim/engine/numbers.h"
 #include "sim/pictures/encode.h"
 #include "sim/report/codec.h"
 #include "sim/report/pictures.h"
@@ -149,4 +150,141 @@ TEST_CASE("the listing has up to 12 instructions before an instant, and up to 24
   CHECK(listed(count - 1) == Range{count - 13, count - 1});
   CHECK(listed(count) == Range{count - 12, count - 1});
   CHECK(listed(count + 1) == Range{count - 12, count - 1});
+}
+
+namespace {
+
+/// Where each instruction is, in the order of their numbers.
+std::vector<engine::Place> places_of(const isa::Program& program) {
+  std::vector<engine::Place> places;
+  for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
+    for (std::size_t index = 0; index < program.segments[segment].instructions.size(); ++index)
+      places.push_back({segment, static_cast<decltype(engine::Place::index)>(index)});
+  }
+  return places;
+}
+
+const isa::Instruction& instruction_at(const isa::Program& program, engine::Place place) {
+  return program.segments[place.segment].instructions[place.index];
+}
+
+/// As three channels.
+std::vector<std::uint8_t> rgb_of(const observe::Picture& picture) {
+  std::vector<std::uint8_t> bytes;
+  for (const std::uint8_t byte : picture.bytes) bytes.insert(bytes.end(), picture.channels == 3 ? 1 : 3, byte);
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("a tinted picture has half of the mark's colour where the enable registers are on, wherever the region is") {
+  struct Row {
+    const char* machine;
+    const char* size;
+  };
+  // Regions of the whole picture, with more than 64 pixels a row; of 128 x 128 pixels; of a row; of 16 x 16 pixels.
+  for (const Row& row : {Row{"pixel-planes-4", "70x40"}, Row{"pixel-planes-5", "140x140"}, Row{"scan-line", "40x30"},
+                         Row{"pixel-square", "40x40"}}) {
+    CAPTURE(row.machine);
+    const Subject of = subject(row.machine, row.size);
+    viewer::Instants instants(of.program, of.machine);
+    const std::uint64_t count = places_of(of.program).size();
+    std::size_t tinted = 0;
+    for (std::uint64_t part = 1; part < 8; ++part) {
+      const nlohmann::ordered_json instant =
+          instants.at({.number = count * part / 8, .field = "Z1", .is_tinted = true});
+      const std::unique_ptr<engine::Engine> reference = engine::make_reference_engine(of.machine);
+      const std::unique_ptr<engine::Run> run = reference->begin(of.program);
+      run->advance(instant["number"].get<std::uint64_t>(), {});
+      const auto field = std::ranges::find(of.program.facts.fields, std::string("Z1"), &isa::NamedField::name)->field;
+      std::vector<std::uint8_t> expected = rgb_of(debug::picture_of(field, *run, of.program).picture);
+      const observe::Picture enabled = debug::picture_of({}, *run, of.program).picture;
+      REQUIRE(enabled.channels == 1);
+      for (std::size_t pixel = 0; pixel < enabled.bytes.size(); ++pixel) {
+        if (enabled.bytes[pixel] == 0) continue;
+        ++tinted;
+        // 192, 85, 16 is the mark's colour.
+        const unsigned mark[] = {192, 85, 16};
+        for (std::size_t i = 0; i < 3; ++i)
+          expected[3 * pixel + i] = static_cast<std::uint8_t>((expected[3 * pixel + i] + mark[i]) / 2);
+      }
+      CHECK(instant["picture"] ==
+            as_url(pictures::encode("picture.png", {enabled.width, enabled.height, 3, {}, pictures::Bytes(expected)})));
+    }
+    CHECK(tinted > 0);
+  }
+}
+
+TEST_CASE("an instant tells which instruction comes next, for whom, in which segment, and the ones around it") {
+  for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square"}) {
+    CAPTURE(machine);
+    const Subject of = subject(machine);
+    const isa::Facts& facts = of.program.facts;
+    viewer::Instants instants(of.program, of.machine);
+    const std::vector<engine::Place> places = places_of(of.program);
+    std::size_t compared = 0;
+    for (std::uint64_t part = 0; part < 12; ++part) {
+      const nlohmann::ordered_json instant = instants.at({.number = places.size() * part / 12, .field = {}});
+      const auto number = instant["number"].get<std::uint64_t>();
+      REQUIRE(number < places.size());
+      CHECK(instant["count"] == places.size());
+      CHECK(instant["segment"] == places[number].segment);
+      const std::uint32_t piece = instruction_at(of.program, places[number]).origin.primitive;
+      CHECK(instant.contains("piece") == (piece != isa::no_primitive));
+      if (instant.contains("piece")) CHECK(instant["piece"] == piece);
+      for (const auto& one : instant["instructions"]) {
+        const isa::Instruction& instruction = instruction_at(of.program, places.at(one["number"].get<std::uint64_t>()));
+        CHECK(one["text"] == isa::text_of(instruction, facts.fields));
+        const isa::Origin& origin = instruction.origin;
+        CHECK(one.contains("primitive") == (origin.primitive != isa::no_primitive));
+        CHECK(one.contains("against") == (origin.node != isa::no_primitive));
+        if (one.contains("primitive")) CHECK(one["primitive"] == isa::primitive_of(facts, origin.primitive));
+        if (!one.contains("against")) continue;
+        CHECK(one["against"] == isa::primitive_of(facts, origin.node));
+        ++compared;
+      }
+    }
+    CHECK(compared > 0);
+    // Of several segments, the first instruction of all that serves a primitive.
+    for (std::uint64_t primitive = 0; primitive < facts.primitives.size(); ++primitive) {
+      const auto first = std::ranges::find_if(places, [&](engine::Place place) {
+        const std::uint32_t piece = instruction_at(of.program, place).origin.primitive;
+        return piece != isa::no_primitive && isa::primitive_of(facts, piece) == primitive;
+      });
+      REQUIRE(first != places.end());
+      CHECK(instants.at({.number = 0, .field = {}, .primitive = primitive})["number"].get<std::uint64_t>() >=
+            static_cast<std::uint64_t>(first - places.begin()));
+    }
+  }
+}
+
+TEST_CASE("a clock is that of the first instruction of which something is still to be issued") {
+  const Subject of = subject("pixel-planes-4");
+  viewer::Instants instants(of.program, of.machine);
+  const auto number_at_clock = [&](std::uint64_t clock) {
+    return instants.at({.number = 0, .field = {}, .primitive = {}, .clock = clock})["number"].get<std::uint64_t>();
+  };
+  CHECK(number_at_clock(0) == 0);
+  for (const std::uint64_t number : {0U, 1U, 7U, 40U, 90U}) {
+    const nlohmann::ordered_json instant = instants.at({.number = number, .field = {}});
+    REQUIRE(instant["number"] == number);
+    const auto end = instant["clocks"][1].get<std::uint64_t>();
+    CHECK(number_at_clock(end - 1) == number);
+    CHECK(number_at_clock(end) == number + 1);
+    const auto next = instants.at({.number = number + 1, .field = {}})["clocks"];
+    CHECK(next[0].get<std::uint64_t>() >= end);
+  }
+}
+
+TEST_CASE(
+    "fields are the enable registers and those of the Program, by their names, and the scale says what is shown") {
+  const Subject of = subject("pixel-planes-4");
+  viewer::Instants instants(of.program, of.machine);
+  std::vector<std::string> names{"E"};
+  for (const isa::NamedField& field : of.program.facts.fields) names.push_back(field.name);
+  CHECK(instants.fields() == names);
+  const nlohmann::ordered_json colour = instants.at({.number = 0, .field = {}});
+  CHECK(colour["fields"] == names);
+  CHECK(colour["scale"] == "the colour, in its colours");
+  CHECK(instants.at({.number = 0, .field = "Z1"})["scale"] != colour["scale"]);
 }

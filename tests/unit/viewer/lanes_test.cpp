@@ -146,3 +146,49 @@ TEST_CASE("shows each stretch alone over 799 clocks, and those of two clocks ove
   CHECK(lanes.between(0, 800)[0].at("stretches").size() == 400);
   CHECK(lanes.between(0, 800)[0].at("stretches")[7] == Json::parse(R"([14,2,"b",2,2])"));
 }
+
+TEST_CASE("each lane has its part's name and its own stretches, in whatever order they come") {
+  const auto named = [](const char* what, int part, int lane, const char* name) {
+    return fmt::format(R"({{"ph":"M","name":"{}","pid":{},"tid":{},"args":{{"name":"{}"}}}},)", what, part, lane, name);
+  };
+  const auto stretch = [](int lane, const char* text, int clock, int clocks) {
+    return fmt::format(R"({{"ph":"X","name":"{}","pid":1,"tid":{},"args":{{"clock":{},"clocks":{}}}}},)", text, lane,
+                       clock, clocks);
+  };
+  std::string events = named("process_name", 1, 0, "host") + named("process_name", 2, 0, "array") +
+                       named("thread_name", 2, 7, "pixels") + named("thread_name", 1, 5, "queue") +
+                       named("thread_name", 2, 6, "bus") + stretch(5, "x", 30, 4) + stretch(7, "y", 12, 3) +
+                       stretch(6, "x", 20, 5) + stretch(7, "x", 40, 2);
+  events.pop_back();
+  const viewer::Lanes lanes(R"({"traceEvents":[)" + events + "]}");
+  CHECK(lanes.begin() == 12);
+  CHECK(lanes.end() == 42);
+  CHECK(lanes.between(0, 100) == Json::parse(R"([{"part":"array","name":"pixels","stretches":[[12,3,"y"],[40,2,"x"]]},
+    {"part":"host","name":"queue","stretches":[[30,4,"x"]]},{"part":"array","name":"bus","stretches":[[20,5,"x"]]}])"));
+  const viewer::Lanes none(R"({"traceEvents":[]})");
+  CHECK(none.begin() == 0);
+  CHECK(none.end() == 0);
+  CHECK(none.between(0, 10) == Json::array());
+}
+
+TEST_CASE("what is put together begins with its first stretch, and ends before one that is shown alone") {
+  // Over 4,000 clocks one of 10 is shown alone; ten clocks from the first on are put together.
+  Clocks lane{0, std::vector<std::string>(4000)};
+  for (const std::size_t clock : {5U, 6U}) lane.texts[clock] = "a";
+  for (const std::size_t clock : {8U, 9U}) lane.texts[clock] = "b";
+  for (const std::size_t clock : {14U, 15U, 16U}) lane.texts[clock] = "c";
+  for (std::size_t clock = 18; clock < 28; ++clock) lane.texts[clock] = "d";
+  for (const std::size_t clock : {28U, 30U}) lane.texts[clock] = "e";
+  lane.texts[3999] = "z";
+  CHECK(viewer::Lanes(trace_of(lane)).between(0, 4000)[0].at("stretches") ==
+        Json::parse(R"([[5,12,"c",3,7],[18,10,"d"],[28,3,"e",2,2],[3999,1,"z"]])"));
+}
+
+TEST_CASE("stretches are cut at both ends of what is asked for") {
+  Clocks lane{0, std::vector<std::string>(100, "a")};
+  const viewer::Lanes lanes(trace_of(lane));
+  CHECK(lanes.between(10, 30)[0].at("stretches") == Json::parse(R"([[10,20,"a"]])"));
+  CHECK(lanes.between(99, 200)[0].at("stretches") == Json::parse(R"([[99,1,"a"]])"));
+  CHECK(lanes.between(100, 200)[0].at("stretches").empty());
+  CHECK(lanes.between(0, 0)[0].at("stretches").empty());
+}

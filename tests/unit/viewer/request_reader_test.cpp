@@ -153,3 +153,50 @@ TEST_CASE("asks the gate with the header alone, before it judges the body") {
   }
   CHECK(asked == 4);
 }
+
+TEST_CASE("with the usual limits a header of 32 KiB and of 100 fields is read, and no more") {
+  const auto refusal = [](const std::string& bytes) {
+    RequestReader reader({}, admit);
+    reader.put(bytes);
+    return reader.state() == State::whole ? "" : reader.refusal().body;
+  };
+  CHECK(refusal(header_of(32'768)) == "");
+  CHECK(refusal(header_of(32'769)) == "{\"error\":\"the header of the request has more than 32768 bytes\"}\n");
+  CHECK(refusal("GET / HTTP/1.1\r\n" + fields(100) + "\r\n") == "");
+  CHECK(refusal("GET / HTTP/1.1\r\n" + fields(101) + "\r\n") ==
+        "{\"error\":\"the request has more than 100 header fields\"}\n");
+  CHECK(refusal(post("Content-Length: 4194305\r\n", "")) == "{\"error\":\"the body has more than 4194304 bytes\"}\n");
+  CHECK(refusal(post("Content-Length: 4194304\r\n", std::string(4'194'304, 'x'))) == "");
+}
+
+TEST_CASE("a request has begun with its first byte, and what came behind the one before counts") {
+  RequestReader reader(limits, admit);
+  CHECK_FALSE(reader.has_begun());
+  reader.put("G");
+  CHECK(reader.has_begun());
+  reader.put("ET / HTTP/1.1\r\n\r\n");
+  REQUIRE(reader.state() == State::whole);
+  reader.next();
+  CHECK(reader.state() == State::head);
+  CHECK_FALSE(reader.has_begun());
+  reader.put(post("Content-Length: 2\r\n", "x"));
+  CHECK(reader.state() == State::body);
+  CHECK(reader.has_begun());
+  reader.put("yG");
+  REQUIRE(reader.state() == State::whole);
+  CHECK(reader.request().body == "xy");
+  reader.next();
+  CHECK(reader.state() == State::head);
+  CHECK(reader.has_begun());
+}
+
+TEST_CASE("what refuses a body says what to send") {
+  const auto error = [](std::string_view bytes) {
+    return nlohmann::json::parse(read(bytes).refusal().body).at("error").get<std::string>();
+  };
+  CHECK(error("PUT / HTTP/1.1\r\n\r\n") == "csgsim view answers GET and POST");
+  CHECK(error(post("Content-Length: 11\r\n", "")) == "the body has more than 10 bytes");
+  CHECK(error("GET / HTTP/1.1\r\nContent-Length: 1\r\n\r\n") == "a GET has no body");
+  CHECK(error("GET / HTTP/1.1\r\nHost: a\r\nHost: b\r\n\r\n") == "the request has two header fields Host");
+  CHECK(error("GET\r\n\r\n") == "this is no request of HTTP/1.1");
+}

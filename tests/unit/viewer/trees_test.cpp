@@ -1,11 +1,15 @@
 #include "sim/viewer/trees.h"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hw/isa/pieces.h"
@@ -149,4 +153,111 @@ TEST_CASE("a surface's active tree is that of the segment asked for, in whatever
     if (fresh(piece, 0) != fresh(piece, 4)) ++differing;
   }
   CHECK(differing > 0);
+}
+
+namespace {
+
+/// A small model seen from the front: the text of what is compiled.
+Compiled small_compiled(const std::string& text, std::vector<std::string> more = {"--pruning", "none"}) {
+  const std::string file =
+      std::filesystem::temp_directory_path() / ("csgsim-trees-" + std::to_string(::getpid()) + ".csg");
+  std::ofstream(file) << text;
+  more.insert(more.begin(), {file, "--size", "33x25", "--camera", "0,-50,0,0,0,0"});
+  Compiled made(std::move(more));
+  std::filesystem::remove(file);
+  return made;
+}
+
+const std::string cube_a = "cube(size=[8,6,4],center=true);";
+const std::string sphere_b = "sphere(r=3);";
+const std::string cylinder_c = "cylinder(h=9,r1=1,r2=1,center=true);";
+
+/// The rows as text: two blanks a depth, what is shown, and a minus before what it has to be outside of.
+std::string rows_text(const Json& rows) {
+  std::string text;
+  for (const Json& row : rows) {
+    text += std::string(2 * row.at("depth").get<std::size_t>(), ' ');
+    if (row.value("complemented", false)) text += "-";
+    const std::string told = row.at("text");
+    text += told.substr(0, told.find(' ')) + "\n";
+    if (row.contains("primitive")) CHECK(told.starts_with("p" + row.at("primitive").dump() + " "));
+  }
+  return text;
+}
+
+}  // namespace
+
+TEST_CASE("a tree has its operators' names, and operands one deeper, in their order") {
+  const auto tree = [](const std::string& text) {
+    const Compiled one = small_compiled(text);
+    return rows_text(viewer::tree_of(one.model.tree, one.model.program.facts));
+  };
+  CHECK(tree(cube_a) == "p0\n");
+  CHECK(tree("difference(){" + cube_a + sphere_b + cylinder_c + "}") == "difference\n  p0\n  p1\n  p2\n");
+  CHECK(tree("intersection(){" + cube_a + "union(){" + sphere_b + cylinder_c + "}}") ==
+        "intersection\n  p0\n  union\n    p1\n    p2\n");
+  CHECK(tree("union(){difference(){" + cube_a + sphere_b + "}" + cylinder_c + "}") ==
+        "union\n  difference\n    p0\n    p1\n  p2\n");
+  CHECK(viewer::tree_of({}, {}) == Json::array());
+}
+
+TEST_CASE("pieces of one node are that node, and a primitive without a name has its number") {
+  model::Tree tree;
+  const model::Primitive cube;
+  model::Node pieces;
+  pieces.of_pieces = true;
+  pieces.children = {model::add_leaf(tree, cube), model::add_leaf(tree, cube)};
+  const std::uint32_t other = model::add_leaf(tree, cube);
+  tree.nodes.push_back(pieces);
+  model::Node root;
+  root.op = model::Operator::subtract;
+  root.children = {static_cast<std::uint32_t>(tree.nodes.size() - 1), other};
+  tree.nodes.push_back(root);
+  tree.root = static_cast<std::uint32_t>(tree.nodes.size() - 1);
+  isa::Facts facts;
+  facts.primitives = {"one"};
+  const Json rows = viewer::tree_of(tree, facts);
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[0] == Json::parse(R"({"depth":0,"text":"difference"})"));
+  CHECK(rows[1] == Json::parse(R"({"depth":1,"text":"p0 one","primitive":0})"));
+  CHECK(rows[2].at("depth") == 1);
+  CHECK(rows[2].at("primitive") == isa::primitive_of(facts, 2));
+  CHECK(rows[2].at("text") == "p" + rows[2].at("primitive").dump());
+}
+
+TEST_CASE("a surface has to be in what it is intersected with, and outside of what is taken away from it") {
+  const auto active = [](const std::string& text, std::uint32_t piece) {
+    const Compiled one = small_compiled(text);
+    viewer::ActiveTrees trees(one.model, one.options, one.machine);
+    const auto rows = trees.of(piece, 0);
+    REQUIRE(rows);
+    return rows_text(*rows);
+  };
+  const std::string difference = "difference(){" + cube_a + sphere_b + "}";
+  CHECK(active(difference, 0) == "-p1\n");
+  CHECK(active(difference, 1) == "p0\n");
+  const std::string intersection = "intersection(){" + cube_a + "union(){" + sphere_b + cylinder_c + "}}";
+  CHECK(active(intersection, 0) == "union\n  p1\n  p2\n");
+  CHECK(active(intersection, 1) == "p0\n");
+  CHECK(active("union(){" + cube_a + cylinder_c + "}", 0) == "");
+  // Outside of both is outside of each.
+  const std::string both = "difference(){" + cube_a + "union(){" + sphere_b + cylinder_c + "}}";
+  CHECK(active(both, 0) == "-p1\n-p2\n");
+  // Not in both is outside of one.
+  const std::string either = "difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}";
+  CHECK(active(either, 0) == "union\n  -p1\n  -p2\n");
+  // Outside of what has lost a part is outside of it, or in the part.
+  const std::string hole = "difference(){" + cube_a + "difference(){" + sphere_b + cylinder_c + "}}";
+  CHECK(active(hole, 0) == "union\n  -p1\n  p2\n");
+}
+
+TEST_CASE("primitives that make one convex solid are one row, but by the strategy that multiplies the tree out") {
+  const auto active = [](const char* strategy) {
+    const Compiled one = small_compiled("difference(){" + cube_a + "intersection(){" + sphere_b + cylinder_c + "}}",
+                                        {"--strategy", strategy});
+    viewer::ActiveTrees trees(one.model, one.options, one.machine);
+    return trees.of(0, 0).value().dump();
+  };
+  CHECK(active("stack").find(R"("primitive":1,"complemented":true,"others":[2])") != std::string::npos);
+  CHECK(active("products").find("others") == std::string::npos);
 }

@@ -1,0 +1,402 @@
+// What csgsim explore shows of rows that are made up here: axes, groups, the JSON file, the text and the plots. All
+// figures follow from the rows by hand.
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "sim/plots/plot.h"
+#include "sim/studies/explore/front.h"
+#include "sim/studies/explore/show.h"
+#include "sim/studies/row_text.h"
+#include "tests/support/standard_output.h"
+
+using namespace csgsim;
+using studies::ExploreRow;
+using studies::ShownGroup;
+using studies::Values;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// A row of a design that is told apart by a figure and by z bits.
+ExploreRow shown_row(const std::string& model, const char* alu_bits, unsigned z_bits, double fps, std::uint64_t bits) {
+  ExploreRow one;
+  one.point.model = model;
+  one.point.machine = std::string("pixel-planes-4+alu.bits=") + alu_bits;
+  one.point.width = 8;
+  one.point.height = 6;
+  one.point.z_bits = z_bits;
+  one.point.strategy = "stack";
+  one.point.curves = "auto";
+  one.point.pruning = "all";
+  one.frames_per_second = fps;
+  one.machine_memory_bits = bits;
+  return one;
+}
+
+ExploreRow refused_row(const std::string& model, const char* alu_bits, unsigned z_bits, const std::string& reason) {
+  ExploreRow one = shown_row(model, alu_bits, z_bits, 0, 0);
+  one.reason = reason;
+  return one;
+}
+
+std::vector<ShownGroup> shown_groups(const std::vector<ExploreRow>& rows, const std::string& axes) {
+  std::vector<ShownGroup> shown;
+  for (studies::ExploreGroup& group : studies::groups_of(rows, studies::axes_in(axes)))
+    shown.push_back({std::move(group), {}});
+  return shown;
+}
+
+std::string printed(const std::vector<ExploreRow>& rows, const std::vector<ShownGroup>& groups) {
+  const testing::StandardOutput output;
+  studies::print_explored(rows, groups);
+  return output.text();
+}
+
+/// Two models on designs a (1 bit, z 8), b (4 bits, z 8) and c (4 bits, z 12). Of m all are drawn: a takes 100 ms and
+/// 10 bits, b 50 ms and 40 bits, c 100 ms and 40 bits, which is worse than either. Of n c cannot be drawn: a takes
+/// 20 ms and 30 bits, b 25 ms and 40 bits, which is worse.
+std::vector<ExploreRow> two_models() {
+  return {shown_row("m", "1", 8, 10, 10), shown_row("m", "4", 8, 20, 40), shown_row("m", "4", 12, 10, 40),
+          shown_row("n", "1", 8, 50, 30), shown_row("n", "4", 8, 40, 40), refused_row("n", "4", 12, "too large")};
+}
+
+}  // namespace
+
+TEST_CASE("a row without values is all zeros and empty cells, in the order of its columns") {
+  CHECK(studies::header_of<ExploreRow>() ==
+        "model,machine,process,memory_bits,width,height,z_bits,fraction_bits,colour_bits,pruning,colouring,strategy,"
+        "stack_bits,curves,model_hash,machine_hash,csgsim,halfspaces,instructions,clock_hz,clock_path,clocks,"
+        "interval_clocks,frames_per_second,used_bits,processors,machine_memory_bits,pixel_transistors,"
+        "machine_transistors,machine_mm2,frame_joules,wrong,unexplained,reason");
+  CHECK(studies::to_line(ExploreRow{}) == ",,,,0,0,0,0,0,,,,0,,,,,0,0,0,,0,0,0,0,0,0,,,,,0,0,");
+  // The columns before the inputs say which point it is.
+  CHECK(ExploreRow::point_columns == 14);
+  CHECK(ExploreRow{}.drawn());
+  CHECK_FALSE(refused_row("m", "1", 8, "why").drawn());
+}
+
+TEST_CASE("each axis has its value of a row, none where there is no price, and what is of a picture adds up") {
+  ExploreRow row;
+  row.frames_per_second = 40;  // 25 ms each
+  row.machine_transistors = 7000;
+  row.machine_mm2 = 12.5;
+  row.frame_joules = 0.75;
+  row.machine_memory_bits = 900;
+  row.wrong = 3;
+  struct Expected {
+    std::string name;
+    double value;
+    bool is_of_picture;
+    bool may_be_zero;
+  };
+  const std::array<Expected, 6> expected{{{"time", 25, true, false},
+                                          {"area", 7000, false, false},
+                                          {"silicon", 12.5, false, false},
+                                          {"energy", 0.75, true, false},
+                                          {"memory", 900, false, false},
+                                          {"wrong", 3, true, true}}};
+  REQUIRE(studies::explore_axes().size() == expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const studies::ExploreAxis& axis = studies::explore_axes()[i];
+    const std::string name = axis.name;
+    CAPTURE(name);
+    CHECK(name == expected[i].name);
+    CHECK(studies::explore_axis_names()[i] == expected[i].name);
+    CHECK(axis.value(row) == expected[i].value);
+    CHECK(axis.is_of_picture == expected[i].is_of_picture);
+    CHECK(axis.may_be_zero == expected[i].may_be_zero);
+    const bool has_price = name == "time" || name == "memory" || name == "wrong";
+    ExploreRow unpriced;
+    unpriced.frames_per_second = 40;
+    CHECK(axis.value(unpriced).has_value() == has_price);
+  }
+  // As they are listed, not as they are known.
+  const std::vector<studies::ExploreAxis> axes = studies::axes_in("wrong,time");
+  REQUIRE(axes.size() == 2);
+  CHECK(std::string(axes[0].name) == "wrong");
+  CHECK(std::string(axes[1].name) == "time");
+}
+
+TEST_CASE("over two models silicon is the larger, energy the sum") {
+  std::vector<ExploreRow> rows{shown_row("m", "1", 8, 10, 10), shown_row("n", "1", 8, 10, 10)};
+  rows[0].machine_mm2 = 3;
+  rows[1].machine_mm2 = 2;
+  rows[0].frame_joules = 5;
+  rows[1].frame_joules = 7;
+  const std::vector<studies::ExploreGroup> groups = studies::groups_of(rows, studies::axes_in("silicon,energy"));
+  REQUIRE(groups.size() == 3);
+  CHECK(groups[2].values == std::vector<Values>{{3, 12}});
+}
+
+TEST_CASE("the knee looks at the front alone, however good or bad others are") {
+  const std::vector<studies::ExploreAxis> axes = studies::axes_in("time,memory");
+  // Of those that count, logarithms (0, 2), (1, 1), (2, 0) are stretched to (0, 1), (1/2, 1/2), (1, 0).
+  const std::vector<Values> candidates{{0.001, 0.001}, {1, 100}, {10, 10}, {100, 1}, {1e6, 1e6}};
+  CHECK(studies::knee_of(candidates, {false, true, true, true, false}, axes) == 2);
+  // Without the middle both ends are at 1: it is the first.
+  CHECK(studies::knee_of(candidates, {false, true, false, true, false}, axes) == 1);
+  CHECK(studies::knee_of(candidates, {false, false, false, true, false}, axes) == 3);
+  CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));
+}
+
+TEST_CASE("a design is marked in its own model's group, where it is drawn, and all models have a front of their own") {
+  const std::vector<ExploreRow> rows = two_models();
+  std::vector<ShownGroup> groups = shown_groups(rows, "time,memory");
+  REQUIRE(groups.size() == 3);
+  groups[0].commands = {"draw m"};
+  const Json file = Json::parse(studies::explore_json("the title", rows, groups));
+  REQUIRE(file["points"].size() == 6);
+  const Json& points = file["points"];
+  for (std::size_t i = 0; i < 6; ++i) CHECK(points[i]["model"] == (i < 3 ? "m" : "n"));
+  CHECK(points[0]["design"] == Json::parse(R"({"alu.bits":1,"z-bits":8})"));
+  CHECK(points[5]["design"] == Json::parse(R"({"alu.bits":4,"z-bits":12})"));
+  // m: a and b are on the front, at (log 100, log 10) and (log 50, log 40): both ends, so the first is the knee.
+  const std::array<int, 6> on_front{1, 1, 0, 1, 0, -1};
+  const std::array<int, 6> is_knee{1, 0, 0, 1, 0, -1};
+  for (std::size_t i = 0; i < 6; ++i) {
+    CAPTURE(i);
+    CHECK(points[i].contains("pareto") == (on_front[i] >= 0));
+    CHECK(points[i].contains("knee") == (is_knee[i] >= 0));
+    if (on_front[i] < 0) continue;
+    CHECK(points[i]["pareto"] == (on_front[i] == 1));
+    CHECK(points[i]["knee"] == (is_knee[i] == 1));
+  }
+  CHECK(points[5]["reason"] == "too large");
+  const auto values = [](double ms, double bits) { return Json{{"time", ms}, {"memory", bits}}; };
+  const Json a{{"alu.bits", 1}, {"z-bits", 8}};
+  const Json b{{"alu.bits", 4}, {"z-bits", 8}};
+  const Json expected = {
+      {{"model", "m"},
+       {"axes", {"time", "memory"}},
+       {"designs", 3},
+       {"refused", 0},
+       {"unpriced", 0},
+       {"front", {{{"design", a}, {"values", values(100, 10)}}, {{"design", b}, {"values", values(50, 40)}}}},
+       {"knee", {{"design", a}, {"values", values(100, 10)}, {"commands", {"draw m"}}}}},
+      {{"model", "n"},
+       {"axes", {"time", "memory"}},
+       {"designs", 3},
+       {"refused", 1},
+       {"unpriced", 0},
+       {"front", Json::array({{{"design", a}, {"values", values(20, 30)}}})},
+       {"knee", {{"design", a}, {"values", values(20, 30)}, {"commands", Json::array()}}}},
+      // 100 + 20 ms and the larger of 10 and 30 bits; 50 + 25 ms and 40 bits.
+      {{"model", nullptr},
+       {"axes", {"time", "memory"}},
+       {"designs", 3},
+       {"refused", 1},
+       {"unpriced", 0},
+       {"front", {{{"design", a}, {"values", values(120, 30)}}, {{"design", b}, {"values", values(75, 40)}}}},
+       {"knee", {{"design", a}, {"values", values(120, 30)}, {"commands", Json::array()}}}}};
+  CHECK(file["fronts"] == expected);
+}
+
+TEST_CASE(
+    "a value of a design is a number where it is a whole one, and a text else; what a design does not say is left "
+    "out") {
+  std::vector<ExploreRow> rows(4);
+  rows[0].point.machine = "p+a.b=12+c=x";
+  rows[1].point.machine = "p+a.b=1.5+c=12x";
+  rows[2].point.machine = "p+a.b=-3";
+  rows[3].point.machine = "p+flag";
+  for (ExploreRow& row : rows) row.frames_per_second = 1;
+  const Json file = Json::parse(studies::explore_json("t", rows, shown_groups(rows, "time")));
+  const Json& points = file["points"];
+  CHECK(points[0]["design"] == Json{{"a.b", 12}, {"c", "x"}});
+  CHECK(points[1]["design"] == Json{{"a.b", "1.5"}, {"c", "12x"}});
+  CHECK(points[2]["design"] == Json{{"a.b", -3}});
+  CHECK(points[3]["design"] == Json::object());
+}
+
+TEST_CASE("a group of which nothing is drawn has no front and no knee, and says how many there are") {
+  std::vector<ExploreRow> rows{refused_row("m", "1", 8, "no"), refused_row("m", "2", 8, "no")};
+  const std::vector<ShownGroup> groups = shown_groups(rows, "time");
+  const Json file = Json::parse(studies::explore_json("t", rows, groups));
+  CHECK(file["fronts"] == Json::array({Json{{"model", "m"},
+                                            {"axes", Json::array()},
+                                            {"designs", 2},
+                                            {"refused", 2},
+                                            {"unpriced", 0},
+                                            {"front", Json::array()}}}));
+  CHECK(printed(rows, groups) ==
+        "m: 0 on the front of 2 designs; 2 cannot be drawn\n"
+        "  alu.bits=1 cannot be drawn, as does 1 other design: no\n");
+}
+
+TEST_CASE("designs differ in any figure or option, which are told in the order of the machine, size and options") {
+  std::vector<ExploreRow> rows(2);
+  const auto fill = [](studies::ExplorePoint& point, unsigned number) {
+    const std::string text = std::to_string(number);
+    point.machine = "p+b=" + text + "+a=" + text;
+    point.width = number;
+    point.height = number + 1;
+    point.memory_bits = number;
+    point.z_bits = number;
+    point.fraction_bits = number;
+    point.colour_bits = number;
+    point.strategy = "s" + text;
+    point.stack_bits = number - 1;
+    point.colouring = "c" + text;
+    point.curves = "u" + text;
+    point.pruning = "p" + text;
+  };
+  fill(rows[0].point, 1);
+  fill(rows[1].point, 2);
+  const studies::DesignNames names(rows);
+  CHECK(names.keys() == std::vector<std::string>{"b", "a", "size", "memory-bits", "z-bits", "fraction-bits",
+                                                 "colour-bits", "strategy", "stack-bits", "colouring", "curves",
+                                                 "pruning"});
+  CHECK(names.values(rows[1].point) ==
+        std::vector<std::string>{"2", "2", "2x3", "2", "2", "2", "2", "s2", "1", "c2", "u2", "p2"});
+  // Strategies that have none say no stack bits.
+  CHECK(names.text(rows[0].point) ==
+        "b=1, a=1, size=1x2, memory-bits=1, z-bits=1, fraction-bits=1, colour-bits=1, strategy=s1, colouring=c1, "
+        "curves=u1, pruning=p1");
+  rows[1].point.memory_bits.reset();
+  const studies::DesignNames fitted(rows);
+  CHECK(fitted.values(rows[1].point)[3].empty());
+  // One design is called by its machine.
+  const studies::DesignNames alone(std::vector<ExploreRow>{rows[0]});
+  CHECK(alone.keys().empty());
+  CHECK(alone.text(rows[0].point) == "p+b=1+a=1");
+}
+
+TEST_CASE("the text has a line for each of the front, by its values, and says who is the knee and what draws it") {
+  std::vector<ExploreRow> rows = two_models();
+  rows.push_back(rows[1]);  // one more that is as good as b
+  rows.back().point.z_bits = 20;
+  std::vector<ShownGroup> groups = shown_groups({rows.begin(), rows.end()}, "time,memory");
+  groups[0].commands = {"draw m", "draw it again"};
+  groups[0].group.unpriced = 1;
+  std::vector<ShownGroup> first{groups[0], groups[1]};
+  CHECK(printed(rows, first) ==
+        "m: 3 on the front of 5 designs; 1 without a price on an axis left out\n"
+        "  alu.bits  z-bits  ms from frame to frame  memory bits of the machine      \n"
+        "         4       8                      50                          40      \n"
+        "         1       8                     100                          10  knee\n"
+        "knee: alu.bits=1, z-bits=8; ms from frame to frame 100; memory bits of the machine 10\n"
+        "  draw m\n"
+        "  draw it again\n"
+        "\n"
+        "n: 1 on the front of 3 designs; 1 cannot be drawn\n"
+        "  alu.bits=4, z-bits=12 cannot be drawn: too large\n"
+        "  alu.bits  z-bits  ms from frame to frame  memory bits of the machine      \n"
+        "         1       8                      20                          30  knee\n"
+        "knee: alu.bits=1, z-bits=8; ms from frame to frame 20; memory bits of the machine 30\n");
+}
+
+TEST_CASE("each reason is told once, with the design that has it first and how many more, of the group's own model") {
+  std::vector<ExploreRow> rows{refused_row("m", "1", 8, "no"),     refused_row("m", "1", 9, "never"),
+                               refused_row("m", "2", 8, "no"),     refused_row("m", "2", 9, "no"),
+                               refused_row("n", "1", 8, "no way"), shown_row("n", "1", 9, 10, 10)};
+  const std::string text = printed(rows, shown_groups(rows, "time"));
+  CHECK(text.find("  alu.bits=1, z-bits=8 cannot be drawn, as do 2 other designs: no\n"
+                  "  alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
+  CHECK(text.find("n: 1 on the front of 2 designs; 1 cannot be drawn\n"
+                  "  alu.bits=1, z-bits=8 cannot be drawn: no way\n  alu.bits") != std::string::npos);
+  // Of all models reasons are not told again.
+  CHECK(text.find("no way") == text.rfind("no way"));
+}
+
+TEST_CASE("values have four digits, but whole ones and those from 10,000 on all, in groups, up to 10^15") {
+  const std::vector<std::pair<double, std::string>> values{{0.123456, "0.1235"},
+                                                           {3, "3"},
+                                                           {0, "0"},
+                                                           {1234.5678, "1235"},
+                                                           {9999, "9,999"},
+                                                           {9998.5, "9998"},  // to even
+                                                           {10000.4, "10,000"},
+                                                           {12345.6, "12,346"},
+                                                           {999'999'999'999'999, "999,999,999,999,999"},
+                                                           {1e15, "1e+15"},
+                                                           {-2, "-2"}};
+  for (const auto& [value, shown_text] : values) {
+    const std::string text = shown_text;
+    CAPTURE(text);
+    ExploreRow row = shown_row("m", "1", 8, 1, 1);
+    ShownGroup shown;
+    shown.group.model = "m";
+    shown.group.axes = studies::axes_in("time");
+    shown.group.rows = {0};
+    shown.group.values = {{value}};
+    shown.group.front = {true};
+    shown.group.knee = 0;
+    CHECK(printed({row}, {shown}).find("; ms from frame to frame " + text + "\n") != std::string::npos);
+  }
+}
+
+TEST_CASE("of a front the first 40 by the first axis are printed, and how many more there are") {
+  for (const std::size_t count : {39U, 40U, 41U, 1241U}) {
+    CAPTURE(count);
+    // Each is faster and larger than the one before.
+    std::vector<ExploreRow> rows;
+    for (std::size_t i = 0; i < count; ++i)
+      rows.push_back(shown_row("m", "1", static_cast<unsigned>(i), static_cast<double>(1 + i), 1 + i));
+    const std::string text = printed(rows, shown_groups(rows, "time,memory"));
+    std::size_t lines = 0;
+    for (const char letter : text) lines += letter == '\n' ? 1U : 0U;
+    // The group, the columns, up to 40 designs and the knee; and how many more.
+    const std::size_t more = count > 40 ? count - 40 : 0;
+    CHECK(lines == 3 + count - more + (more > 0 ? 1 : 0));
+    CHECK((text.find(" more, in explore.json\n") != text.npos) == (more > 0));
+    if (more == 1) CHECK(text.find("  and 1 more, in explore.json\n") != text.npos);
+    if (more == 1201) CHECK(text.find("  and 1,201 more, in explore.json\n") != text.npos);
+  }
+}
+
+TEST_CASE("a plot is of each group with two axes and a knee, under a name of its own, a panel for each further axis") {
+  std::vector<ExploreRow> rows{shown_row("a/m.csg", "1", 8, 10, 10), shown_row("b/m.csg", "1", 8, 20, 20),
+                               refused_row("c.csg", "1", 8, "no")};
+  rows[0].wrong = 5;
+  std::vector<ShownGroup> groups = shown_groups(rows, "time,memory,wrong");
+  REQUIRE(groups.size() == 4);
+  // Nothing of c.csg is drawn, and so nothing of all models.
+  const std::vector<plots::Plot> plots = studies::plots_of_explore(groups);
+  REQUIRE(plots.size() == 2);
+  CHECK(plots[0].name == "m_front");
+  CHECK(plots[1].name == "m-2_front");
+  const auto& chart = std::get<plots::Chart>(plots[0].content);
+  CHECK(chart.title == "m: what time buys");
+  CHECK(std::get<plots::Chart>(plots[1].content).title == "m-2: what time buys");
+  REQUIRE(chart.panels.size() == 2);
+  CHECK(chart.panels[0].title == "memory bits of the machine");
+  CHECK(chart.panels[1].title == "wrong pixels");
+  // One design: the front, the front of two axes, and the knee, in each panel.
+  REQUIRE(chart.series.size() == 6);
+  for (std::size_t panel = 0; panel < 2; ++panel) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const plots::Series& series = chart.series[3 * panel + i];
+      CHECK(series.name == std::array{"Pareto front", "front of the two axes", "knee"}.at(i));
+      CHECK(series.panel == panel);
+      REQUIRE(series.points.size() == 1);
+      CHECK(series.points[0].x == doctest::Approx(100));
+      CHECK(series.points[0].y == doctest::Approx(panel == 0 ? 10 : 5));
+    }
+  }
+  CHECK(studies::plots_of_explore(shown_groups(rows, "time")).empty());
+  rows.pop_back();
+  const std::vector<plots::Plot> of_all = studies::plots_of_explore(shown_groups(rows, "time,memory"));
+  REQUIRE(of_all.size() == 3);
+  CHECK(of_all[2].name == "all_models_front");
+  CHECK(std::get<plots::Chart>(of_all[2].content).title == "all models: what time buys");
+}
+
+TEST_CASE("beaten designs are named in the first panel's legend alone") {
+  std::vector<ExploreRow> rows{shown_row("m", "1", 8, 10, 10), shown_row("m", "4", 8, 5, 20)};
+  const std::vector<plots::Plot> plots = studies::plots_of_explore(shown_groups(rows, "time,memory,wrong"));
+  REQUIRE(plots.size() == 1);
+  const auto& chart = std::get<plots::Chart>(plots[0].content);
+  REQUIRE(chart.series.size() == 8);
+  CHECK(chart.series[0].name == "another is better");
+  CHECK(chart.series[4].name.empty());
+  REQUIRE(chart.series[4].points.size() == 1);
+  CHECK(chart.series[4].points[0].x == doctest::Approx(200));
+}

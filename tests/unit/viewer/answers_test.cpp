@@ -1,0 +1,390 @@
+// What a session answers to each question, beside what other files test: by hand for a box, and by how work ends.
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "hw/base/interruption.h"
+#include "hw/kinds/load.h"
+#include "places.h"
+#include "sim/report/codec.h"
+#include "sim/shell/model_options.h"
+#include "sim/viewer/drawings.h"
+#include "sim/viewer/evaluations.h"
+#include "sim/viewer/knobs.h"
+#include "sim/viewer/session.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/viewer/asked.h"
+
+using namespace csgsim;
+using testing::Answer;
+using testing::ask;
+using viewer::Json;
+
+namespace {
+
+const std::string figure = CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg";
+
+/// Seen along y from 50 before it, 33 x 25 pixels, with 1.2568 pixels to a unit: 25 / (2 * 50 * tan 11.25 deg). A box
+/// of 8 x 6 x 4 about the origin covers columns 16 - 5.03 to 16 + 5.03 and rows 12 - 2.51 to 12 + 2.51.
+const Json front{{"size", "33x25"}, {"camera", "0,-50,0,0,0,0"}};
+const std::string box = "cube(size=[8,6,4],center=true);";
+
+/// By so much along x and z.
+std::string moved(const char* by, const std::string& what) {
+  const std::string shift = by;
+  const std::size_t comma = shift.find(',');
+  return "multmatrix([[1,0,0," + shift.substr(0, comma) + "],[0,1,0,0],[0,0,1," + shift.substr(comma + 1) +
+         "],[0,0,0,1]]){" + what + "}";
+}
+
+Json box_wish(const std::string& source = box) { return {{"knobs", front}, {"source", source}}; }
+
+viewer::Session figure_session(viewer::SessionOptions options = {}) {
+  return viewer::Session({figure, {}, Json::object()}, std::move(options));
+}
+
+std::string as_text(const Answer& answer) { return std::to_string(answer.status) + " " + answer.json.dump(); }
+
+/// Answers a question that records wires by doing this.
+viewer::SessionOptions recording(std::function<void()> does) {
+  return {.recorder = [does = std::move(does)](const isa::Program&, std::span<const std::string>) {
+    does();
+    return std::string("recorded");
+  }};
+}
+
+}  // namespace
+
+TEST_CASE("a picture comes with its size, its camera, the command that draws it, and how long it took") {
+  viewer::Session session({figure, {"--fraction-bits", "10"}, Json::object()});
+  const Json answer = ask(session, "draw", box_wish()).json;
+  CHECK(answer["width"] == 33);
+  CHECK(answer["height"] == 25);
+  CHECK(answer["camera"] == "0,-50,0,0,0,0");
+  CHECK(answer["command"] == "csgsim render " + figure + " --fraction-bits 10 --size 33x25 --camera 0,-50,0,0,0,0");
+  CHECK(answer["warnings"].empty());
+  CHECK(answer["seconds"]["compiling"].get<double>() > 0);
+  CHECK(answer["seconds"]["running"].get<double>() > 0);
+  Json wish = box_wish();
+  wish["knobs"]["camera"] = "-1.5,-50,2,0.25,0,-3";
+  wish["knobs"]["snap"] = true;
+  wish["knobs"]["view-all"] = false;
+  wish["knobs"]["set"] = {"alu.bits=4", "background.colour=[0, 0, 1]"};
+  const Json turned = ask(session, "draw", wish).json;
+  CHECK(turned["camera"] == "-1.5,-50,2,0.25,0,-3");
+  CHECK(turned["command"] == "csgsim render " + figure +
+                                 " --fraction-bits 10 --size 33x25 --camera=-1.5,-50,2,0.25,0,-3 --snap --set "
+                                 "alu.bits=4 --set 'background.colour=[0, 0, 1]'");
+}
+
+TEST_CASE("two pictures differ at the pixels of the box that one of them has, of which the first is its upper left") {
+  viewer::Session session = figure_session();
+  const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
+  const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
+  const Answer found = two(box_wish(), nothing);
+  REQUIRE_MESSAGE(found.status == 200, as_text(found));
+  CHECK(found.json["pixels"] == 11 * 5);  // columns 11 to 21, rows 10 to 14
+  CHECK(found.json["first"] == Json{11, 10});
+  CHECK(found.json["picture"].get<std::string>().starts_with("data:image/png;base64,iVBOR"));
+  CHECK(found.json["instruction"]["number"].is_number_unsigned());
+  const Answer same = two(box_wish(), box_wish());
+  CHECK(same.json["pixels"] == 0);
+  CHECK(same.json["first"].is_null());
+  CHECK(same.json["instruction"].is_null());
+  // A unit wider to the right, to 16 + 5 * 1.2568 = 22.3: one column more.
+  const Answer wider = two(box_wish(moved("0.5,0", "cube(size=[9,6,4],center=true);")), box_wish());
+  CHECK(wider.json["first"] == Json{22, 10});
+  CHECK(wider.json["pixels"] == 5);
+  // By width alone, and by height alone.
+  for (const char* const size : {"34x25", "33x26"}) {
+    Json other = box_wish();
+    other["knobs"]["size"] = size;
+    const std::string words = std::string(size).replace(2, 1, " x ");
+    CHECK(two(box_wish(), other).json["error"] == "A is 33 x 25 pixels and B " + words + "; give both the same size");
+  }
+}
+
+TEST_CASE("the first other instruction is told with both texts, or that one has nothing more") {
+  viewer::Session session = figure_session();
+  const Json plain = box_wish();
+  Json other = box_wish();
+  other["knobs"]["set"] = {"background.colour=[0, 0, 1]"};
+  const Json told = ask(session, "two", {{"a", plain}, {"b", other}}).json["instruction"];
+  const auto number = told["number"].get<std::uint64_t>();
+  for (const char* const side : {"a", "b"}) {
+    Json wish = side == std::string("a") ? plain : other;
+    wish["number"] = number;
+    const Json instant = ask(session, "instant", wish).json;
+    bool is_listed = false;
+    for (const Json& one : instant["instructions"])
+      is_listed = is_listed || (one["number"] == number && one["text"] == told[side]);
+    CHECK(is_listed);
+  }
+}
+
+TEST_CASE("a pixel is explained by its place, and a primitive that is not seen there where that is asked") {
+  viewer::Session session = figure_session();
+  Json wish = box_wish();
+  wish["pixel"] = "16,12";
+  const Json seen = ask(session, "explain", wish).json;
+  CHECK(seen["text"].get<std::string>().starts_with("pixel 16,12 shows p0 "));
+  CHECK(seen["text"].get<std::string>().find("half-space") != std::string::npos);
+  CHECK(seen["story"]["pixel"] == Json{16, 12});
+  wish["pixel"] = "3,3";
+  CHECK(ask(session, "explain", wish).json["text"].get<std::string>().starts_with("pixel 3,3 shows nothing"));
+  wish["why_not"] = "p0";
+  CHECK(ask(session, "explain", wish).json["text"].get<std::string>().starts_with("why not p0 "));
+  for (const char* const pixel : {"33,0", "0,25", "3", ""}) {
+    wish["pixel"] = pixel;
+    CHECK(ask(session, "explain", wish).status == 422);
+  }
+}
+
+TEST_CASE("an instant is the beginning, if nothing is said, and has the active tree of the surface that is drawn") {
+  viewer::Session session = figure_session();
+  const std::string source = "difference(){" + box + "sphere(r=3);}";
+  const Json begin = ask(session, "instant", box_wish(source)).json;
+  CHECK(begin["number"] == 0);
+  CHECK_FALSE(begin.contains("active"));
+  Json wish = box_wish(source);
+  wish["primitive"] = 0;
+  const Json cube = ask(session, "instant", wish).json;
+  REQUIRE(cube["active"].size() == 1);
+  CHECK(cube["active"][0]["depth"] == 0);
+  CHECK(cube["active"][0]["primitive"] == 1);
+  CHECK(cube["active"][0]["complemented"] == true);
+  wish["primitive"] = 1;
+  const Json sphere = ask(session, "instant", wish).json;
+  REQUIRE(sphere["active"].size() == 1);
+  CHECK(sphere["active"][0]["primitive"] == 0);
+  CHECK(sphere["active"][0]["complemented"] == false);
+  wish["primitive"] = 2;
+  CHECK(ask(session, "instant", wish).status == 422);
+}
+
+TEST_CASE("a verdict counts wrong pixels, and advice tells what could be turned") {
+  viewer::Session session = figure_session();
+  const Json verdict = ask(session, "verdict", box_wish()).json;
+  CHECK(verdict["accuracy"]["wrong"] == 0);
+  CHECK(verdict["text"].get<std::string>().size() > 10);
+  const Json advice = ask(session, "advice", box_wish()).json;
+  CHECK(advice["knobs"].is_array());
+  CHECK(advice["knobs"].size() > 3);
+}
+
+TEST_CASE("what the page has to know first is the model, what it began with, and what there is") {
+  viewer::Session session({figure, {}, {{"size", "40x30"}}});
+  const viewer::Reply reply = session.answer({.method = "GET"}, "about");
+  CHECK(reply.status == 200);
+  CHECK(reply.type == "application/json");
+  const Json about = Json::parse(reply.body);
+  CHECK(about["model"] == figure);
+  std::ifstream file(figure);
+  CHECK(about["source"] == std::string(std::istreambuf_iterator<char>(file), {}));
+  CHECK(about["knobs"] == Json{{"size", "40x30"}});
+  CHECK(about["names"].size() == viewer::knobs.size());
+  CHECK(about["machines"].size() == 9);
+  CHECK(about["strategies"] == Json(shell::strategy_names()));
+  CHECK(about["evaluation_time"] == 10);
+  CHECK(about["usual"] == Json{{"machine", "pixel-planes-4"}, {"strategy", "stack"}, {"z-bits", 20}});
+  const auto machines = [](const char* begun_with) {
+    viewer::Session begun({figure, {}, {{"machine", begun_with}}});
+    return Json::parse(begun.answer({.method = "GET"}, "about").body)["machines"];
+  };
+  // One of csgsim's own is there already, another comes first.
+  CHECK(machines("scan-line") == about["machines"]);
+  const Json more = machines("pixel-planes-4+alu.bits=2");
+  CHECK(more.size() == 10);
+  CHECK(more[0] == "pixel-planes-4+alu.bits=2");
+}
+
+TEST_CASE("the report is of what was drawn last, and there is none of what was only compiled") {
+  viewer::Session session = figure_session();
+  CHECK(session.answer({.method = "GET"}, "report").status == 400);
+  CHECK(ask(session, "tree", box_wish()).status == 200);
+  const viewer::Reply compiled = session.answer({.method = "GET"}, "report");
+  CHECK(compiled.status == 400);
+  CHECK(Json::parse(compiled.body)["error"] == "nothing has been drawn yet");
+  CHECK(ask(session, "draw", box_wish()).status == 200);
+  const viewer::Reply report = session.answer({.method = "GET"}, "report");
+  CHECK(report.status == 200);
+  CHECK(report.type == "text/html; charset=utf-8");
+  CHECK(report.has_scripts);
+  CHECK(report.body.find("--size 33x25") != std::string::npos);
+}
+
+TEST_CASE("a message that begins with the model's place has its line and column, and any other one has none") {
+  viewer::Session session = figure_session();
+  const auto place = [&](const std::string& source) {
+    const Answer answer = ask(session, "draw", box_wish(source));
+    CHECK(answer.status == 422);
+    return std::pair(answer.json.value("line", 0), answer.json.value("column", 0));
+  };
+  using Place = std::pair<int, int>;
+  CHECK(place("cube(size=;") == Place{1, 11});
+  CHECK(place("cube(1);\n\n  sphere(r=;") == Place{3, 12});
+  CHECK(place(std::string(11, '\n') + std::string(20, ' ') + "sphere(r=;") == Place{12, 30});
+  Json wish = box_wish();
+  wish["knobs"]["size"] = "0x8";
+  const Answer other = ask(session, "draw", wish);
+  CHECK(other.status == 422);
+  CHECK_FALSE(other.json.contains("line"));
+  CHECK_FALSE(other.json.contains("column"));
+}
+
+TEST_CASE("brackets in brackets and values have limits, and a wish is an object") {
+  viewer::Session session = figure_session();
+  const auto status = [&](const std::string& body) {
+    return session.answer({.method = "POST", .body = body}, "tree").status;
+  };
+  const auto nested = [](int arrays) {
+    return "{\"x\":" + std::string(static_cast<std::size_t>(arrays), '[') +
+           std::string(static_cast<std::size_t>(arrays), ']') + "}";
+  };
+  CHECK(status(nested(15)) == 200);
+  CHECK(status(nested(16)) == 400);
+  const auto values = [](int numbers) {
+    std::string text = "{\"x\":[0";
+    for (int i = 1; i < numbers; ++i) text += ",0";
+    return text + "]}";
+  };
+  // The object, its key and the array are three.
+  CHECK(status(values(9'997)) == 200);
+  CHECK(status(values(9'998)) == 400);
+  CHECK(status("[]") == 400);
+  CHECK(status("{") == 400);
+}
+
+TEST_CASE("wishes that may not be are told by what is wrong with them") {
+  viewer::Session session({figure, {}, {{"machine", "own.toml"}}});
+  const auto error = [&](const Json& knobs) {
+    const Answer answer = ask(session, "tree", {{"knobs", knobs}});
+    return std::to_string(answer.status) + " " + answer.json.value("error", "");
+  };
+  CHECK(error({{"scene", "x"}}) == "400 there is no knob 'scene'");
+  CHECK(error({{"size", 3}}) == "400 size has to be a text");
+  CHECK(error({{"set", "x"}}) == "400 set has to be an array of texts");
+  CHECK(error({{"set", {1}}}) == "400 set has to be a text");
+  CHECK(error({{"machine", "other.toml"}}) ==
+        "400 machine: other.toml is a file; begin csgsim view with it: --machine other.toml");
+  CHECK(error({{"machine", "other.toml+alu.bits=2"}}).starts_with("400 "));
+  // The one that the session began with is read, if there is one.
+  CHECK(error({{"machine", "own.toml"}}).starts_with("422 "));
+  CHECK(error({{"machine", "own.toml+alu.bits=2"}}).starts_with("422 "));
+  CHECK(error({{"machine", "pixel-planes-4"}}) == "200 ");
+  CHECK(testing::error_of([] { const viewer::Session none({"/nosuch.csg", {}, Json::object()}); }) != "");
+}
+
+TEST_CASE("a question that is cancelled by its name says so, whatever it does") {
+  viewer::Session* asked = nullptr;
+  Json progress;
+  viewer::Session session = figure_session(recording([&] {
+    progress = ask(*asked, "progress", {{"evaluation", "mine"}}).json;
+    CHECK(ask(*asked, "cancel", {{"evaluation", "other"}}).json == Json::object());
+    end_if_interrupted();
+    CHECK(ask(*asked, "cancel", {{"evaluation", "mine"}}).status == 200);
+    end_if_interrupted();
+  }));
+  asked = &session;
+  Json wish = box_wish();
+  wish["evaluation"] = "mine";
+  const Answer cancelled = ask(session, "wave", wish);
+  CHECK(cancelled.status == 422);
+  CHECK(cancelled.json == Json{{"error", figure + ": cancelled"}, {"cancelled", true}});
+  CHECK(progress["doing"] == "drawing");
+  CHECK(progress["seconds"].get<double>() >= 0);
+  // It is over, and nothing is left of it.
+  CHECK(ask(session, "progress", {{"evaluation", "mine"}}).json == Json::object());
+}
+
+TEST_CASE("a session that ends takes back what is asked, and what is asked from then on") {
+  viewer::Session* asked = nullptr;
+  viewer::Session session = figure_session(recording([&] {
+    asked->close();
+    end_if_interrupted();
+  }));
+  asked = &session;
+  for (int i = 0; i < 2; ++i) {
+    const Answer answer = ask(session, "wave", box_wish());
+    CHECK(answer.status == 503);
+    CHECK(answer.json == Json{{"error", "csgsim view ends"}});
+  }
+}
+
+TEST_CASE("a model whose evaluation takes longer than it may is told with the limit") {
+  viewer::Session session = figure_session({.evaluation_time = std::chrono::milliseconds(1500)});
+  CHECK(Json::parse(session.answer({.method = "GET"}, "about").body)["evaluation_time"] == 1.5);
+  viewer::Session hasty({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},
+                        {.evaluation_time = std::chrono::milliseconds(0)});
+  std::atomic<bool> is_done = false;
+  std::thread watch([&] {
+    while (!is_done) hasty.end_overdue();
+  });
+  const Answer late = ask(hasty, "draw", Json::object());
+  is_done = true;
+  watch.join();
+  CHECK(late.status == 422);
+  CHECK(late.json == Json{{"error", CSGSIM_SOURCE_DIR
+                           "/tests/models/carburettor.csg: evaluating it takes longer than 0 s; make the "
+                           "model simpler, or begin csgsim view with more time, --evaluation-time SECONDS"}});
+}
+
+TEST_CASE("what is recorded is asked for by the pixel, the window and the probes, and none where there are none") {
+  std::vector<std::string> words;
+  viewer::SessionOptions options;
+  options.recorder = [&](const isa::Program&, std::span<const std::string> all) {
+    words.assign(all.begin(), all.end());
+    return std::string("recorded");
+  };
+  viewer::Session session = figure_session(std::move(options));
+  Json wish = box_wish();
+  CHECK(ask(session, "wave", wish).json == Json{{"wave", "recorded"}});
+  CHECK(words.empty());
+  wish["window"] = "i1:i2";
+  ask(session, "wave", wish);
+  CHECK(words == std::vector<std::string>{"--window=i1:i2"});
+  wish["pixel"] = "1,2";
+  wish["probes"] = {"a", "b"};
+  ask(session, "wave", wish);
+  CHECK(words == std::vector<std::string>{"--pixel=1,2", "--window=i1:i2", "--probe=a", "--probe=b"});
+}
+
+TEST_CASE("a drawing that several wish for at a time is evaluated once, and the latest is the one asked for last") {
+  viewer::Drawings drawings({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()});
+  CHECK(drawings.latest() == nullptr);
+  viewer::Evaluations evaluations(std::chrono::hours(1));
+  const Json wish{{"knobs", {{"size", "64x64"}}}};
+  constexpr std::size_t count = 4;
+  std::atomic<std::size_t> waiting = 0;
+  std::vector<std::shared_ptr<viewer::Drawing>> drawn(count);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < count; ++i) {
+    threads.emplace_back([&, i] {
+      viewer::Evaluation evaluation(evaluations, "");
+      ++waiting;
+      while (waiting < count) std::this_thread::yield();
+      drawn[i] = drawings.drawn(wish, evaluation);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const std::shared_ptr<viewer::Drawing>& one : drawn) CHECK(one == drawn[0]);
+  CHECK(drawings.latest() == drawn[0]);
+  viewer::Evaluation evaluation(evaluations, "");
+  const std::shared_ptr<viewer::Drawing> other = drawings.compiled(box_wish(), evaluation);
+  CHECK(other != drawn[0]);
+  CHECK_FALSE(other->found->drawn);
+  CHECK(drawings.latest() == other);
+  CHECK(drawings.compiled(wish, evaluation) == drawn[0]);
+  CHECK(drawings.latest() == drawn[0]);
+  CHECK(drawings.drawn(box_wish(), evaluation) == other);
+  CHECK(other->found->drawn);
+}

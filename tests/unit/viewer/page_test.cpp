@@ -1,0 +1,153 @@
+// What the page is made of: its files, the form of the effects, and the members of what it asks for.
+
+#include "sim/viewer/page.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host/effects/rows.h"
+#include "sim/report/parts_html.h"
+#include "sim/viewer/effects_form.h"
+#include "sim/viewer/files.h"
+#include "sim/viewer/wish.h"
+
+using namespace csgsim;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+std::string wish_error(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const viewer::WishError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The section or key of that name.
+const Json& named_in(const Json& all, const std::string& name) {
+  static const Json none;
+  const auto found = std::ranges::find_if(all, [&](const Json& one) { return one["name"] == name; });
+  return found == all.end() ? none : *found;
+}
+
+}  // namespace
+
+TEST_CASE("the page is its own first file, and each file has the type of its ending") {
+  const std::optional<viewer::Reply> page = viewer::page_file("");
+  REQUIRE(page);
+  CHECK(page->status == 200);
+  CHECK(page->type == "text/html; charset=utf-8");
+  CHECK(page->body.find("<html") != std::string::npos);
+  CHECK_FALSE(page->has_scripts);
+  CHECK(viewer::page_file("page.html")->body == page->body);
+  const std::optional<viewer::Reply> style = viewer::page_file("page.css");
+  REQUIRE(style);
+  CHECK(style->type == "text/css; charset=utf-8");
+  CHECK(style->body == report::page_style);
+  std::size_t scripts = 0;
+  for (const viewer::PageFile& file : viewer::page_files()) {
+    const std::string name(file.name);
+    CAPTURE(name);
+    const std::optional<viewer::Reply> reply = viewer::page_file(name);
+    REQUIRE(reply);
+    CHECK(reply->body == file.text);
+    const bool is_script = name.ends_with(".js");
+    scripts += is_script ? 1U : 0U;
+    CHECK(reply->type == (is_script                ? "text/javascript; charset=utf-8"
+                          : name.ends_with(".css") ? "text/css; charset=utf-8"
+                                                   : "text/html; charset=utf-8"));
+  }
+  CHECK(scripts > 10);
+  for (const char* const other : {"page", "page.htm", "page.css/", "../page.html", "draw"})
+    CHECK_FALSE(viewer::page_file(other));
+}
+
+TEST_CASE(
+    "the form has each effect with each of its keys but tables of colours, and the choices of those that have some") {
+  const Json form = viewer::effects_form();
+  const auto sections = effects::sections();
+  REQUIRE(form.size() == sections.size());
+  std::size_t keys = 0;
+  std::size_t tables = 0;
+  for (std::size_t i = 0; i < form.size(); ++i) {
+    const scene::Section& section = sections[i];
+    CHECK("effects." + form[i]["name"].get<std::string>() == section.name);
+    CHECK(form[i]["meaning"] == section.meaning);
+    CHECK(form[i]["is_list"] == section.is_list);
+    CHECK(form[i]["key"] == std::string(section.name) + (section.is_list ? ".0" : ""));
+    keys += form[i]["keys"].size();
+    for (const scene::KeyValue& one : section.blank()) {
+      const bool is_table = one.key.kind == scene::ValueKind::colour_table;
+      tables += is_table ? 1U : 0U;
+      CHECK(named_in(form[i]["keys"], std::string(one.key.name)).is_null() == is_table);
+    }
+  }
+  CHECK(keys > 30);
+  CHECK(tables == 1);  // texels
+  // As docs/effects.md has them.
+  const Json& cue = named_in(form, "depth_cue");
+  CHECK(cue["key"] == "effects.depth_cue");
+  CHECK(cue["is_list"] == false);
+  const Json& bits = named_in(cue["keys"], "bits");
+  CHECK(bits["allowed"] == "integer, 1 to 6");
+  CHECK(bits["unit"] == "bits");
+  CHECK(bits["usual"] == "5");
+  CHECK(bits["meaning"] == "of the part that has faded: 2^bits steps");
+  CHECK_FALSE(bits.contains("choices"));
+  CHECK(named_in(named_in(form, "antialias")["keys"], "adaptive")["choices"] == Json{"true", "false"});
+  CHECK(named_in(named_in(form, "transparency")["keys"], "method")["choices"].size() > 1);
+  CHECK(named_in(form, "cuts")["key"] == "effects.cuts.0");
+  CHECK(named_in(form, "cuts")["is_list"] == true);
+}
+
+TEST_CASE("a member of a wish that is not there, or null, is empty; one of another type is told by its name") {
+  const Json wish{{"text", "x"},          {"texts", {"a", "b"}}, {"number", 7U}, {"flag", true}, {"off", false},
+                  {"object", {{"a", 1}}}, {"null", nullptr},     {"less", -7},   {"part", 1.5},  {"mixed", {"a", 1}}};
+  CHECK(viewer::text_in(wish, "text") == "x");
+  CHECK(viewer::texts_in(wish, "texts") == std::vector<std::string>{"a", "b"});
+  CHECK(viewer::number_in(wish, "number") == 7);
+  CHECK(viewer::flag_in(wish, "flag"));
+  CHECK_FALSE(viewer::flag_in(wish, "off"));
+  CHECK(viewer::object_in(wish, "object") == Json{{"a", 1}});
+  for (const char* const key : {"none", "null"}) {
+    CHECK(viewer::text_in(wish, key).empty());
+    CHECK(viewer::texts_in(wish, key).empty());
+    CHECK_FALSE(viewer::number_in(wish, key));
+    CHECK_FALSE(viewer::flag_in(wish, key));
+    CHECK(viewer::object_in(wish, key) == Json::object());
+  }
+  const auto errors = [&](const char* key) {
+    return std::vector<std::string>{wish_error([&] { static_cast<void>(viewer::text_in(wish, key)); }),
+                                    wish_error([&] { static_cast<void>(viewer::texts_in(wish, key)); }),
+                                    wish_error([&] { static_cast<void>(viewer::number_in(wish, key)); }),
+                                    wish_error([&] { static_cast<void>(viewer::flag_in(wish, key)); }),
+                                    wish_error([&] { static_cast<void>(viewer::object_in(wish, key)); })};
+  };
+  const auto all = [](const std::string& key) {
+    return std::vector<std::string>{key + " has to be a text", key + " has to be an array of texts",
+                                    key + " has to be a number", key + " has to be true or false",
+                                    key + " has to be an object"};
+  };
+  const std::vector<std::pair<std::string, std::size_t>> right{
+      {"text", 0}, {"texts", 1}, {"number", 2}, {"flag", 3}, {"object", 4}};
+  for (const auto& [key, own] : right) {
+    std::vector<std::string> expected = all(key);
+    expected[own].clear();
+    CHECK(errors(key.c_str()) == expected);
+  }
+  CHECK(errors("less")[2] == "less has to be a number");
+  CHECK(errors("part")[2] == "part has to be a number");
+  CHECK(errors("mixed")[1] == "mixed has to be an array of texts");
+}
+
+TEST_CASE("what is sent is on one line, and bytes that are no UTF-8 are replaced") {
+  CHECK(viewer::text_of(Json{{"b", {1, 2}}, {"a", "x"}}) == R"({"b":[1,2],"a":"x"})");
+  CHECK(viewer::text_of(Json("a\xffz")) == "\"a\xef\xbf\xbdz\"");
+}
