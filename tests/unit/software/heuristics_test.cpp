@@ -300,8 +300,9 @@ TEST_CASE("a k-d tree's cells are divided by the cheapest of 31 walls an axis, i
 }
 TEST_CASE("a k-d tree of n facets has 8 levels and 1.3 for each bit of n") {
   // Two facets are so near each other that a wall cuts off empty space at every level; all others are far from them.
-  for (const auto& [facets, levels] :
-       {std::pair{3U, 10U}, std::pair{4U, 11U}, std::pair{7U, 11U}, std::pair{8U, 13U}}) {
+  for (const auto& row : {std::pair{3U, 10U}, std::pair{4U, 11U}, std::pair{7U, 11U}, std::pair{8U, 13U}}) {
+    const unsigned facets = row.first;
+    const unsigned levels = row.second;
     CAPTURE(facets);
     const glm::dvec3 apart{1e-9, 1e-9, 1e-9};
     std::vector<Polygons> primitives{{{glm::dvec3{0}, apart * 0.1, apart * glm::dvec3{0.1, 0, 0.1}}},
