@@ -393,7 +393,7 @@ TEST_CASE("nothing is built, told or counted before there is anything") {
     const auto directory = row->make(shapes, {4});
     CHECK(directory->built().references == 0);
     CHECK(directory->built().splits == 0);
-    CHECK(directory->built().cells == (row->name == "grid" ? 0 : 1));
+    CHECK(directory->built().cells == (row->name == "grid" ? 0U : 1U));
     for (const ToldCell& cell : told_along(*directory, {{-1, 0, 0}, {1, 0, 0}, 0, 9})) CHECK(cell.facets.empty());
   }
 }
