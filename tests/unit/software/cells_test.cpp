@@ -257,6 +257,33 @@ TEST_CASE(
   }
   CHECK(cells > 4000);
 }
+TEST_CASE("a ray that begins or ends on a wall between cells is in none beyond it") {
+  std::vector<Corners> polygons;
+  for (const double x : {-7.5, 7.5, -7.25, 7.25}) polygons.push_back({{x, -1, -1}, {x, 1, -1}, {x, 1, 1}, {x, -1, 1}});
+  const software::Facets facets = facets_with(polygons);
+  const software::FacetShapes shapes(facets, 0.25);
+  REQUIRE(shapes.box() == facet::Box{{-8, -1.5, -1.5}, {8, 1.5, 1.5}});
+  for (const char* const name : {"excell-recursive", "kd-tree", "grid"}) {
+    CAPTURE(name);
+    const auto directory = software::directory_of(name).make(shapes, {2});
+    // EXCELL halves the box along x; of a grid of 6 cells along x the third wall is there too.
+    const double wall = std::string(name) == "kd-tree" ? directory->parts()[0].wall : 0;
+    const auto told = [&](double from, double along, double end) {
+      Listener listener;
+      software::Counting count;
+      directory->walk({{from, 0.25, 0.25}, {along, 0, 0}, 0, end}, listener, count);
+      std::vector<std::vector<std::uint32_t>> all;
+      for (const ToldCell& cell : listener.told) all.push_back(cell.facets);
+      return std::pair{all, count.done()};
+    };
+    constexpr double little = 0x1p-20;
+    CHECK(told(wall, 1, 99) == told(wall + little, 1, 99));
+    CHECK(told(wall - 1, 1, 1) == told(wall - 1, 1, 1 - little));
+    CHECK(told(wall + 1, -1, 1) == told(wall + 1, -1, 1 - little));
+    if (std::string(name) != "grid") CHECK(told(wall, -1, 99) == told(wall - little, -1, 99));
+    CHECK(told(wall - 1, 1, 99).first.size() > told(wall, 1, 99).first.size());
+  }
+}
 TEST_CASE("all facets are in one cell of no directory, from where a ray begins to where it ends") {
   Random random(3);
   const software::Facets facets = scattered_triangles(random, 1);

@@ -137,12 +137,15 @@ TEST_CASE("a facet that a perspective view has off its place, or partly before t
         sampling.height = 32;
         sampling.z_bits = z_bits;
         sampling.fraction_bits = turn % 4;
-        if (near > 0) sampling.near = near;
+        // A small model is all around one unit from the eye.
+        const double size = turn % 3 == 0 ? 1.0 / 12 : 1;
+        if (near > 0) sampling.near = near * size;
         const double angle = 0.1 * turn;
+        const glm::dvec3 eye = glm::dvec3{12 * std::cos(angle), 12 * std::sin(angle), 4 + turn / 4.0} * size;
         const Scene scene = testing::make_scene(
-            read::read_csg_text("cube(size=[9,7,5],center=true);", "block"),
-            {{12 * std::cos(angle), 12 * std::sin(angle), 4 + turn / 4.0}, {0, 0, 0}, view::Projection::perspective},
-            sampling);
+            read::read_csg_text(fmt::format("cube(size=[{},{},{}],center=true);", 9 * size, 7 * size, 5 * size),
+                                "block"),
+            {eye, {0, 0, 0}, view::Projection::perspective}, sampling);
         check_loose(scene, found);
       }
     }

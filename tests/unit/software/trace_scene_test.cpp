@@ -19,7 +19,10 @@
 #include "host/read/read.h"
 #include "host/view/eye_space.h"
 #include "hw/base/error.h"
+#include "sim/software/coherences/sequences.h"
+#include "sim/software/methods/counts.h"
 #include "sim/software/tracing/piercing.h"
+#include "sim/software/tracing/secondary_rays.h"
 #include "sim/software/tracing/trace.h"
 #include "sim/software/tree/tree.h"
 #include "tests/unit/software/scenes.h"
@@ -359,4 +362,98 @@ TEST_CASE("nothing is counted of rays before there are any") {
   met.add_cells(3);
   CHECK(met.cells == 6);
   CHECK(met.rays_by_cells == std::vector<std::uint64_t>{1, 0, 0, 2});
+}
+
+namespace {
+
+/// Two cubes of 2 along y, at 0 and at 10, and rays between them.
+class Between {
+ public:
+  Between()
+      : staged_{stage("cube(size=[2,2,2],center=true);multmatrix([[1,0,0,0],[0,1,0,10],[0,0,1,0],[0,0,0,1]]){cube(size="
+                      "[2,2,2],center=true);}",
+                      {{0, -60, 5}, {0, 5, 0}, view::Projection::orthographic})},
+        sequences_(staged_.tree, meters_.classification) {}
+
+  /// A facet in the plane across an axis that is so far from the middle of all.
+  [[nodiscard]] std::uint32_t facet_across(int axis, double at) const {
+    const software::Facets& facets = staged_.traced.facets();
+    for (std::uint32_t i = 0; i < facets.facets.size(); ++i) {
+      const auto corners = facets.corners_of(i);
+      if (std::ranges::all_of(corners, [&](const glm::dvec3& one) { return std::abs(one[axis] - at) < 1e-9; }))
+        return i;
+    }
+    return TraceScene::none;
+  }
+
+  software::RealHit ray(const glm::dvec3& from, const glm::dvec3& direction, double end,
+                        const std::string& name = "none", bool is_any = false, bool has_mailboxes = true) {
+    const auto directory = software::directory_of(name).make(staged_.traced.shapes(), {4});
+    software::SecondaryRays<software::UncountedMethod> rays(staged_.traced, *directory, has_mailboxes, sequences_,
+                                                            meters_);
+    const software::Start start{from, facet_across(1, direction.y > 0 ? -4 : 4), TraceScene::none};
+    met = {};
+    return rays.trace(start, direction, end, is_any, met);
+  }
+
+  software::RaysMet met;
+
+ private:
+  Staged staged_;
+  software::TraceMeters<software::UncountedMethod> meters_;
+  software::Sequences<software::UncountedMethod> sequences_;
+};
+
+}  // namespace
+
+TEST_CASE("a ray from a face ends on the next solid, where that is no farther than the ray's end") {
+  Between between;
+  // About the middle, at y = 5, the cubes are from -6 to -4 and from 4 to 6.
+  REQUIRE(between.facet_across(1, -4) < 6);
+  REQUIRE(between.facet_across(1, 4) >= 6);
+  for (const double size : {1.0, 2.0, 64.0}) {
+    CAPTURE(size);
+    const software::RealHit hit = between.ray({0.25, -4, 0.5}, {0, size, 0}, infinite);
+    CHECK(hit.t == doctest::Approx(8 / size).epsilon(1e-12));
+    CHECK(hit.is_in_solid());
+    CHECK(hit.owner == 1);
+    CHECK(hit.facet == between.facet_across(1, 4));
+    CHECK(between.met.rays == 1);
+    CHECK(between.met.hits == 1);
+    CHECK(between.met.met == 2);  // the front and the back of the cube
+    CHECK(between.met.tested == 12);
+    CHECK(between.met.cells == 1);
+    CHECK(between.ray({0.25, -4, 0.5}, {0, size, 0}, 8 / size + 1e-6).is_in_solid());
+    CHECK(between.met.met == 1);
+    CHECK(!between.ray({0.25, -4, 0.5}, {0, size, 0}, 8 / size - 1e-6).is_in_solid());
+    CHECK(between.met.hits == 0);
+    CHECK(between.met.met == 0);
+  }
+  // Another way, and past it.
+  CHECK(between.ray({0.25, 4, 0.5}, {0, -1, 0}, infinite).facet == between.facet_across(1, -4));
+  const software::RealHit past = between.ray({0.25, -4, 0.5}, {0, 1, 1}, infinite);
+  CHECK(past.t == infinite);
+  CHECK(past.owner == software::Seen::nothing_seen);
+  CHECK(past.facet == TraceScene::none);
+  // Whether there is any is all that is told.
+  const software::RealHit any = between.ray({0.25, -4, 0.5}, {0, 1, 0}, infinite, "none", true);
+  CHECK(any.t == doctest::Approx(8));
+  CHECK(any.owner == software::Seen::nothing_seen);
+  CHECK(any.facet == TraceScene::none);
+}
+TEST_CASE("a ray that goes along an axis but for less than a number of full precision goes along it") {
+  Between between;
+  // It begins on the walls that halve the model across both other axes.
+  for (const software::DirectoryRow* const row : software::directories()) {
+    for (const bool has_mailboxes : {false, true}) {
+      CAPTURE(row->name);
+      CAPTURE(has_mailboxes);
+      for (const double least : {0.0, 1e-310, -1e-310, 5e-324}) {
+        const std::string name(row->name);
+        CHECK(between.ray({0, -4, 0}, {least, 1, 0}, infinite, name, false, has_mailboxes).t == doctest::Approx(8));
+        CHECK(between.ray({0, -4, 0}, {0, 1, least}, infinite, name, false, has_mailboxes).t == doctest::Approx(8));
+        CHECK(between.ray({0, 4, 0}, {least, -1, least}, infinite, name, false, has_mailboxes).t == doctest::Approx(8));
+      }
+    }
+  }
 }
