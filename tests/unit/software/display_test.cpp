@@ -248,6 +248,47 @@ TEST_CASE("nothing is counted of a picture before it is drawn") {
   CHECK(software::Piece{}.facet == 0);
   CHECK(software::PolygonOptions{software::directory_of("excell")}.bucket_size == 24);
 }
+TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
+  struct Told {
+    software::Counts counts;
+
+    [[nodiscard]] const software::Counts& counts_so_far() const { return counts; }
+  };
+  software::Ledger<Told> ledger;
+  // The first phase has 1 of each, the next 10, and so on.
+  std::uint64_t times = 1;
+  for (std::size_t phase = 0; phase < software::phases; ++phase, times *= 10) {
+    software::Counts& counts = ledger[static_cast<software::Phase>(phase)].counts;
+    counts.points = times;
+    counts.evaluations = 2 * times;
+    counts.precomputed = 3 * times;
+    counts.looked_up = 4 * times;
+    counts.node_visits = 5 * times;
+    counts.early_outs = 6 * times;
+    counts.list_steps = 7 * times;
+    counts.list_elements = 8 * times;
+    counts.ties = 9 * times;
+    counts.operations.counts[static_cast<std::size_t>(software::Operation::multiply)] = times;
+  }
+  software::DisplayCounts told;
+  told.csg.points = told.csg.ties = 50;
+  told.conflicts = 77;
+  ledger.tell(told);
+  CHECK(told.csg.points == 111111);
+  CHECK(told.csg.evaluations == 222222);
+  CHECK(told.csg.precomputed == 333333);
+  CHECK(told.csg.looked_up == 444444);
+  CHECK(told.csg.node_visits == 555555);
+  CHECK(told.csg.early_outs == 666666);
+  CHECK(told.csg.list_steps == 777777);
+  CHECK(told.csg.list_elements == 888888);
+  CHECK(told.csg.ties == 999999);
+  CHECK(told.csg.operations.of(software::Operation::multiply) == 111111);
+  CHECK(told.of(software::Phase::preprocessing).of(software::Operation::multiply) == 1);
+  CHECK(told.of(software::Phase::sorting).of(software::Operation::multiply) == 100);
+  CHECK(told.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
+  CHECK(told.conflicts == 77);
+}
 TEST_CASE("what is displayed tells its pixels and its farthest depth, and has buckets of 24 in EXCELL") {
   const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
   const Shown shown(scene);
