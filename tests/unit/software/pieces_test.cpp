@@ -1,6 +1,7 @@
 // Pieces of polygons, cells in order and surfaces of pixels, by hand.
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,9 +21,7 @@
 #include "sim/software/display/polygons.h"
 #include "sim/software/display/screen_pieces.h"
 #include "sim/software/methods/counts.h"
-#include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
-#include "tests/unit/software/shown.h"
 
 using namespace csgsim;
 using software::PolygonCell;
@@ -106,11 +105,12 @@ std::vector<Places> corners_after_clipping(const software::Facets& facets, const
   return corners;
 }
 
-/// Two cubes of two units, the second ten units along x.
-testing::Scene two_cubes() {
+/// Two cubes of two units, the second so far from the first along each axis.
+testing::Scene two_cubes(double apart) {
   return drawn(
-      "cube(size=[2,2,2],center=true);multmatrix([[1,0,0,10],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube(size=[2,2,2],center="
-      "true);}",
+      fmt::format("cube(size=[2,2,2],center=true);"
+                  "multmatrix([[1,0,0,{0}],[0,1,0,{0}],[0,0,1,{0}],[0,0,0,1]]){{cube(size=[2,2,2],center=true);}}",
+                  apart),
       {{5, -60, 10}, {5, 0, 0}, view::Projection::orthographic});
 }
 
@@ -204,41 +204,43 @@ TEST_CASE("cells without pieces are not drawn, and pieces without an area are no
   CHECK(software::front_to_back(polygons, plain_eye(false), glm::dvec3{0}, 8, 4).cells.empty());
 }
 TEST_CASE("a facet without an area is put where its corners are, or one of its primitive's, or the middle") {
-  const testing::Scene scene = two_cubes();
-  const software::Facets whole = software::facets_of(scene.tree, scene.geometry);
-  REQUIRE(whole.facets.size() == 12);
-  // What is cut off the others' corners does not matter here.
-  const auto corners_of_first = [&](const Places& corners) {
-    software::Facets facets = whole;
-    put_corners(facets, 0, corners);
-    const std::vector<Places> clipped = corners_after_clipping(facets, scene);
-    // A face that misses its neighbour is as large as ever.
-    for (std::uint32_t facet = 1; facet < 12; ++facet) {
-      CHECK(clipped[facet].size() == 4);
-      const facet::Box box = facet::box_of(clipped[facet]);
-      const facet::Box expected = facet::box_of(whole.corners_of(facet));
-      CHECK(glm::length(box.low - expected.low) < 1e-9);
-      CHECK(glm::length(box.high - expected.high) < 1e-9);
-    }
-    return clipped[0];
-  };
-  const glm::dvec3 a{0.5, 0.25, -1};
-  const glm::dvec3 b{-1, 1, 0.75};
-  CHECK(corners_of_first({a}) == Places{a, a});
-  CHECK(corners_of_first({a, b}) == Places{a, b});
-  CHECK(corners_of_first({b, a}) == Places{b, a});
-  // Without corners: the first that its primitive has.
-  CHECK(corners_of_first({}) == Places{whole.corners_of(1)[0]});
-  software::Facets second = whole;
-  for (std::uint32_t facet = 6; facet < 12; ++facet) put_corners(second, facet, facet == 9 ? Places{b} : Places{});
-  std::vector<Places> corners = corners_after_clipping(second, scene);
-  for (std::uint32_t facet = 6; facet < 12; ++facet) CHECK(corners[facet] == (facet == 9 ? Places{b, b} : Places{b}));
-  for (std::uint32_t facet = 6; facet < 12; ++facet) put_corners(second, facet, {});
-  corners = corners_after_clipping(second, scene);
-  for (std::uint32_t facet = 6; facet < 12; ++facet) CHECK(corners[facet] == Places{glm::dvec3{0}});
+  for (const double apart : {-10.0, 10.0}) {
+    CAPTURE(apart);
+    const testing::Scene scene = two_cubes(apart);
+    const software::Facets whole = software::facets_of(scene.tree, scene.geometry);
+    REQUIRE(whole.facets.size() == 12);
+    const auto corners_of_first = [&](const Places& corners) {
+      software::Facets facets = whole;
+      put_corners(facets, 0, corners);
+      const std::vector<Places> clipped = corners_after_clipping(facets, scene);
+      // A face that misses its neighbour is as large as ever.
+      for (std::uint32_t facet = 1; facet < 12; ++facet) {
+        CHECK(clipped[facet].size() == 4);
+        const facet::Box box = facet::box_of(clipped[facet]);
+        const facet::Box expected = facet::box_of(whole.corners_of(facet));
+        CHECK(glm::length(box.low - expected.low) < 1e-9);
+        CHECK(glm::length(box.high - expected.high) < 1e-9);
+      }
+      return clipped[0];
+    };
+    const glm::dvec3 a{0.5, 0.25, -1};
+    const glm::dvec3 b{-1, 1, 0.75};
+    CHECK(corners_of_first({a}) == Places{a, a});
+    CHECK(corners_of_first({a, b}) == Places{a, b});
+    CHECK(corners_of_first({b, a}) == Places{b, a});
+    // Without corners: the first that its primitive has.
+    CHECK(corners_of_first({}) == Places{whole.corners_of(1)[0]});
+    software::Facets second = whole;
+    for (std::uint32_t facet = 6; facet < 12; ++facet) put_corners(second, facet, facet == 9 ? Places{b} : Places{});
+    std::vector<Places> corners = corners_after_clipping(second, scene);
+    for (std::uint32_t facet = 6; facet < 12; ++facet) CHECK(corners[facet] == (facet == 9 ? Places{b, b} : Places{b}));
+    for (std::uint32_t facet = 6; facet < 12; ++facet) put_corners(second, facet, {});
+    corners = corners_after_clipping(second, scene);
+    for (std::uint32_t facet = 6; facet < 12; ++facet) CHECK(corners[facet] == Places{glm::dvec3{0}});
+  }
 }
 TEST_CASE("a facet thinner than a hundred-millionth of the model has the ends of its longest extent") {
-  const testing::Scene scene = two_cubes();
+  const testing::Scene scene = two_cubes(10);
   const software::Facets whole = software::facets_of(scene.tree, scene.geometry);
   // A face of the first cube gets a plane of the second, of which the cube has nothing.
   const auto entered = [&](const Places& corners) {
@@ -275,7 +277,7 @@ TEST_CASE("a facet without an area on both sides of a wall is on the side of its
     // The first wall halves the box along x, at 0.
     const Polygons polygons = pieces_of(facets, scene, 1);
     REQUIRE(polygons.walls[polygons.cells[0].wall].normal == glm::dvec3{1, 0, 0});
-    CHECK(std::abs(polygons.walls[polygons.cells[0].wall].offset) < 1e-12);
+    CHECK(polygons.walls[polygons.cells[0].wall].offset == 0);
     int found = 0;
     bool above = false;
     for (const PolygonCell& cell : polygons.cells) {
@@ -293,6 +295,7 @@ TEST_CASE("a facet without an area on both sides of a wall is on the side of its
   CHECK(is_above(1.01, -1));
   CHECK(!is_above(-1.5, 1));
   CHECK(!is_above(1, -1.01));
+  CHECK(!is_above(-1, 1));  // on the wall
 }
 TEST_CASE("a piece has a bound for each of its sides in the picture, and no more") {
   // A post stands through a wall, from below it to above it: the wall's front is cut along both sides of the post.
