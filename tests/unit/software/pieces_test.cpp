@@ -18,6 +18,7 @@
 #include "host/view/eye_space.h"
 #include "hw/base/error.h"
 #include "sim/software/display/clipped_facets.h"
+#include "sim/software/display/facet_sheets.h"
 #include "sim/software/display/polygons.h"
 #include "sim/software/display/screen_pieces.h"
 #include "sim/software/methods/counts.h"
@@ -214,7 +215,9 @@ TEST_CASE("a facet without an area is put where its corners are, or one of its p
       put_corners(facets, 0, corners);
       const std::vector<Places> clipped = corners_after_clipping(facets, scene);
       // A face that misses its neighbour is as large as ever.
+      software::FacetSheets sheets(facets, scene.geometry);
       for (std::uint32_t facet = 1; facet < 12; ++facet) {
+        CHECK(sheets.whole(facet).corners.size() == 4);
         CHECK(clipped[facet].size() == 4);
         const facet::Box box = facet::box_of(clipped[facet]);
         const facet::Box expected = facet::box_of(whole.corners_of(facet));
