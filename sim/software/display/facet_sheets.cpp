@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
 #include <map>
 #include <optional>
 #include <span>
@@ -15,20 +15,13 @@ namespace {
 /// Ends of a polygon's side, in its direction.
 using Ends = std::array<double, 6>;
 
-/// Primitives may be larger than what is left of them.
-double diameter_of(const Facets& facets, const facet::Geometry& geometry) {
-  double farthest = 0;
-  for (const glm::dvec3& corner : facets.corners) farthest = std::max(farthest, glm::length(corner));
-  return std::max(2 * farthest, geometry.planes.diagonal());
-}
-
 Ends ends_of(const glm::dvec3& from, const glm::dvec3& to) { return {from.x, from.y, from.z, to.x, to.y, to.z}; }
 
 }  // namespace
 
 FacetSheets::FacetSheets(const Facets& facets, const facet::Geometry& geometry)
     : facets_(facets),
-      planes_(geometry.planes, diameter_of(facets, geometry)),
+      planes_(geometry.planes, geometry.planes.diagonal()),
       sheets_(facets.facets.size(), Sheet(planes_)),
       bounds_(facets.facets.size()) {
   for (std::uint32_t primitive = 0; primitive + 1 < facets.of_primitives.size(); ++primitive)

@@ -93,8 +93,8 @@ class KdTree final : public DirectoryOf<KdTree> {
 
   /// The cheapest wall of an axis, where a step takes as long as the test of a facet.
   void choose(const std::vector<std::uint32_t>& facets, const facet::Box& box, int axis, Choice& best) {
-    std::array<std::uint64_t, places + 1> begin{};
-    std::array<std::uint64_t, places + 1> end{};
+    std::array<std::uint64_t, places> begin{};
+    std::array<std::uint64_t, places> end{};
     const double width = (box.high[axis] - box.low[axis]) / places;
     const auto place = [&](double at) {
       return static_cast<std::size_t>(std::clamp((at - box.low[axis]) / width, 0.0, places - 1.0));

@@ -13,7 +13,10 @@
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
+#include "sim/software/display/polygons.h"
+#include "sim/software/facets/screen_facets.h"
 #include "sim/software/rays/caster.h"
+#include "sim/software/space/directory.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
 #include "tests/support/usual_cases.h"
@@ -210,4 +213,95 @@ TEST_CASE("a method that goes facet by facet counts only when it is made to, and
     CHECK(all == counts.csg.operations);
   }
   CHECK_THROWS_WITH_AS(software::display_method("scanline"), doctest::Contains("scan-line"), InputError);
+}
+TEST_CASE("each method that goes facet by facet is found by its name, and two of them are not exact") {
+  for (const DisplayRow* const row : software::display_methods())
+    CHECK(&software::display_method(std::string(row->name)) == row);
+  CHECK(std::ranges::count(software::display_methods(), false, [](const DisplayRow* row) { return row->is_exact; }) ==
+        2);
+  CHECK(!software::display_method("list-priority").is_exact);
+  CHECK(!software::display_method("list-priority/depth-buffer").is_exact);
+  CHECK(DisplayRow{}.is_exact);
+  CHECK_THROWS_AS(software::display_method(""), InputError);
+  CHECK_THROWS_AS(software::display_method("list-priorit"), InputError);
+}
+TEST_CASE("nothing is counted of a picture before it is drawn") {
+  const software::DisplayCounts counts;
+  CHECK(counts.polygons + counts.pieces + counts.shared + counts.references + counts.crossing_tests +
+            counts.overlap_tests + counts.drawn_polygons + counts.pixel_events + counts.passes + counts.spans +
+            counts.splits + counts.cells + counts.drawn_cells + counts.looked_parts + counts.overfull_cells +
+            counts.conflicts ==
+        0);
+  for (const software::Operations& operations : counts.operations) CHECK(operations == software::Operations{});
+  CHECK(counts.words.all() == 0);
+  CHECK(software::DisplayWords{1, 20, 300, 4000}.all() == 4321);
+  const software::Displayed displayed;
+  CHECK(displayed.preprocessing_seconds == 0);
+  CHECK(displayed.drawing_seconds == 0);
+  const software::ClippedFacets clipped;
+  CHECK(clipped.crossing_tests + clipped.overlap_tests == 0);
+  const software::Polygons polygons;
+  CHECK(polygons.canonical_planes + polygons.clipped + polygons.shared + polygons.crossing_tests +
+            polygons.overlap_tests + polygons.words ==
+        0);
+  CHECK(software::CellOrder{}.looked_at == 0);
+  CHECK(software::Piece{}.facet == 0);
+  CHECK(software::PolygonOptions{software::directory_of("excell")}.bucket_size == 24);
+}
+TEST_CASE("a ledger adds up what its phases counted, and nothing else") {
+  struct Told {
+    software::Counts counts;
+
+    [[nodiscard]] const software::Counts& counts_so_far() const { return counts; }
+  };
+  software::Ledger<Told> ledger;
+  // The first phase has 1 of each, the next 10, and so on.
+  std::uint64_t times = 1;
+  for (std::size_t phase = 0; phase < software::phases; ++phase, times *= 10) {
+    software::Counts& counts = ledger[static_cast<software::Phase>(phase)].counts;
+    counts.points = times;
+    counts.evaluations = 2 * times;
+    counts.precomputed = 3 * times;
+    counts.looked_up = 4 * times;
+    counts.node_visits = 5 * times;
+    counts.early_outs = 6 * times;
+    counts.list_steps = 7 * times;
+    counts.list_elements = 8 * times;
+    counts.ties = 9 * times;
+    counts.operations.counts[static_cast<std::size_t>(software::Operation::multiply)] = times;
+  }
+  software::DisplayCounts told;
+  told.csg.points = told.csg.ties = 50;
+  told.conflicts = 77;
+  ledger.tell(told);
+  CHECK(told.csg.points == 111111);
+  CHECK(told.csg.evaluations == 222222);
+  CHECK(told.csg.precomputed == 333333);
+  CHECK(told.csg.looked_up == 444444);
+  CHECK(told.csg.node_visits == 555555);
+  CHECK(told.csg.early_outs == 666666);
+  CHECK(told.csg.list_steps == 777777);
+  CHECK(told.csg.list_elements == 888888);
+  CHECK(told.csg.ties == 999999);
+  CHECK(told.csg.operations.of(software::Operation::multiply) == 111111);
+  CHECK(told.of(software::Phase::preprocessing).of(software::Operation::multiply) == 1);
+  CHECK(told.of(software::Phase::sorting).of(software::Operation::multiply) == 100);
+  CHECK(told.of(software::Phase::initialisation).of(software::Operation::multiply) == 100000);
+  CHECK(told.conflicts == 77);
+}
+TEST_CASE("what is displayed tells its pixels and its farthest depth, and has buckets of 24 in EXCELL") {
+  const Scene scene = testing::thesis_scene(testing::thesis_objects(view::Projection::perspective).front(), 40, 30);
+  const Shown shown(scene);
+  const software::DisplaySubject subject{scene.tree, scene.geometry, scene.view, shown.tree, shown.facets};
+  CHECK(subject.pixels() == 1200);
+  CHECK(subject.farthest() == 1048575);  // of 20 bits
+  CHECK(subject.bucket_size == 24);
+  CHECK(subject.directory == "excell");
+  const software::Displayed displayed = software::display_method("list-priority").run(subject, true);
+  CHECK(displayed.counts.references == shown.by("list-priority", true, 24).counts.references);
+  CHECK(displayed.counts.references != shown.by("list-priority", true, 23).counts.references);
+  CHECK(displayed.preprocessing_seconds > 0);
+  CHECK(displayed.drawing_seconds > 0);
+  CHECK(displayed.preprocessing_seconds < 60);
+  CHECK(displayed.drawing_seconds < 60);
 }

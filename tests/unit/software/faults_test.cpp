@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
 #include "sim/software/display/real_depths.h"
@@ -55,6 +56,83 @@ TEST_CASE("a pixel whose surfaces came in the order of their real depths is wron
         software::Fault::depth_bits);
   // What is farther than one that it came before, by real depths too, is out of order, whatever else there is.
   CHECK(fault({10, 20.2, 20.7, 42.5, 42.4}, {{0, 2}, {0, 0}, {0, 4}, {0, 3}}) == software::Fault::order);
+}
+
+TEST_CASE("surfaces coincide up to 2^-10 of a step, and rounding hides what it may hide to the last bit") {
+  const std::vector<software::Event> exact{{10, 0}, {20, 2}, {20, 4}, {30, 1}};
+  const auto tied = [&](double apart) {
+    return software::fault_of({exact, std::vector<double>{10, 20, 20 + apart, 30}, 1},
+                              std::vector<software::Event>{{0, 0}, {0, 2}});
+  };
+  CHECK(tied(0x1p-10) == software::Fault::coincident);
+  CHECK(tied(0x1p-10 + 0x1p-40) == software::Fault::depth_bits);
+  CHECK(tied(-0x1p-10) == software::Fault::coincident);
+  CHECK(tied(-0x1p-10 - 0x1p-40) == software::Fault::depth_bits);
+  const auto overtaken = [&](double by) {
+    return software::fault_of({exact, std::vector<double>{10, 20, 25, 25 + by}, 1.5},
+                              std::vector<software::Event>{{0, 0}, {0, 2}, {0, 1}});
+  };
+  CHECK(overtaken(1.5) == software::Fault::depth_bits);
+  CHECK(overtaken(1.5 + 0x1p-40) == software::Fault::order);
+}
+TEST_CASE("of several reasons a pixel is wrong for the worst") {
+  // Three surfaces are near 20, two of them at one place; two are level at 40; two at 60 are so by integers alone.
+  const std::vector<software::Event> exact{{20, 0}, {20, 2}, {21, 4}, {40, 1}, {40, 3}, {60, 6}, {60, 8}};
+  const std::vector<double> depths{20, 20, 20.5, 40, 40, 60, 60.5};
+  const auto fault = [&](std::vector<software::Event> drawn) { return software::fault_of({exact, depths, 1}, drawn); };
+  // The second came before the first, the fifth before the fourth, the seventh before the sixth.
+  CHECK(fault({{0, 2}}) == software::Fault::three_way);
+  CHECK(fault({{0, 2}, {0, 0}, {0, 4}, {0, 3}}) == software::Fault::three_way);
+  CHECK(fault({{0, 2}, {0, 0}, {0, 4}, {0, 3}, {0, 1}, {0, 8}}) == software::Fault::three_way);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 3}, {0, 1}, {0, 8}}) == software::Fault::coincident);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 3}, {0, 1}, {0, 6}}) == software::Fault::coincident);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 3}, {0, 8}}) == software::Fault::depth_bits);
+  CHECK(fault({{0, 0}, {0, 2}, {0, 4}, {0, 1}, {0, 3}, {0, 6}}) == software::Fault::depth_bits);
+}
+TEST_CASE("faults are counted by cause, from none") {
+  software::Faults faults;
+  CHECK(faults.depth_bits + faults.coincident + faults.three_way + faults.order == 0);
+  CHECK(faults.all() == 0);
+  for (int i = 0; i < 1; ++i) faults.add(software::Fault::depth_bits);
+  for (int i = 0; i < 2; ++i) faults.add(software::Fault::coincident);
+  for (int i = 0; i < 4; ++i) faults.add(software::Fault::three_way);
+  for (int i = 0; i < 8; ++i) faults.add(software::Fault::order);
+  CHECK(faults.depth_bits == 1);
+  CHECK(faults.coincident == 2);
+  CHECK(faults.three_way == 4);
+  CHECK(faults.order == 8);
+  CHECK(faults.all() == 15);
+}
+TEST_CASE("rounding hides a step, and three halves of a unit of the fraction for each pixel from the middle and one") {
+  for (const unsigned fraction_bits : {0U, 2U, 12U}) {
+    view::Sampling sampling;
+    sampling.width = 6;
+    sampling.height = 3;
+    sampling.fraction_bits = fraction_bits;
+    const Scene scene = testing::make_scene(read::read_csg_text("cube(size=[8,8,8],center=true);", "block"),
+                                            {{0, -60, 0}, {0, 0, 0}, view::Projection::orthographic}, sampling);
+    const software::RealDepths real(scene.geometry, scene.view);
+    const double unit = 1.5 / (1U << fraction_bits);
+    // The middle is at column 2.5 and row 1.
+    CHECK(real.rounding(2, 1) == 1 + unit * 1.5);
+    CHECK(real.rounding(3, 1) == 1 + unit * 1.5);
+    CHECK(real.rounding(0, 0) == 1 + unit * 4.5);
+    CHECK(real.rounding(5, 2) == 1 + unit * 4.5);
+    CHECK(real.rounding(1, 2) == 1 + unit * 3.5);
+  }
+}
+TEST_CASE("a primitive that rays begin in is entered at 0, and left at the nearest of its planes") {
+  // The camera is in a block of 80, a quarter of the way from its middle to the face that it looks at.
+  view::Sampling sampling;
+  sampling.width = 5;
+  sampling.height = 3;
+  sampling.near = 1;
+  const Scene scene = testing::make_scene(read::read_csg_text("cube(size=[80,80,80],center=true);", "block"),
+                                          {{0, 10, 0}, {0, 11, 0}, view::Projection::perspective}, sampling);
+  const software::RealDepths real(scene.geometry, scene.view);
+  CHECK(real.of(0, 2, 1) == 0);
+  CHECK(real.of(0, 0, 2) == 0);
+  CHECK(real.of(1, 2, 1) == doctest::Approx(isa::depth_of(scene.view.depth, 20, 30)).epsilon(1e-9));
 }
 
 namespace {

@@ -40,28 +40,36 @@ struct Found {
   std::uint64_t loose = 0;
   std::uint64_t tight = 0;
   std::uint64_t near_the_limit = 0;  ///< facets whose depths are a quarter of the reach to twice the reach off
+  std::uint64_t before_near = 0;     ///< facets in front that are partly before the near plane
 };
 
 /// How far the depths of a facet, at pixels that it covers, are from its place.
-double farthest_off(const Scene& scene, const software::TraceScene& traced, const software::ScreenFacet& facet) {
+struct Off {
+  double farthest = 0;
+  bool is_before_near = false;  ///< where rays enter
+};
+
+Off off_place(const Scene& scene, const software::TraceScene& traced, const software::ScreenFacet& facet) {
   const view::EyeSpace eye = view::eye_space(scene.view.camera, scene.view.sampling);
   const double one = std::ldexp(1.0, static_cast<int>(scene.view.sampling.fraction_bits));
   const std::span<const glm::dvec3> corners = traced.facets().corners_of(facet.facet);
-  double farthest = 0;
+  Off off;
   for (std::int32_t y = facet.pixels.y0; y <= facet.pixels.y1; ++y) {
     for (std::int32_t x = facet.pixels.x0; x <= facet.pixels.x1; ++x) {
       const bool is_covered = std::ranges::all_of(
           traced.screen().bounds_of(facet), [&](const view::FixedLinear& bound) { return value_at(bound, x, y) >= 0; });
       if (!is_covered) continue;
       const double depth = static_cast<double>(value_at(facet.depth, x, y)) / one;
+      off.is_before_near = off.is_before_near || (depth < 0 && !facet.leaves);
+      if (depth < 0 || depth > traced.screen().farthest) continue;
       const double distance = isa::distance_at(scene.view.depth, scene.view.sampling.z_bits, depth);
       const glm::dvec3 place =
           eye.to_model(eye.from_picture({static_cast<double>(x), static_cast<double>(y), distance})) -
           scene.geometry.planes.centre();
-      farthest = std::max(farthest, distance_to(place, corners));
+      off.farthest = std::max(off.farthest, distance_to(place, corners));
     }
   }
-  return farthest;
+  return off;
 }
 
 void check_loose(const Scene& scene, Found& found) {
@@ -71,8 +79,14 @@ void check_loose(const Scene& scene, Found& found) {
   for (std::uint32_t i = 0; i < traced.screen().facets.size(); ++i) {
     const software::ScreenFacet& facet = traced.screen().facets[i];
     if (facet.facet == software::ScreenFacet::near_cap) continue;
-    const double off = farthest_off(scene, traced, facet);
+    const Off both = off_place(scene, traced, facet);
+    const double off = both.farthest;
     const bool is_loose = traced.screen_of(facet.facet) != i;
+    found.before_near += both.is_before_near ? 1U : 0U;
+    if (both.is_before_near) {
+      CHECK(is_loose);
+      continue;
+    }
     found.near_the_limit += off > limit / 2 && off < 4 * limit ? 1U : 0U;
     (is_loose ? found.loose : found.tight) += 1U;
     // A corner is taken for nearer than it is, by a factor of the root of two at most.
@@ -109,4 +123,37 @@ TEST_CASE("a facet is loose where its depths are more than half the reach of cel
   CHECK(found.loose > 100);
   CHECK(found.tight > 100);
   CHECK(found.near_the_limit > 50);
+}
+TEST_CASE("a facet that a perspective view has off its place, or partly before the near plane, is loose") {
+  Found found;
+  for (unsigned turn = 1; turn <= 12; ++turn) {
+    for (const double near : {0.0, 7.0, 9.0}) {
+      for (const unsigned z_bits : {13U, 15U, 16U, 17U, 20U}) {
+        CAPTURE(turn);
+        CAPTURE(near);
+        CAPTURE(z_bits);
+        view::Sampling sampling;
+        sampling.width = 48;
+        sampling.height = 32;
+        sampling.z_bits = z_bits;
+        sampling.fraction_bits = turn % 4;
+        // A small model is all around one unit from the eye.
+        const double size = turn % 3 == 0 ? 1.0 / 12 : 1;
+        if (near > 0) sampling.near = near * size;
+        const double angle = 0.1 * turn;
+        const glm::dvec3 eye = glm::dvec3{12 * std::cos(angle), 12 * std::sin(angle), 4 + turn / 4.0} * size;
+        const Scene scene = testing::make_scene(
+            read::read_csg_text(fmt::format("cube(size=[{},{},{}],center=true);", 9 * size, 7 * size, 5 * size),
+                                "block"),
+            {eye, {0, 0, 0}, view::Projection::perspective}, sampling);
+        check_loose(scene, found);
+      }
+    }
+  }
+  MESSAGE(found.loose, " loose, ", found.tight, " not, ", found.near_the_limit, " near the limit, ", found.before_near,
+          " before the near plane");
+  CHECK(found.loose > 50);
+  CHECK(found.tight > 100);
+  CHECK(found.near_the_limit > 20);
+  CHECK(found.before_near > 20);
 }

@@ -124,6 +124,13 @@ TEST_CASE("each pixel of a facet is in one of its pieces, whatever the size of b
     const software::Polygons polygons = polygons_of(shown, 1 + seed % 20);
     const software::ScreenPieces pieces =
         software::screen_pieces(polygons, all_cells(polygons), seen, scene->geometry, scene->view);
+    // Bounds are kept of pieces with pixels alone.
+    std::size_t linears = 0;
+    for (const software::ScreenFacet& piece : pieces.pieces.facets) {
+      CHECK(piece.bounds == linears);
+      linears = piece.end;
+    }
+    CHECK(linears == pieces.pieces.linears.size());
     cuts += pieces.pieces.facets.size() - (seen.facets.size() - caps.facets.size());
     const view::Sampling& sampling = scene->view.sampling;
     std::vector<std::vector<software::Event>> events = events_of_pieces(pieces.pieces, sampling.width, sampling.height);

@@ -214,6 +214,7 @@ std::string fault_of(std::uint64_t seed, std::uint64_t kind, Tally& tally) {
 
 /// Whether a box has a point of a polygon: what is left of it when each wall has cut it.
 bool is_in(const facet::Box& box, std::vector<glm::dvec3> polygon) {
+  if (facet::common(box, facet::box_of(polygon)).empty()) return false;
   for (int axis = 0; axis < 3; ++axis) {
     for (const bool is_high : {false, true}) {
       std::vector<glm::dvec3> left;
@@ -233,18 +234,28 @@ bool is_in(const facet::Box& box, std::vector<glm::dvec3> polygon) {
   return !polygon.empty();
 }
 
-/// The cells of EXCELL by its rule alone: halved while they have more facets than a bucket, fifteen levels.
 struct PlainCell {
   facet::Box box;
   std::set<std::uint32_t> facets;
 };
 
+/// The cells of EXCELL by its rule alone: halved while they have more facets than a bucket, so many levels.
+struct PlainCells {
+  unsigned levels = 15;
+  unsigned first_levels = 15;  ///< of the first directory; a full cell behind it has one of its own
+  std::vector<PlainCell> cells{};
+  std::uint64_t directories = 1;
+  std::uint64_t overflows = 0;
+};
+
 void add_cells(const software::Facets& facets, const PlainCell& cell, double reach, unsigned level, std::size_t most,
-               std::vector<PlainCell>& cells) {
-  if (level == 15 || cell.facets.size() <= most) {
-    cells.push_back(cell);
+               PlainCells& cells) {
+  if (level == cells.levels || cell.facets.size() <= most) {
+    cells.overflows += cell.facets.size() > most ? 1U : 0U;
+    cells.cells.push_back(cell);
     return;
   }
+  if (level == cells.first_levels) ++cells.directories;
   const int axis = static_cast<int>(level % 3);
   for (const bool is_high : {false, true}) {
     PlainCell half{cell.box, {}};
@@ -271,6 +282,56 @@ double part_in(const facet::Box& box, const SpaceRay& ray) {
   return end - begin;
 }
 
+struct RaysInCells {
+  std::uint64_t rays = 0;
+  std::uint64_t cells = 0;
+};
+
+/// Holds both ways through EXCELL against the cells of its rule, which are returned.
+PlainCells check_excell(const software::Facets& facets, const software::SpaceOptions& options, PlainCells plain,
+                        Random& random, RaysInCells& rays) {
+  const software::FacetShapes shapes(facets);
+  PlainCell whole{shapes.box(), {}};
+  for (std::uint32_t i = 0; i < facets.facets.size(); ++i) whole.facets.insert(i);
+  add_cells(facets, whole, shapes.reach(), 0, options.bucket_size, plain);
+  std::uint64_t references = 0;
+  for (const PlainCell& cell : plain.cells) references += cell.facets.size();
+  for (const char* const name : {"excell", "excell-recursive"}) {
+    CAPTURE(name);
+    const std::unique_ptr<software::Directory> excell = software::directory_of(name).make(shapes, options);
+    const software::SpaceBuilt built = excell->built();
+    CHECK(built.cells == plain.cells.size());
+    CHECK(built.references == references);
+    CHECK(built.splits + 1 == plain.cells.size());
+    CHECK(built.overflows == plain.overflows);
+    // A directory has four words beside its entries.
+    CHECK(built.directory_words == built.entries + 4 * plain.directories);
+    for (int i = 0; i < 30; ++i) {
+      const glm::dvec3 origin = somewhere(random, 12);
+      glm::dvec3 to = somewhere(random, 4);
+      if (i % 2 == 0 && !facets.corners.empty()) to = facets.corners[random.below(facets.corners.size())];
+      const SpaceRay ray{origin, to - origin, 0, 1e9};
+      std::multiset<std::set<std::uint32_t>> expected;
+      bool is_close = false;
+      for (const PlainCell& cell : plain.cells) {
+        const double part = part_in(cell.box, ray);
+        is_close = is_close || std::abs(part) < 1e-9;
+        if (part > 0) expected.insert(cell.facets);
+      }
+      if (is_close) continue;
+      ++rays.rays;
+      rays.cells += expected.size();
+      Told told;
+      software::Uncounted nothing;
+      excell->walk(ray, told, nothing);
+      std::multiset<std::set<std::uint32_t>> found;
+      for (const std::vector<std::uint32_t>& one : told.facets) found.emplace(one.begin(), one.end());
+      CHECK(found == expected);
+    }
+  }
+  return plain;
+}
+
 }  // namespace
 
 TEST_CASE("every facet that a ray meets is told of before the ray is settled beyond it, by each directory") {
@@ -287,52 +348,39 @@ TEST_CASE("every facet that a ray meets is told of before the ray is settled bey
   CHECK(tally.hits > tally.rays);
 }
 TEST_CASE("EXCELL has the cells of its rule, and both ways through them tell the facets of those that a ray meets") {
-  std::uint64_t rays = 0;
-  std::uint64_t cells_met = 0;
+  RaysInCells rays;
   const auto seeds = testing::cases<std::uint64_t>(24, 4);
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
     Random random(seed);
     const software::Facets facets = any_facets(random, 0);
-    const software::FacetShapes shapes(facets);
     const software::SpaceOptions options{static_cast<std::uint32_t>(2 + random.below(20))};
-    PlainCell whole{shapes.box(), {}};
-    for (std::uint32_t i = 0; i < facets.facets.size(); ++i) whole.facets.insert(i);
-    std::vector<PlainCell> cells;
-    add_cells(facets, whole, shapes.reach(), 0, options.bucket_size, cells);
-    for (const char* const name : {"excell", "excell-recursive"}) {
-      CAPTURE(name);
-      CAPTURE(seed);
-      const std::unique_ptr<software::Directory> excell = software::directory_of(name).make(shapes, options);
-      const software::SpaceBuilt built = excell->built();
-      CHECK(built.cells == cells.size());
-      std::uint64_t references = 0;
-      for (const PlainCell& cell : cells) references += cell.facets.size();
-      CHECK(built.references == references);
-      CHECK(built.splits + 1 == cells.size());
-      for (int i = 0; i < 30; ++i) {
-        const glm::dvec3 origin = somewhere(random, 12);
-        const SpaceRay ray{origin, somewhere(random, 4) - origin, 0, 1e9};
-        std::multiset<std::set<std::uint32_t>> expected;
-        bool is_close = false;
-        for (const PlainCell& cell : cells) {
-          const double part = part_in(cell.box, ray);
-          is_close = is_close || std::abs(part) < 1e-9;
-          if (part > 0) expected.insert(cell.facets);
-        }
-        if (is_close) continue;
-        ++rays;
-        cells_met += expected.size();
-        Told told;
-        software::Uncounted nothing;
-        excell->walk(ray, told, nothing);
-        std::multiset<std::set<std::uint32_t>> found;
-        for (const std::vector<std::uint32_t>& one : told.facets) found.emplace(one.begin(), one.end());
-        CHECK(found == expected);
-      }
-    }
+    check_excell(facets, options, PlainCells{}, random, rays);
   }
-  CHECK((!testing::draws_usual_cases() || rays > 1000));
-  CHECK(cells_met > 2 * rays);
+  CHECK((!testing::draws_usual_cases() || rays.rays > 1000));
+  CHECK(rays.cells > 2 * rays.rays);
+}
+TEST_CASE("EXCELL has a directory of 15 levels, and from 4096 facets one of 12 levels with others of 9 behind it") {
+  for (const bool has_two : {false, true}) {
+    CAPTURE(has_two);
+    Random random(5);
+    software::Facets facets;
+    // Most are small and anywhere; crowds fill cells of the last level.
+    const std::uint64_t number = has_two ? 4096 : 4095;
+    for (std::uint64_t i = 0; i < number; ++i) {
+      glm::dvec3 place = somewhere(random, 5);
+      if (i % 64 == 0) place = glm::dvec3{1, 2, 3} + somewhere(random, 0.1);
+      if (i % 64 == 1) place = glm::dvec3{-3, -2, 1} + somewhere(random, 1e-3);
+      if (i % 64 == 2) place = glm::dvec3{4, -3, -4} + somewhere(random, 0.5);
+      add(facets, {place, place + glm::dvec3{2e-3, 0, 1e-3}, place + glm::dvec3{0, 2e-3, 1e-3}});
+    }
+    facets.of_primitives.push_back(number);
+    RaysInCells rays;
+    const PlainCells plain = check_excell(facets, {6}, {has_two ? 21U : 15U, has_two ? 12U : 15U}, random, rays);
+    CHECK(plain.overflows > 0);
+    CHECK((plain.directories > 3) == has_two);
+    CHECK(rays.rays > 20);
+  }
 }
 TEST_CASE("a walk that counts tells what it tells when it does not") {
   Random random(7);
