@@ -179,4 +179,28 @@ TEST_CASE("rows that instructions need lie behind pixel memory and do not overla
   CHECK(map.y(0) == map.x(0) + 9);
   CHECK(map.rows() == 256 + 15 + 62 + 40 + 9 + 9);
   CHECK(RowMap(256, 513, 1).rows() == 256 + 15 + 62 + 40 + 10);
+  std::vector<Row> rows{map.zero(), map.one(), map.enable(), map.select(), map.carry()};
+  const auto add = [&](unsigned count, const auto& row_of) {
+    for (unsigned i = 0; i < count; ++i) rows.push_back(row_of(i));
+  };
+  add(4, [&](unsigned i) { return map.scratch(i); });
+  add(4, [&](unsigned i) { return map.t(i); });
+  add(2, [&](unsigned i) { return map.dual(i); });
+  add(62, [&](unsigned bit) { return map.sum(bit); });
+  add(40, [&](unsigned i) { return map.spare(i); });
+  add(9, [&](unsigned bit) { return map.x(bit); });
+  add(9, [&](unsigned bit) { return map.y(bit); });
+  for (std::size_t i = 0; i < rows.size(); ++i) CHECK(rows[i] == 256 + i);
+  CHECK(rows.size() == map.rows() - 256);
+}
+
+TEST_CASE("columns are counted in no more bits than they need") {
+  using bit_serial_memory::count_bits;
+  CHECK(count_bits(1) == 0);
+  CHECK(count_bits(2) == 1);
+  CHECK(count_bits(3) == 2);
+  CHECK(count_bits(4) == 2);
+  CHECK(count_bits(5) == 3);
+  CHECK(count_bits(16'384) == 14);
+  CHECK(count_bits(16'385) == 15);
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "hw/base/error.h"
+#include "hw/bit_serial_memory/figures.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "tests/support/figure_ranges.h"
@@ -85,6 +86,14 @@ TEST_CASE("figures that may be ideal are no limit then, and others may not") {
     CAPTURE(key);
     CHECK(refusal("+" + key + "=ideal") == "");
   }
+  const auto ideal = [](const std::string& key) {
+    const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+" + key + "=ideal");
+    return machines::own<bit_serial_memory::Figures>(machine);
+  };
+  CHECK(ideal("host.plane_bits").plane_bits == 1U << 30U);
+  CHECK(ideal("timing.window").rank.window == 0);
+  CHECK(ideal("timing.refresh_interval").rank.refresh_interval == 0);
+  CHECK(ideal("controller.queue").queue == 65'536);
   for (const std::string key : {"timing.restore", "timing.activation_gap", "timing.refresh", "energy.leaf"}) {
     CAPTURE(key);
     CHECK_FALSE(refusal("+" + key + "=ideal").empty());
