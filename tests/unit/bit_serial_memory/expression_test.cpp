@@ -100,6 +100,7 @@ TEST_CASE("a product of nothing has no terms") {
   CHECK(terms_of(0, three, 8).empty());
   CHECK(terms_of(256, three, 8).empty());
   CHECK(terms_of(5, {}, 8).empty());
+  CHECK(Term{} == Term{0, false, {}, 0, 0});
 }
 
 TEST_CASE("the trees bring the fraction and all bits that an instruction looks at, in their order") {

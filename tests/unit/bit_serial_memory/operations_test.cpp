@@ -413,7 +413,11 @@ TEST_CASE("a row that is held is read once, until it or its latch is written") {
         }) == 1 + 1 + 2 + 2);
 }
 
-TEST_CASE("an operand that is changed is told apart from others") {
+TEST_CASE("a bit is of a row, the same in all columns, or of the trees, and has nothing of the others") {
+  CHECK(Bit::of_row(3) == Bit{Bit::Kind::row, 3, false, 0});
+  CHECK(Bit::constant(true) == Bit{Bit::Kind::constant, 0, true, 0});
+  CHECK(Bit::constant(false) == Bit{});
+  CHECK(Bit::of_leaf(3) == Bit{Bit::Kind::leaf, 0, false, 3});
   CHECK(Bit::of_row(3).is_row(3));
   CHECK_FALSE(Bit::of_row(3).is_row(2));
   CHECK_FALSE(Bit::of_leaf(0).is_row(0));
