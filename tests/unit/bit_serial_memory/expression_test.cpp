@@ -87,6 +87,13 @@ TEST_CASE("a product is the coefficient once for each bit of the coordinate, whe
   CHECK(terms_of(5, one, 8) == std::vector{where(100, 0, 5)});
   // 341 has five digits, 20 + 18 + 16 + 14 + 12 bits; three bits of the coordinate are 20 + 19 + 18.
   CHECK(terms_of(341, three, 20) == std::vector{where(100, 0, 341), where(101, 1, 682), where(102, 2, 1364)});
+  // The same five digits of 9 bits are 25 bits, two of the coordinate 17; modulo 2^9, 682 is 170.
+  // 853 is 341 + 512.
+  const std::vector<Row> two{100, 101};
+  CHECK(terms_of(341, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
+  CHECK(terms_of(853, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
+  // -171 is 341 there.
+  CHECK(terms_of(-171, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
   // A tie is decided for the digits.
   CHECK(terms_of(1, one, 8) == std::vector{plus(0, one)});
   // Modulo 2^6 the third multiple of 20 is 16, the fourth 32, and the fifth nothing: 4 + 3 + 2 + 1 bits, of two digits
