@@ -342,3 +342,18 @@ TEST_CASE("a frame of one instruction takes the link's latency and words, a clea
   // The refresh of clock 9360 waits for the end of the clear, as no command of that finds the sense amplifiers free.
   CHECK(clocks("") == link + clear + 420 + enable);
 }
+
+TEST_CASE("a smaller picture than the machine's takes the clocks of its own slots, and so does its timeline") {
+  isa::Program program;
+  program.shape = {64, 64, 256};
+  program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {instruction(isa::Opcode::enable_all)}});
+  const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+timing.refresh_interval=ideal");
+  // As above, but in one bank: nothing begins 12 clocks later.
+  constexpr std::uint64_t cleared = 40 + 2 + 1 + 1 + 256 * (4 + 56) + 2 * 4 + 56;
+  constexpr std::uint64_t drawn = cleared + 1 + 2 * 4 + 56;
+  CHECK(machine.kind->time(program, machine, {}).clocks == drawn);
+  const auto timeline = machine.kind->timeline(program, machine, {});
+  REQUIRE(timeline.has_value());
+  CHECK(timeline->cleared == std::vector<machines::ClockSpan>{{43, cleared}});
+  CHECK(timeline->issued == std::vector<std::vector<machines::ClockSpan>>{{{cleared, drawn}}});
+}
