@@ -247,17 +247,21 @@ TEST_CASE("refreshes delay row commands as in a rank that keeps the clock of eac
 TEST_CASE("a rank that comes through more states than are kept still takes the right clocks") {
   Random random(5);
   Figures figures = random.figures();
-  figures.banks = 7;
-  figures.rank.window = 61;
-  const Slots slots{9 * std::uint64_t{figures.row_bits} * figures.chips,
-                    std::uint64_t{figures.row_bits} * figures.chips, figures.banks};
-  const RowCommands commands = random.commands(20'000);
-  RankTiming timing(figures, slots);
-  const auto expected = static_cast<std::uint64_t>(plain_clocks(figures, slots, commands));
-  CHECK(timing.clocks(commands) == expected);
-  CHECK(timing.clocks(commands) == expected);
-  const RowCommands few = random.commands(5);
-  CHECK(timing.clocks(few) == static_cast<std::uint64_t>(plain_clocks(figures, slots, few)));
+  figures.banks = 3;
+  const Slots slots = random.slots(figures, 9);
+  // Each gate more before the next activation is another state: 4096 are kept, which any command may exceed.
+  for (std::size_t gates = 4090; gates <= 4100; ++gates) {
+    CAPTURE(gates);
+    RowCommands commands = random.commands(3);
+    commands.insert(commands.end(), gates, {.op = RowOp::logic});
+    for (const RowCommand& command : random.commands(12)) commands.push_back(command);
+    RankTiming timing(figures, slots);
+    const auto expected = static_cast<std::uint64_t>(plain_clocks(figures, slots, commands));
+    CHECK(timing.clocks(commands) == expected);
+    CHECK(timing.clocks(commands) == expected);
+    const RowCommands few = random.commands(5);
+    CHECK(timing.clocks(few) == static_cast<std::uint64_t>(plain_clocks(figures, slots, few)));
+  }
 }
 
 TEST_CASE("refreshes that are due before a command begins come first, one after the other") {
