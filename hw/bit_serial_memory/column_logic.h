@@ -24,7 +24,6 @@ struct Bit {
   static constexpr Bit of_leaf(unsigned bit) { return {Kind::leaf, 0, false, static_cast<std::uint8_t>(bit)}; }
 
   [[nodiscard]] constexpr bool is_row(unsigned number) const { return kind == Kind::row && row == number; }
-  [[nodiscard]] constexpr bool is(bool value) const { return kind == Kind::constant && one == value; }
   constexpr bool operator==(const Bit&) const = default;
 };
 

@@ -8,9 +8,8 @@ namespace csgsim::bit_serial_memory {
 
 namespace {
 
-constexpr std::uint64_t low_bits(unsigned bits) {
-  return bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << bits) - 1;
-}
+/// Less than 64: an expression has isa::max_linear_width at most.
+constexpr std::uint64_t low_bits(unsigned bits) { return (std::uint64_t{1} << bits) - 1; }
 
 struct Digit {
   unsigned place = 0;

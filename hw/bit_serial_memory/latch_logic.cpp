@@ -177,7 +177,7 @@ void LatchLogic::sum(Row target, Bit a, Bit b) {
 /// Where the target is the last operand that was read, it need not be read again: the value waits in a latch.
 void LatchLogic::store_sum(Row target, Bit a, Bit b, Mask mask) {
   need_enable();
-  const bool is_read = !enable_latch() && b.is_row(target);
+  const bool is_read = !enable_latch() && b.is_row(target) && held_ != target;
   if (!is_read) {
     sum_into(Latch::sense, a, b);
     return write_masked(target, mask);

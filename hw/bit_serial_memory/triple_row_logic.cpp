@@ -4,7 +4,11 @@ namespace csgsim::bit_serial_memory {
 
 void TripleRowLogic::copy(const WordLines& from, const WordLines& to) {
   emit({.op = RowOp::copy, .from = from, .to = to});
-  for (const WordLine& line : to) {
+  forget(to);
+}
+
+void TripleRowLogic::forget(const WordLines& written) {
+  for (const WordLine& line : written) {
     if (latched_ == line.row) latched_.reset();
   }
 }
@@ -13,7 +17,7 @@ void TripleRowLogic::load(Bit value, const WordLines& to) {
   switch (value.kind) {
     case Bit::Kind::row: return copy(value.row, to);
     case Bit::Kind::constant: return copy(value.one ? map().one() : map().zero(), to);
-    case Bit::Kind::leaf: return emit({.op = RowOp::leaf_copy, .bit = value.leaf, .to = to});
+    case Bit::Kind::leaf: emit({.op = RowOp::leaf_copy, .bit = value.leaf, .to = to}); return forget(to);
   }
 }
 

@@ -36,6 +36,8 @@ class TripleRowLogic : public ColumnLogic {
 
  private:
   void store_by_latch(Row target, Bit value, Mask mask, bool inverted);
+  /// The latch for writes has what one of these rows had.
+  void forget(const WordLines& written);
 
   std::optional<Row> latched_;  ///< what is in the latch for writes
 };

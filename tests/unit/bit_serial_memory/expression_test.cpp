@@ -87,6 +87,13 @@ TEST_CASE("a product is the coefficient once for each bit of the coordinate, whe
   CHECK(terms_of(5, one, 8) == std::vector{where(100, 0, 5)});
   // 341 has five digits, 20 + 18 + 16 + 14 + 12 bits; three bits of the coordinate are 20 + 19 + 18.
   CHECK(terms_of(341, three, 20) == std::vector{where(100, 0, 341), where(101, 1, 682), where(102, 2, 1364)});
+  // The same five digits of 9 bits are 25 bits, two of the coordinate 17; modulo 2^9, 682 is 170.
+  // 853 is 341 + 512.
+  const std::vector<Row> two{100, 101};
+  CHECK(terms_of(341, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
+  CHECK(terms_of(853, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
+  // -171 is 341 there.
+  CHECK(terms_of(-171, two, 9) == std::vector{where(100, 0, 341), where(101, 1, 170)});
   // A tie is decided for the digits.
   CHECK(terms_of(1, one, 8) == std::vector{plus(0, one)});
   // Modulo 2^6 the third multiple of 20 is 16, the fourth 32, and the fifth nothing: 4 + 3 + 2 + 1 bits, of two digits
@@ -100,6 +107,7 @@ TEST_CASE("a product of nothing has no terms") {
   CHECK(terms_of(0, three, 8).empty());
   CHECK(terms_of(256, three, 8).empty());
   CHECK(terms_of(5, {}, 8).empty());
+  CHECK(Term{} == Term{0, false, {}, 0, 0});
 }
 
 TEST_CASE("the trees bring the fraction and all bits that an instruction looks at, in their order") {
@@ -179,4 +187,28 @@ TEST_CASE("rows that instructions need lie behind pixel memory and do not overla
   CHECK(map.y(0) == map.x(0) + 9);
   CHECK(map.rows() == 256 + 15 + 62 + 40 + 9 + 9);
   CHECK(RowMap(256, 513, 1).rows() == 256 + 15 + 62 + 40 + 10);
+  std::vector<Row> rows{map.zero(), map.one(), map.enable(), map.select(), map.carry()};
+  const auto add = [&](unsigned count, const auto& row_of) {
+    for (unsigned i = 0; i < count; ++i) rows.push_back(row_of(i));
+  };
+  add(4, [&](unsigned i) { return map.scratch(i); });
+  add(4, [&](unsigned i) { return map.t(i); });
+  add(2, [&](unsigned i) { return map.dual(i); });
+  add(62, [&](unsigned bit) { return map.sum(bit); });
+  add(40, [&](unsigned i) { return map.spare(i); });
+  add(9, [&](unsigned bit) { return map.x(bit); });
+  add(9, [&](unsigned bit) { return map.y(bit); });
+  for (std::size_t i = 0; i < rows.size(); ++i) CHECK(rows[i] == 256 + i);
+  CHECK(rows.size() == map.rows() - 256);
+}
+
+TEST_CASE("columns are counted in no more bits than they need") {
+  using bit_serial_memory::count_bits;
+  CHECK(count_bits(1) == 0);
+  CHECK(count_bits(2) == 1);
+  CHECK(count_bits(3) == 2);
+  CHECK(count_bits(4) == 2);
+  CHECK(count_bits(5) == 3);
+  CHECK(count_bits(16'384) == 14);
+  CHECK(count_bits(16'385) == 15);
 }

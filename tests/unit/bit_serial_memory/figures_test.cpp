@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/bit_serial_memory/account.h"
+#include "hw/bit_serial_memory/micro_program.h"
 #include "hw/bit_serial_memory/slots.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
@@ -229,6 +230,48 @@ TEST_CASE("an account reports the work of the frame and its energies") {
   CHECK(told.shares[1].part == 7);
 }
 
+TEST_CASE("nothing has been done, and nothing costs anything, before a frame begins") {
+  const Work work;
+  for (const std::uint64_t commands : work.commands) CHECK(commands == 0);
+  CHECK(work.activations + work.further_rows + work.logic + work.leaves + work.transferred_bits + work.refreshes == 0);
+  const bit_serial_memory::ControllerAccount controller;
+  CHECK(controller.issuing + controller.answering + controller.clearing == 0);
+  CHECK(controller.refreshing + controller.starved + controller.jumping == 0);
+  CHECK(bit_serial_memory::FrameAccount{}.sending == 0);
+  CHECK(bit_serial_memory::FrameAccount{}.scan_out_clocks == 0);
+  CHECK(FrameEnergy{}.sum() == 0);
+  CHECK(bit_serial_memory::energy_of(work, 0, kinds::load("simdram-ddr4")).sum() == 0);
+}
+
+TEST_CASE("a memory of which nothing is said yet is the smallest, whose parts take a clock or none") {
+  const Figures figures;
+  CHECK(figures.design == bit_serial_memory::Design::latches);
+  CHECK(figures.expressions == bit_serial_memory::Expressions::rows);
+  CHECK_FALSE(figures.enable_latch);
+  CHECK_FALSE(figures.has_wired_or);
+  for (const std::uint32_t one : {figures.chips, figures.row_bits, figures.subarray_rows, figures.banks,
+                                  figures.subarrays, figures.bus_bits, figures.plane_bits, figures.queue})
+    CHECK(one == 1);
+  const bit_serial_memory::CommandClocks& command = figures.command;
+  for (const std::uint32_t one : {command.restore, command.precharge, command.second, command.logic, command.column,
+                                  command.leaf, command.global_or})
+    CHECK(one == 1);
+  CHECK(command.recovery == 0);
+  CHECK(figures.rank.activation_gap == 1);
+  CHECK(figures.rank.window + figures.rank.refresh_interval + figures.rank.refresh == 0);
+  const bit_serial_memory::Energies& energy = figures.energy;
+  CHECK(energy.activation_fj + energy.further_row_permille + energy.logic_fj + energy.leaf_fj == 0);
+  CHECK(energy.transfer_fj + energy.refresh_fj + energy.background_uw == 0);
+  CHECK(Slots{}.count() == 0);
+  CHECK(Slots{.pixels = 5}.count() == 5);  // a column a slot
+  CHECK(Slots{.pixels = 5}.used_banks() == 1);
+  const bit_serial_memory::MicroDesign design;
+  CHECK(design.design == bit_serial_memory::Design::latches);
+  CHECK(design.expressions == bit_serial_memory::Expressions::rows);
+  CHECK_FALSE(design.enable_latch);
+  CHECK_FALSE(design.has_wired_or);
+}
+
 TEST_CASE("the transfer of a row takes the clocks of the narrower of the bus of all chips and the host's unit") {
   Figures figures;
   figures.bus_bits = 16;
@@ -298,4 +341,19 @@ TEST_CASE("a frame of one instruction takes the link's latency and words, a clea
   CHECK(clocks("+timing.refresh_interval=ideal") == link + clear + enable);
   // The refresh of clock 9360 waits for the end of the clear, as no command of that finds the sense amplifiers free.
   CHECK(clocks("") == link + clear + 420 + enable);
+}
+
+TEST_CASE("a smaller picture than the machine's takes the clocks of its own slots, and so does its timeline") {
+  isa::Program program;
+  program.shape = {64, 64, 256};
+  program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {instruction(isa::Opcode::enable_all)}});
+  const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+timing.refresh_interval=ideal");
+  // As above, but in one bank: nothing begins 12 clocks later.
+  constexpr std::uint64_t cleared = 40 + 2 + 1 + 1 + 256 * (4 + 56) + 2 * 4 + 56;
+  constexpr std::uint64_t drawn = cleared + 1 + 2 * 4 + 56;
+  CHECK(machine.kind->time(program, machine, {}).clocks == drawn);
+  const auto timeline = machine.kind->timeline(program, machine, {});
+  REQUIRE(timeline.has_value());
+  CHECK(timeline->cleared == std::vector<machines::ClockSpan>{{43, cleared}});
+  CHECK(timeline->issued == std::vector<std::vector<machines::ClockSpan>>{{{cleared, drawn}}});
 }

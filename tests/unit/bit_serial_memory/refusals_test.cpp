@@ -6,6 +6,9 @@
 #include <string_view>
 
 #include "hw/base/error.h"
+#include "hw/bit_serial_memory/figures.h"
+#include "hw/isa/opcodes.h"
+#include "hw/isa/program.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "tests/support/figure_ranges.h"
@@ -85,6 +88,14 @@ TEST_CASE("figures that may be ideal are no limit then, and others may not") {
     CAPTURE(key);
     CHECK(refusal("+" + key + "=ideal") == "");
   }
+  const auto ideal = [](const std::string& key) {
+    const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+" + key + "=ideal");
+    return machines::own<bit_serial_memory::Figures>(machine);
+  };
+  CHECK(ideal("host.plane_bits").plane_bits == 1U << 30U);
+  CHECK(ideal("timing.window").rank.window == 0);
+  CHECK(ideal("timing.refresh_interval").rank.refresh_interval == 0);
+  CHECK(ideal("controller.queue").queue == 65'536);
   for (const std::string key : {"timing.restore", "timing.activation_gap", "timing.refresh", "energy.leaf"}) {
     CAPTURE(key);
     CHECK_FALSE(refusal("+" + key + "=ideal").empty());
@@ -140,4 +151,19 @@ TEST_CASE("a memory has a processor a pixel, with its bits of pixel memory") {
   CHECK(resources.processors == 300 * 512);
   CHECK(resources.memory_bits == 300 * 512 * 100);
   CHECK(machine.kind->regions(machine) == std::vector<isa::Region>{{0, 0, 300, 512}});
+}
+
+TEST_CASE("a memory takes Programs of its picture with no more bits than it has, and questions") {
+  const machines::Machine machine = kinds::load("digital-bit-serial-ddr4");
+  CHECK(machine.kind->has_global_or(machine));
+  isa::Program program;
+  program.shape = {64, 48, 256};
+  program.segments.push_back({.region = {0, 0, 64, 48}, .instructions = {{.opcode = isa::Opcode::skip_if_none}}});
+  const auto refused = [&] { return testing::error_of([&] { machine.kind->check(program, machine); }); };
+  CHECK(refused() == "");
+  program.shape.memory_bits = 257;
+  CHECK(refused().find("pixels of 257 bits") != std::string::npos);
+  program.shape.memory_bits = 256;
+  program.segments.front().region.width = 32;
+  CHECK(refused().find("are not the 1 regions") != std::string::npos);
 }

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "hw/bit_serial_memory/row_command.h"
+#include "hw/bit_serial_memory/row_map.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "sim/reference/reference_array.h"
@@ -139,4 +141,83 @@ TEST_CASE("who replays the text of row commands has the pixel memory that the Pr
     CAPTURE(name);
     CHECK(rc::check("of " + name, [&] { check_replay(name); }));
   }
+}
+
+TEST_CASE("the text of row commands says what each row is for, what each instruction is and what is done for it") {
+  machines::Machine machine = kinds::load("digital-bit-serial-ddr4+array.memory_bits=2");
+  machines::set_picture_size(machine, {9, 7});
+  isa::Program program;
+  program.shape = {9, 7, 2};
+  program.colour = {1, 1};
+  const isa::Linear minus_one{.a = 0, .b = 0, .c = -1, .width = 4, .shift = 0};
+  program.segments.push_back({.region = {0, 0, 9, 7},
+                              .instructions = {{.opcode = isa::Opcode::enable_all},
+                                               {.opcode = isa::Opcode::edge_negative, .linear = minus_one}}});
+  program.segments.push_back({.region = {0, 0, 9, 7}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
+  // Behind two rows of memory: 0, 1, E, select, carry, 4 scratch, T0 to T3, two duals, 62 of sums, 40 spare; x up to 8
+  // and y up to 6 have four and three bits.
+  const std::string rows =
+      "rows memory 0 2\nrows zero 2 1\nrows one 3 1\nrows enable 4 1\nrows select 5 1\nrows carry 6 1\n"
+      "rows scratch 7 4\nrows triple 11 4\nrows dual 15 2\nrows sum 17 62\nrows spare 79 40\nrows x 119 4\n"
+      "rows y 123 3\n";
+  const std::string clear =
+      "LOGIC SA = SET0\nWRITE 0\nLOGIC SA = SET0\nWRITE 1\nLOGIC R4 = SET0\nLOGIC SA = MOVE R4\nWRITE 4\n";
+  const std::string enable_all = " enable_all\nLOGIC R4 = SET1\nLOGIC SA = MOVE R4\nWRITE 4\n";
+  // The sign of -1 is 1.
+  const std::string edge =
+      "# i1 edge_negative a=0 b=0 c=-1 width=4\nREAD 4\nLOGIC R4 = MOVE SA\nLOGIC SA = SET1\n"
+      "LOGIC R4 = AND R4 SA\nLOGIC SA = MOVE R4\nWRITE 4\n";
+  const std::string expected = "# " + machine.name + ": 9 x 7 pixels, pixel y * 9 + x in column y * 9 + x\n" + rows +
+                               "# segment 0: all pixel memory becomes 0\n" + clear + "# i0" + enable_all + edge +
+                               "# segment 1: all pixel memory becomes 0\n" + clear + "# i2" + enable_all;
+  std::ostringstream text;
+  bit_serial_memory::print_row_commands(text, program, machine);
+  CHECK(text.str() == expected + "# the picture goes to the host\nSEND 1\n");
+  program.colour = {};
+  std::ostringstream without;
+  bit_serial_memory::print_row_commands(without, program, machine);
+  CHECK(without.str() == expected);
+}
+
+TEST_CASE("each row command has its operands in its text, and no others") {
+  using bit_serial_memory::Gate;
+  using bit_serial_memory::Latch;
+  using bit_serial_memory::RowCommand;
+  using bit_serial_memory::RowOp;
+  using bit_serial_memory::WordLine;
+  using bit_serial_memory::WordLines;
+  const WordLine dual{78, true};
+  const WordLines three(WordLine{1, false}, WordLine{2, false}, dual);
+  const auto gate = [](Gate function) {
+    return text_of(RowCommand{.op = RowOp::logic,
+                              .gate = function,
+                              .target = Latch::carry_2,
+                              .x = Latch::sense,
+                              .y = Latch::carry,
+                              .z = Latch::held});
+  };
+  const WordLines row(WordLine{17, false});
+  CHECK(text_of(RowCommand{.op = RowOp::copy, .from = row, .to = {WordLine{74, false}, dual}}) == "AAP 17 -> 74 !78");
+  CHECK(text_of(RowCommand{.op = RowOp::copy, .masked = true, .mask = Latch::select, .from = three, .to = row}) ==
+        "AAP 1 2 !78 -> 17 where R5");
+  CHECK(text_of(RowCommand{.op = RowOp::activate, .from = three}) == "AP 1 2 !78");
+  CHECK(text_of(RowCommand{.op = RowOp::latch, .from = row}) == "LATCH 17");
+  CHECK(text_of(RowCommand{.op = RowOp::read, .from = row}) == "READ 17");
+  CHECK(text_of(RowCommand{.op = RowOp::write, .to = row}) == "WRITE 17");
+  CHECK(text_of(RowCommand{.op = RowOp::write, .masked = true, .to = row}) == "WRITE 17 where R4");
+  CHECK(text_of(RowCommand{.op = RowOp::leaf, .bit = 9}) == "LEAF 9");
+  CHECK(text_of(RowCommand{.op = RowOp::leaf_copy, .masked = true, .bit = 9, .to = row}) == "LEAFAP 9 -> 17 where R4");
+  CHECK(text_of(RowCommand{.op = RowOp::receive, .bit = 9, .to = row}) == "RECEIVE 9 -> 17");
+  CHECK(text_of(RowCommand{.op = RowOp::send, .from = row}) == "SEND 17");
+  CHECK(text_of(RowCommand{.op = RowOp::wired_or}) == "OR");
+  CHECK(text_of(RowCommand{}) == "AP");
+  CHECK(gate(Gate::zero) == "LOGIC R2 = SET0");
+  CHECK(gate(Gate::one) == "LOGIC R2 = SET1");
+  CHECK(gate(Gate::move) == "LOGIC R2 = MOVE SA");
+  CHECK(gate(Gate::invert) == "LOGIC R2 = NOT SA");
+  CHECK(gate(Gate::conjunction) == "LOGIC R2 = AND SA R1");
+  CHECK(gate(Gate::disjunction) == "LOGIC R2 = OR SA R1");
+  CHECK(gate(Gate::unequal) == "LOGIC R2 = XOR SA R1");
+  CHECK(gate(Gate::equal) == "LOGIC R2 = XNOR SA R1");
+  CHECK(gate(Gate::choose) == "LOGIC R2 = SEL SA R1 R3");
 }

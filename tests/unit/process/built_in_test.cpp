@@ -147,3 +147,15 @@ TEST_CASE("a process so fast or slow that no description takes its clock stays w
   const std::string slow = "+memory.access=10000000+register.delay=1000000+gate.delay=1000000";
   CHECK(process::clock_of(machine, process::load_process("cmos-7nm" + slow))->hz == 50'000);  // 20 us
 }
+
+TEST_CASE("a clock of less than one a second is one a second") {
+  // The largest transistors and the slowest wires: 434 and 4096 times three of a mm2, a pitch of 113 mm, of which 8192
+  // are 0.93 s; with two reads a bit five transistors, 143 mm and 1.17 s.
+  const std::string slowest =
+      "cmos-7nm+transistor.area=1000000000000+memory.transistor_area=1000000000000+wire.delay=1000000";
+  const std::string largest = "pixel-planes-4+array.width=16384+array.height=16384+array.memory_bits=4096";
+  const auto one = process::clock_of(kinds::load(largest + "+memory.reads=2"), process::load_process(slowest));
+  REQUIRE(one.has_value());
+  CHECK(one->path.ps > 1e12);
+  CHECK(one->hz == 1);
+}

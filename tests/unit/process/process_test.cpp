@@ -265,6 +265,109 @@ TEST_CASE("pixel clocks are those of what is carried out, at each pixel of its r
   CHECK(process::pixel_clocks(program, machine, {&skip, 1}) == 32 * (answer + 2));
 }
 
+TEST_CASE("pixel clocks are summed over the segments, without what each of their questions skips") {
+  const isa::Instruction any{.opcode = isa::Opcode::enable_all};
+  const isa::Instruction question{.opcode = isa::Opcode::skip_if_none, .constant = 2};
+  isa::Program program;
+  for (const isa::Region& region : {isa::Region{0, 0, 8, 4}, isa::Region{8, 0, 3, 5}, isa::Region{0, 4, 2, 2}})
+    program.segments.push_back({.region = region, .instructions = {question, any, any, any, question, any, any}});
+  program.segments.push_back({.region = {2, 4, 6, 6}, .instructions = {}});
+  const machines::Machine machine = small_machine();
+  const std::uint64_t answer = machine.kind->clocks(question, machine);
+  REQUIRE(machine.kind->clocks(any, machine) == 1);
+  const auto clocks = [&](const std::vector<machines::Skip>& skips) {
+    return process::pixel_clocks(program, machine, skips);
+  };
+  const std::uint64_t all = 2 * answer + 5;
+  CHECK(clocks({}) == (32 + 15 + 4) * all);
+  CHECK(clocks({{0, 0}}) == 32 * (all - 2) + (15 + 4) * all);
+  CHECK(clocks({{1, 0}}) == 15 * (all - 2) + (32 + 4) * all);
+  CHECK(clocks({{1, 4}}) == 15 * (all - 2) + (32 + 4) * all);  // to the segment's end
+  CHECK(clocks({{0, 0}, {0, 4}, {2, 4}}) == 32 * (all - 4) + 15 * all + 4 * (all - 2));
+  CHECK(clocks({{0, 4}, {1, 0}, {1, 4}, {2, 0}}) == 32 * (all - 2) + 15 * (all - 4) + 4 * (all - 2));
+  CHECK(process::pixel_clocks({}, machine, {}) == 0);
+}
+
+TEST_CASE("what does nothing, in no time, takes no energy") {
+  const process::FrameWork none;
+  CHECK(process::frame_joules(small_machine(), {4096, 4096 * 64}, none, round_process()) == 0.0);
+  const process::Clock clock;
+  CHECK(clock.hz == 0);
+  CHECK(clock.path.ps == 0);
+}
+
+TEST_CASE("an array of one pixel has no tree to go through, and no wire between its levels") {
+  const Process one = round_process();
+  machines::Machine machine = small_machine("+evaluator.register_levels=16");
+  machine.array.width = 1;
+  machine.array.height = 1;
+  CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 3));
+  CHECK(path(machine, one, "global OR") == doctest::Approx(100));
+  // Two pixels have one level, four two: the side is four pixels long, and the first wire a quarter of that.
+  machine.array.height = 2;
+  CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 3));
+  CHECK(path(machine, one, "global OR") == doctest::Approx(100 + 10));
+  machine.array.height = 4;
+  const double side = (path(machine, one, "wire") - 100) / 300;  // a half of it, mm
+  CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 6 + 300 * side / 2));
+}
+
+TEST_CASE("trees are as deep as the longer side of the array") {
+  const Process one = round_process();
+  machines::Machine machine = small_machine("+evaluator.register_levels=16");
+  for (const bool is_high : {false, true}) {
+    machine.array.width = is_high ? 2 : 64;
+    machine.array.height = is_high ? 64 : 2;
+    const double side = (path(machine, one, "wire") - 100) / 300;
+    // Six levels: wires of a half, a quarter and so on, 31 / 32 of the longest in all.
+    CHECK(path(machine, one, "trees") == doctest::Approx(100 + 10 * 18 + 300 * side * 31 / 32));
+  }
+}
+
+TEST_CASE("a line whose gates take any number of inputs combines all pixels at once") {
+  const Process one = round_process();
+  // 4096 pixels: six levels of four.
+  CHECK(path(small_machine("+global_or.fan_in=ideal"), one, "global OR") == doctest::Approx(100 + 60));
+}
+
+TEST_CASE("as many bits of memory as a decoder has lines, and one more, which is a level more") {
+  const Process one = round_process();
+  machines::Machine machine = small_machine();
+  const auto pixel = [&](std::uint32_t bits) {
+    machine.array.memory_bits = bits;
+    return path(machine, one, "pixel");
+  };
+  // Addresses of 0, 1, 2, 4, 5 and 12 bits take 0, 0, 1, 1, 2 and 2 levels of gates with four inputs, and a driver.
+  const double others = 100 + 1000 + 10 * (1 + 4 + 2);
+  CHECK(pixel(1) == doctest::Approx(others));
+  CHECK(pixel(2) == doctest::Approx(others));
+  CHECK(pixel(3) == doctest::Approx(others + 10));
+  CHECK(pixel(16) == doctest::Approx(others + 10));
+  CHECK(pixel(17) == doctest::Approx(others + 20));
+  CHECK(pixel(4096) == doctest::Approx(others + 20));
+}
+
+TEST_CASE("a process lists its figures in the order of its file, each with its unit and value") {
+  const Process one = round_process();
+  CHECK(one.name == "round");
+  CHECK(one.description == "of round figures");
+  REQUIRE(one.figures.size() == 13);
+  CHECK(one.figures[0].key == "gate.delay");
+  CHECK(one.figures[0].value == "10");
+  CHECK(one.figures[0].unit == "ps");
+  CHECK(one.figures[12].key == "wire.energy");
+  CHECK(one.figures[12].value == "7");
+  CHECK(one.figures[12].unit == "aJ a bit and mm");
+  for (const machines::Figure& figure : one.figures) {
+    CHECK(figure.provenance == "assumed");
+    CHECK(figure.source == "a test");
+  }
+  const Process none;
+  CHECK(none.gate_delay + none.gate_fan_in + none.register_delay + none.memory_access + none.wire_delay == 0);
+  CHECK(none.transistor_area + none.memory_transistor_area + none.memory_bits + none.static_power == 0);
+  CHECK(none.adder_energy + none.register_energy + none.memory_energy + none.wire_energy == 0);
+}
+
 TEST_CASE("what has not been synthesised has no price in any process") {
   const Process one = process::load_process("cmos-45nm");
   for (const std::string machine : {"scan-line", "multi-processor", "pixel-planes-4+alu.bits=3"}) {
