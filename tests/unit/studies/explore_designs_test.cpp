@@ -194,8 +194,8 @@ TEST_CASE("whoever says nothing else has all designs, or the sample of seed 1") 
   Texts drawn;
   for (const Cell& cell : sampled({27}, 1, 10)) drawn.push_back(std::to_string(4 + cell[0]));
   Texts asked;
-  for (const shell::ModelOptions& one : studies::DesignGrid({}, dimensions, ten).designs())
-    asked.push_back(std::to_string(one.z_bits));
+  const studies::DesignGrid grid({}, dimensions, ten);
+  for (const shell::ModelOptions& one : grid.designs()) asked.push_back(std::to_string(one.z_bits));
   CHECK(asked == drawn);
 }
 
