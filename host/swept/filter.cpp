@@ -90,9 +90,7 @@ class Filter {
   void finish(std::uint32_t edge, Side side, const WireEdge* wire);
   void keep_most();
 
-  void hold(std::uint32_t vertex) {
-    if (vertex != nothing) vertices_.hold_by_edge(vertex);
-  }
+  void hold(std::uint32_t vertex) { vertices_.hold_by_edge(vertex); }
   void drop(std::uint32_t vertex) {
     if (vertex != nothing) vertices_.drop_by_edge(vertex);
   }

@@ -143,6 +143,7 @@ TEST_CASE("shows each stretch alone over 799 clocks, and those of two clocks ove
   for (std::size_t i = 0; i < lane.texts.size(); i += 2) lane.texts[i] = "b";
   const viewer::Lanes lanes(trace_of(lane));
   CHECK(lanes.between(0, 799)[0].at("stretches").size() == 799);
+  CHECK(lanes.between(201, 1000)[0].at("stretches").size() == 799);
   CHECK(lanes.between(0, 800)[0].at("stretches").size() == 400);
   CHECK(lanes.between(0, 800)[0].at("stretches")[7] == Json::parse(R"([14,2,"b",2,2])"));
 }
