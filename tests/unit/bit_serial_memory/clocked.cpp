@@ -13,7 +13,8 @@ namespace csgsim::testing {
 namespace {
 
 /// With each design, each way of bringing expressions, each way of keeping E; one slot and many, in one bank and in
-/// several, of less and of more than a word; slow and fast links; refreshes often and never.
+/// several, of less and of more than a word; slow and fast links; refreshes often and never. While a slow link is
+/// waited for, refreshes that are due are made, so that they come within instructions with a fast one alone.
 const std::vector<std::string> descriptions{
     "digital-bit-serial-ddr4+picture.width=8+picture.height=8+array.memory_bits=8+logic.enable=1+global_or.present=1+"
     "chips.count=1+chips.columns=64+chips.banks=1+link.word_clocks=3+link.latency=10+controller.queue=1+"
@@ -35,7 +36,8 @@ const std::vector<std::string> descriptions{
     "chips.count=1+chips.columns=8+chips.banks=1+timing.leaf=2+timing.window=200+timing.refresh=100+"
     "timing.refresh_interval=3000",
     "simdram-ddr4+picture.width=70+picture.height=3+array.memory_bits=36+chips.count=1+chips.columns=128+"
-    "timing.second=60+timing.activation_gap=9+link.latency=ideal+controller.queue=3",
+    "timing.second=60+timing.activation_gap=9+link.latency=ideal+controller.queue=3+timing.refresh=20+"
+    "timing.refresh_interval=50",
 };
 
 std::vector<ClockedMemory>* build_all() {
