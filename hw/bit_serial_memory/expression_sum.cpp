@@ -8,7 +8,8 @@ namespace csgsim::bit_serial_memory {
 
 namespace {
 
-/// Less than 64: an expression has isa::max_linear_width at most.
+static_assert(isa::max_linear_width < 64);
+
 constexpr std::uint64_t low_bits(unsigned bits) { return (std::uint64_t{1} << bits) - 1; }
 
 struct Digit {

@@ -36,7 +36,7 @@ class TripleRowLogic : public ColumnLogic {
 
  private:
   void store_by_latch(Row target, Bit value, Mask mask, bool inverted);
-  /// The latch for writes has what one of these rows had.
+  /// Discards the latch for writes if one of these rows is the one that it copies.
   void forget(const WordLines& written);
 
   std::optional<Row> latched_;  ///< what is in the latch for writes

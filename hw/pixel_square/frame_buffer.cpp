@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "hw/array/plane.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/systemc/kernel.h"
 
@@ -10,14 +11,11 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// `count`: of a colour, so that it is less than 64.
-std::uint64_t low_bits(std::uint64_t value, unsigned count) { return value & ((std::uint64_t{1} << count) - 1); }
-
 std::uint64_t bits_of(std::span<const std::uint64_t> bits, std::uint64_t from, unsigned count) {
   const auto place = static_cast<unsigned>(from % 64);
   std::uint64_t value = bits[from / 64] >> place;
   if (place + count > 64) value |= bits[from / 64 + 1] << (64 - place);
-  return low_bits(value, count);
+  return value & array::low_bits(count);
 }
 
 }  // namespace
@@ -163,7 +161,7 @@ void FrameBuffer::store(Incoming& square, std::span<const std::uint64_t> bits) {
 void FrameBuffer::clear(Incoming& square) {
   PortBits bits((port_bits_ + 63U) / 64U);
   each_colour(square, [&](const Cursor& at, std::uint64_t from, unsigned count) {
-    put_bits(span_of(bits), from, count, low_bits(contents_.background >> at.place, count));
+    put_bits(span_of(bits), from, count, contents_.background >> at.place & array::low_bits(count));
   });
   store(square, span_of(bits));
 }

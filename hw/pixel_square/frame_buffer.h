@@ -42,8 +42,8 @@ class FrameBuffer final : public systemc::ClockedModule {
   /// Of every pixel, in row order: what was stored last; 0 if nothing was since a picture of that size was begun.
   [[nodiscard]] std::span<const std::uint32_t> picture() const { return picture_; }
 
-  // For waves: the port that was served last at the last edge, if one was; the square that came through it, of width 0
-  // while its header is not whole; squares whole; the row from which the screen reads, if it does.
+  // Waves show the port that was served last at the last edge, if any; the square that came through it, with width 0
+  // until its header is complete; the number of complete squares; and the row that the screen reads, if any.
   [[nodiscard]] std::optional<std::size_t> served() const { return served_; }
   [[nodiscard]] std::optional<std::uint32_t> refreshed() const { return screen_.row(); }
   [[nodiscard]] const isa::Region& served_square() const { return served_square_; }

@@ -36,9 +36,9 @@ std::optional<std::uint64_t> figure_of(const Machine& machine, std::string_view 
   const auto found = std::ranges::find(machine.figures, key, &machines::Figure::key);
   if (found == machine.figures.end()) return std::nullopt;
   std::uint64_t value = 0;
-  const char* const digits = found->value.data();
-  const bool is_number = std::from_chars(digits, digits + found->value.size(), value).ec == std::errc{};
-  return is_number ? std::optional(value) : std::nullopt;
+  const auto [end, error] = std::from_chars(found->value.data(), found->value.data() + found->value.size(), value);
+  if (error != std::errc{} || end != found->value.data() + found->value.size()) return std::nullopt;
+  return value;
 }
 
 /// Levels of a tree of gates with so many inputs each that brings so many lines together.

@@ -15,7 +15,7 @@ namespace csgsim::viewer {
 /// than three minutes, or prints more than 512 MB.
 std::string recorded(const isa::Program& program, std::span<const std::string> options);
 
-/// What csgsim wave may take then.
+/// The limits of that run of csgsim wave.
 inline constexpr ChildLimits wave_limits{
     .time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 

@@ -171,10 +171,10 @@ class IntervalArithmetic : public Method {
         const bool holds = interval.front <= depth && depth < interval.back;
         if (holds && tree.leaf_of[interval.primitive] != model::no_index) active_.push_back(interval.primitive);
       }
-      count_(Operation::call, active_.size() + 1);
-      for (const std::uint32_t primitive : active_) traversal.flip(primitive, count_);
+      flip_all(traversal, active_, count_);
       count_.point();
       count_.evaluation();
+      count_(Operation::call);
       const bool is_in = traversal.evaluate(count_) != tree.complemented;
       take_back(traversal, active_, count_);
       if (!is_in) continue;

@@ -64,9 +64,9 @@ class Weave : public Method {
   }
 
   bool holds(std::span<const std::uint32_t> held_by) {
-    count_(Operation::call, held_by.size() + 1);
-    for (const std::uint32_t primitive : held_by) traversal_->flip(primitive, count_);
+    flip_all(*traversal_, held_by, count_);
     count_.evaluation();
+    count_(Operation::call);
     const bool is_in = traversal_->evaluate(count_);
     take_back(*traversal_, held_by, count_);
     return is_in;

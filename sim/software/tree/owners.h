@@ -84,8 +84,7 @@ class Owners {
 
   std::uint32_t first_that_shows(Count& count) {
     count.tie();
-    count(Operation::call, active_.size());
-    for (const std::uint32_t primitive : active_) status_.flip(primitive, count);
+    flip_all(status_, active_, count);
     const auto owner =
         std::ranges::find_if(candidates_, [&](std::uint32_t candidate) { return shows(candidate, count); });
     take_back(status_, active_, count);

@@ -12,7 +12,7 @@ namespace csgsim::testing {
 
 namespace {
 
-/// With each design, each way of bringing expressions, each way of keeping E; one slot and many, in one bank and in
+/// Each design, each source of expressions and each place for E are covered; one slot and many, in one bank and in
 /// several, of less and of more than a word; slow and fast links; refreshes often and never. While a slow link is
 /// waited for, refreshes that are due are made, so that they come within instructions with a fast one alone.
 const std::vector<std::string> descriptions{

@@ -243,7 +243,7 @@ TEST_CASE("nothing has been done, and nothing costs anything, before a frame beg
   CHECK(bit_serial_memory::energy_of(work, 0, kinds::load("simdram-ddr4")).sum() == 0);
 }
 
-TEST_CASE("a memory of which nothing is said yet is the smallest, whose parts take a clock or none") {
+TEST_CASE("the default memory is the smallest, and its parts take one clock or none") {
   const Figures figures;
   CHECK(figures.design == bit_serial_memory::Design::latches);
   CHECK(figures.expressions == bit_serial_memory::Expressions::rows);
@@ -348,7 +348,7 @@ TEST_CASE("a smaller picture than the machine's takes the clocks of its own slot
   program.shape = {64, 64, 256};
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {instruction(isa::Opcode::enable_all)}});
   const machines::Machine machine = kinds::load("digital-bit-serial-ddr4+timing.refresh_interval=ideal");
-  // As above, but in one bank: nothing begins 12 clocks later.
+  // The same in one bank: nothing begins 12 clocks later.
   constexpr std::uint64_t cleared = 40 + 2 + 1 + 1 + 256 * (4 + 56) + 2 * 4 + 56;
   constexpr std::uint64_t drawn = cleared + 1 + 2 * 4 + 56;
   CHECK(machine.kind->time(program, machine, {}).clocks == drawn);

@@ -12,8 +12,9 @@
 #include "hw/bit_serial_memory/subarray.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
-// The operations of which instructions are made, in sequences that no instruction has, on 64 columns of a subarray:
-// what is kept of one operation for the next has to be forgotten where the next changes it. The judge has a word a row.
+// The operations that instructions consist of, in sequences that no instruction has, on 64 columns of a subarray:
+// what is kept of one operation for the next has to be forgotten where the next changes it. The judge keeps one word
+// for each row.
 
 using namespace csgsim;
 using bit_serial_memory::Bit;

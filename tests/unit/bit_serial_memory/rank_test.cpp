@@ -42,7 +42,7 @@ class PlainRank {
     for (std::uint64_t slot = 0; slot < slots_.count(); ++slot) carry_out(op, slot);
   }
 
-  /// From then on all is as in the beginning.
+  /// Returns to the state at the beginning.
   [[nodiscard]] std::int64_t over() const {
     std::int64_t clock = closed();
     if (!activations_.empty()) clock = std::max(clock, activations_.back() + figures_.rank.activation_gap);
@@ -92,7 +92,7 @@ class PlainRank {
     free = std::max(first + clocks.restore, bus_ + clocks.recovery) + clocks.precharge;
   }
 
-  /// Banks are closed once for all that are due; then everything goes on later.
+  /// Banks are closed once for all refreshes that are due; everything else is delayed.
   void refresh_if_due() {
     const std::int64_t now = allowed(free_.front());
     if (now < due_) return;
@@ -144,7 +144,7 @@ class Random {
     return figures;
   }
 
-  /// Of which the last may be in part without pixels.
+  /// The last one may be only partly filled with pixels.
   Slots slots(const Figures& figures, std::uint32_t most) {
     const std::uint64_t columns = std::uint64_t{figures.chips} * figures.row_bits;
     return {of(1, most) * columns - of(0, 7), columns, figures.banks};
@@ -186,7 +186,7 @@ TEST_CASE("row commands take the clocks of a rank that keeps the clock of each a
   }
 }
 
-TEST_CASE("each row command by itself takes what the table of the documentation says") {
+TEST_CASE("each row command alone takes the clocks of the documentation's table") {
   Figures figures;
   figures.row_bits = 64;
   figures.bus_bits = 10;

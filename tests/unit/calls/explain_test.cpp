@@ -69,7 +69,7 @@ TEST_CASE("either a pixel or a point is explained, and of a Program a pixel alon
   CHECK(testing::option_error<ExplainOptions>({"a.csg", "--pixel", "1,1", "--why-not", ""}) != "");
 }
 
-TEST_CASE("of a Program machine, figures and primitive may be said besides, of a model all that compiles it") {
+TEST_CASE("explain takes a machine, figures and a primitive for a Program, and every option of compile for a model") {
   const auto with = [&](const char* file, const Texts& more) {
     Texts words{file, "--pixel", "1,1"};
     words.insert(words.end(), more.begin(), more.end());
@@ -138,7 +138,7 @@ TEST_CASE("a point has three numbers") {
     CHECK(point_error(seen({"--point", point})).starts_with("--point"));
 }
 
-TEST_CASE("why a primitive is not seen is told where that is asked") {
+TEST_CASE("explain reports why a primitive is not seen when asked to") {
   CHECK(told(seen({"--pixel", "3,3"})).text.find("why not") == std::string::npos);
   CHECK(told(seen({"--pixel", "3,3", "--why-not", "0"})).text.starts_with("why not p0 "));
   CHECK(point_error(seen({"--pixel", "3,3", "--why-not", "p7"})).starts_with("--why-not"));

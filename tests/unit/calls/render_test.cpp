@@ -15,8 +15,8 @@
 #include "places.h"
 #include "sim/shell/compiled_model.h"
 #include "sim/shell/run_options.h"
+#include "tests/support/captured.h"
 #include "tests/support/error_of.h"
-#include "tests/support/standard_output.h"
 #include "tests/unit/calls/parsed.h"
 
 using namespace csgsim;
@@ -45,7 +45,7 @@ nlohmann::ordered_json judged(const RenderOptions& options, const calls::Compile
 
 }  // namespace
 
-TEST_CASE("render takes the options of models, runs and pages, and two of its own") {
+TEST_CASE("render takes the options of models, runs and pages, and two more") {
   const Parsed<RenderOptions> plain({"a.csg"});
   CHECK(plain.options.model.model == "a.csg");
   CHECK_FALSE(plain.options.check);
@@ -134,7 +134,7 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
   for (const char* const most : {"0", "10", "1280"}) {
     CAPTURE(most);
     Parsed<RenderOptions> asked(house_words({"--max-wrong-pixels", most}));
-    const testing::StandardOutput output;
+    const testing::Captured output(STDOUT_FILENO);
     const calls::Compiled compiled = calls::compile(asked.options);
     const std::string bits = "--z-bits " + std::to_string(asked.options.model.z_bits) + " --fraction-bits " +
                              std::to_string(asked.options.model.fraction_bits);

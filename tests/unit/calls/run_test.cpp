@@ -191,7 +191,7 @@ TEST_CASE("a Program in the file's place is run as its file, and has the hash th
   CHECK(calls::load(options, {.text = {}, .program = &program}).machine.clock_hz == 5'000'000);
 }
 
-TEST_CASE("advice on a Program is of the machine that was asked for, or of its own") {
+TEST_CASE("advice on a Program is for the requested machine, or for the Program's own") {
   calls::RunProgramOptions options;
   machines::Machine machine;
   machine.name = "its own";

@@ -196,7 +196,7 @@ TEST_CASE("the text of a bintree, line by line, of 120 characters at most") {
   CHECK(convert::text_of(bintree) == "bintree 1\nresolution 4\ncube 1 -2.5 0 0.1\n" + std::string(120, '0') + "\n(\n");
 }
 
-TEST_CASE("words of a bintree, each of which has to be there, and its resolutions") {
+TEST_CASE("a bintree needs each of its words, and reads its resolutions") {
   const auto told = [](const std::string& text) {
     return testing::error_of([&] { convert::read_bintree(text, "b.bintree"); });
   };

@@ -18,6 +18,7 @@
 #include "sim/software/convert/sets.h"
 #include "sim/software/convert/side.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/unit/convert/seats.h"
 
 using namespace csgsim;
 namespace convert = software::convert;
@@ -46,18 +47,6 @@ std::vector<std::uint32_t> points_of(const std::vector<PointAlong>& found) {
   for (const PointAlong& one : found) points.push_back(one.point);
   return points;
 }
-
-/// Points of a plane on which one looks from outside: (x, y) is (right, up) as `outward` points to who looks.
-struct View {
-  glm::dvec3 outward;
-  glm::dvec3 right;
-  glm::dvec3 up;
-};
-
-const std::vector<View> views{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},         {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
-                              {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},         {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                              {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}},         {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                              {{0.6, 0, 0.8}, {0.8, 0, -0.6}, {0, 1, 0}}};
 
 /// What sides of one outline become.
 struct Ended {
@@ -108,7 +97,7 @@ TEST_CASE("sides end at their points, in whichever direction they run") {
   sides = {{5, 1}, {1, 8}};
   CHECK(convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{5, 7}, {7, 8}});
-  // Without points nothing is changed, not even the order.
+  // No point: nothing changes, not even the order.
   sides = {{4, 5}, {1, 2}, {2, 1}};
   CHECK(!convert::end_at(ends, sides));
   CHECK(sides == std::vector<Side>{{4, 5}, {1, 2}, {2, 1}});
@@ -294,7 +283,7 @@ TEST_CASE("a point beyond both that it is joined to is not straight") {
   }
 }
 
-TEST_CASE("a side that is open is told, and none where all run back in some outline") {
+TEST_CASE("open_side returns a side without its reverse, or nothing if every side has one") {
   Outlines outlines{{}, {{{0, 0, 1}, {{0, 1}, {1, 2}, {2, 0}}}, {{0, 0, 1}, {{1, 0}, {2, 1}}}}};
   CHECK(convert::open_side(outlines) == std::optional<Side>(Side{2, 0}));
   outlines.outlines[1].sides.push_back({0, 2});
@@ -302,17 +291,17 @@ TEST_CASE("a side that is open is told, and none where all run back in some outl
 }
 
 TEST_CASE("sides that cross end at a point half-way between them, as they are seen from each side of a plane") {
-  for (const View& view : views) {
-    CAPTURE(view.outward.x);
-    CAPTURE(view.outward.y);
-    CAPTURE(view.outward.z);
-    const auto at = [&](double x, double y, double out) { return x * view.right + y * view.up + out * view.outward; };
+  for (const testing::Seat& seat : testing::seats) {
+    CAPTURE(seat.outward.x);
+    CAPTURE(seat.outward.y);
+    CAPTURE(seat.outward.z);
+    const auto at = [&](double x, double y, double out) { return x * seat.right + y * seat.up + out * seat.outward; };
     // (0, 0) to (4, 4), and (0, 3) to (4, -1): at (1.5, 1.5); one 1 above the other.
-    const Ended crossed = ended({at(0, 0, 0), at(4, 4, 0), at(0, 3, 1), at(4, -1, 1)}, {{0, 1}, {3, 2}}, view.outward);
+    const Ended crossed = ended({at(0, 0, 0), at(4, 4, 0), at(0, 3, 1), at(4, -1, 1)}, {{0, 1}, {3, 2}}, seat.outward);
     CHECK(crossed.any);
     REQUIRE(crossed.points.size() == 5);
     CHECK(crossed.sides == std::vector<Side>{{0, 4}, {4, 1}, {4, 2}, {3, 4}});
-    if (view.outward.x == 0.6) continue;  // not along the axis that one looks along
+    if (seat.outward.x == 0.6) continue;  // not along the axis that one looks along
     CHECK(glm::distance(crossed.points[4], at(1.5, 1.5, 0.5)) < 1e-12);
   }
 }

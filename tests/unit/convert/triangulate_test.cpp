@@ -17,6 +17,7 @@
 #include "sim/software/convert/side.h"
 #include "sim/software/convert/surface.h"
 #include "tests/unit/convert/converted.h"
+#include "tests/unit/convert/seats.h"
 
 using namespace csgsim;
 namespace convert = software::convert;
@@ -27,18 +28,6 @@ using convert::Triangle;
 namespace {
 
 using Polygon = std::vector<std::uint32_t>;
-
-/// The directions that a plane is seen from, each with two across it that a round is counter-clockwise in.
-struct Seat {
-  glm::dvec3 outward;
-  glm::dvec3 right;
-  glm::dvec3 up;
-};
-
-const std::vector<Seat> seats{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},         {{0, 0, -1}, {0, 1, 0}, {1, 0, 0}},
-                              {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},         {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                              {{0, 1, 0}, {0, 0, 1}, {1, 0, 0}},         {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-                              {{0.6, 0, 0.8}, {0.8, 0, -0.6}, {0, 1, 0}}};
 
 void add_round(const Polygon& round, std::vector<Side>& sides) {
   for (std::size_t i = 0; i < round.size(); ++i) sides.push_back({round[i], round[(i + 1) % round.size()]});
@@ -112,7 +101,7 @@ TEST_CASE("outlines are triangles of their area, on each side of a plane that on
                         {{{0, 0}, {4, 0}, {4, 4}, {2, 4}, {2, 2}, {0, 2}}, {{0, 1, 2, 3, 4, 5}}, 4, 12},
                         {{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {4, 2}, {4, 4}, {2, 4}}, {{0, 1, 2, 3}, {2, 4, 5, 6}}, 4, 8},
                         {{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {5, 5}, {7, 5}, {7, 7}}, {{0, 1, 2, 3}, {4, 5, 6}}, 3, 6}}) {
-    for (const Seat& seat : seats) {
+    for (const testing::Seat& seat : testing::seats) {
       CAPTURE(row.triangles);
       CAPTURE(seat.outward.x);
       CAPTURE(seat.outward.y);
@@ -203,7 +192,7 @@ TEST_CASE("a star that runs around twice is no convex round, though all its turn
   std::vector<glm::dvec3> points;
   for (int i = 0; i < 5; ++i)
     points.emplace_back(std::cos(i * 0.4 * std::numbers::pi), std::sin(i * 0.4 * std::numbers::pi), 0);
-  // Its sides cross, which is told.
+  // Its sides cross, and the result reports it.
   const Outline star = outline_of({0, 0, 1}, {{0, 2, 4, 1, 3}});
   CHECK(convert::two_sides(points, star) == std::nullopt);
   CHECK(sides_left(convert::triangulate(points, star)) == sides_left(star));
@@ -260,7 +249,7 @@ TEST_CASE("polygons of a surface: whole where nothing is in them, triangles wher
   using Sizes = std::vector<std::size_t>;
   CHECK(sizes_of("cube([1,2,3]);") == Sizes(6, 4));
   CHECK(sizes_of("cylinder($fn=5,$fa=12,$fs=2,h=2,r1=1,r2=1);") == Sizes{4, 4, 4, 4, 4, 5, 5});
-  // An angle of two bars: eight faces of which two have six corners.
+  // Two bars at an angle: eight faces, two with six corners.
   CHECK(sizes_of("cube([1,4,1]);cube([4,1,1]);") == Sizes{4, 4, 4, 4, 4, 4, 6, 6});
   // A hole through a plate: each end in eight triangles, eight sides.
   Sizes holed(16, 3);

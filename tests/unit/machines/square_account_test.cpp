@@ -10,7 +10,7 @@
 #include "hw/pixel_square/account.h"
 #include "tests/unit/machines/square_timing.h"
 
-// What is told of the clocks of a machine of squares, part by part, and which part works most.
+// The account of a pixel-square machine's clocks, part by part, and the busiest part.
 
 using namespace csgsim;
 using namespace csgsim::testing::squares;
@@ -63,7 +63,7 @@ TEST_CASE("clocks that are not accounted for are spent at rest") {
   CHECK(pixel_square::whole(working(3), SquareActivity::waiting_for_ring, 3) == working(3));
 }
 
-TEST_CASE("of a machine whose host divides are told the host, the renderers and the frame buffer") {
+TEST_CASE("the account of a machine whose host divides lists the host, the renderers and the frame buffer") {
   SquareAccount counted;
   counted.squares_drawn = 5;
   counted.squares_skipped = 6;
@@ -89,7 +89,7 @@ TEST_CASE("of a machine whose host divides are told the host, the renderers and 
   CHECK(account.shares[0] == machines::Share{"renderer_utilisation", 20 + 30, 8 * 20 + 28 + 8 * 30 + 28});
 }
 
-TEST_CASE("of a machine that divides are told its dividers and what sends besides") {
+TEST_CASE("the account of a machine that divides lists its dividers and its senders") {
   SquareAccount counted;
   counted.dividers = {working(7)};
   counted.sender = working(8);
@@ -107,7 +107,7 @@ TEST_CASE("of a machine that divides are told its dividers and what sends beside
   CHECK(pixel_square::account(counted).shares[0] == machines::Share{"renderer_utilisation", 0, 0});
 }
 
-TEST_CASE("of a machine with a ring are told its processors and the ring in place of the host") {
+TEST_CASE("the account of a machine with a ring lists its processors and the ring instead of the host") {
   SquareAccount counted;
   counted.processors = {counting_from(10), counting_from(20)};
   counted.ring = {.clocks = counting_from(30), .words = 50, .full_clocks = 60};

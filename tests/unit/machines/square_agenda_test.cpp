@@ -103,7 +103,7 @@ TEST_CASE("after the last in turn comes the first") {
   CHECK(pixel_square::next_in_turn(5, 9) == 6);
 }
 
-TEST_CASE("every part of a machine has a number of its own, pixels before decoders, processors in their order") {
+TEST_CASE("every part of a machine has a different number: pixels before decoders, processors in order") {
   const PartNumbers parts{.renderers = 3, .dividers = 2, .processors = 4};
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < 3; ++i) all.push_back(parts.pixels(i));
@@ -222,7 +222,7 @@ TEST_CASE("a square can be begun when its last word is there, or when the store 
   CHECK(both.may_begin(5));
 }
 
-TEST_CASE("of each word that leaves are told the rows of the square that it holds, and the picture's row") {
+TEST_CASE("each word that leaves is reported with the rows of the square in it, and the picture's row") {
   CHECK(rc::check([] {
     const isa::Region region{3, *rc::gen::inRange<std::uint32_t>(0, 50), *rc::gen::inRange<std::uint32_t>(1, 9),
                              *rc::gen::inRange<std::uint32_t>(1, 9)};
@@ -280,7 +280,7 @@ TEST_CASE("a row goes over when it is latched and the next word of colours needs
   CHECK(quick.there(1) == 3);
 }
 
-TEST_CASE("the clocks of a part are told from the first of the frame to its last") {
+TEST_CASE("the clocks of a part are reported from the first of the frame to the last") {
   pixel_square::PartClocks clocks;
   clocks.wait(SquareActivity::waiting_for_host, 4);  // clocks 1 to 3
   clocks.work(2);                                    // 4 and 5

@@ -35,7 +35,7 @@ std::string refusal(const isa::Program& program, const Machine& machine) {
   return error_of([&] { machines::check_runs_on(program, machine); });
 }
 
-/// What a divider makes of the slab with a hole on that machine, whose picture is the model's 16 x 16.
+/// The Program that a divider computes from the slab with a hole, with the 16 x 16 pixels of the model.
 isa::Program divided_program(const Machine& machine) {
   isa::Program program = whole_picture(machine);
   program.display_model = model_bytes();
@@ -217,7 +217,7 @@ TEST_CASE("however many half-spaces or nodes a surface has beyond those at hand,
   }
 }
 
-TEST_CASE("a Program for a machine with dividers is what they make of its model, in one level and in two") {
+TEST_CASE("a Program for a machine with dividers is what they compute from its model, in one level and in two") {
   Figures figures = dividing();
   figures.group_side = 2;
   figures.list_entries = 100;

@@ -1,20 +1,16 @@
 #include "sim/observe/progress.h"
 
 #include <doctest/doctest.h>
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <thread>
 
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
-#include "places.h"
+#include "tests/support/captured.h"
 #include "tests/unit/observe/fake_pixels.h"
 
 using namespace csgsim;
@@ -22,33 +18,6 @@ using isa::Instruction;
 using isa::Opcode;
 
 namespace {
-
-/// What is written to standard error as long as it lives.
-class StandardError {
- public:
-  StandardError() : kept_(::dup(STDERR_FILENO)) {
-    const int file = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-    REQUIRE(file >= 0);
-    ::dup2(file, STDERR_FILENO);
-    ::close(file);
-  }
-  ~StandardError() {
-    ::dup2(kept_, STDERR_FILENO);
-    ::close(kept_);
-    ::unlink(path_.c_str());
-  }
-  StandardError(const StandardError&) = delete;
-  StandardError& operator=(const StandardError&) = delete;
-
-  [[nodiscard]] std::string text() const {
-    std::ifstream file(path_, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
- private:
-  std::string path_ = std::string(CSGSIM_BINARY_DIR) + "/progress_test_" + std::to_string(::getpid());
-  int kept_;
-};
 
 const Instruction plain{Opcode::enable_all, {}, {}, 0, {}};
 const Instruction skips_100{Opcode::skip_if_none, {}, {}, 100, {}};
@@ -81,7 +50,7 @@ void carry_out(observe::ProgressObserver& observer, std::uint32_t count, const I
 }  // namespace
 
 TEST_CASE("a run of less than a second tells nothing") {
-  const StandardError standard_error;
+  const testing::Captured standard_error(STDERR_FILENO);
   const Clock::time_point begin = Clock::now();
   {
     const isa::Program all = program();
@@ -95,7 +64,7 @@ TEST_CASE("a run of less than a second tells nothing") {
 }
 
 TEST_CASE("a run of more than a second tells how far it is, once in a while, and takes that away at its end") {
-  const StandardError standard_error;
+  const testing::Captured standard_error(STDERR_FILENO);
   const isa::Program all = program();
   const machines::Machine on = machine();
   std::optional<observe::ProgressObserver> observer;
@@ -115,7 +84,7 @@ TEST_CASE("a run of more than a second tells how far it is, once in a while, and
 }
 
 TEST_CASE("what turns out to be skipped is taken off the clocks that are left") {
-  const StandardError standard_error;
+  const testing::Captured standard_error(STDERR_FILENO);
   const isa::Program all = program();
   const machines::Machine on = machine();
   observe::ProgressObserver observer(all, on);

@@ -1,4 +1,4 @@
-// SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
+// SystemC elaborates once a process, so each case here needs a separate process, which ctest gives it.
 
 #include <doctest/doctest.h>
 
@@ -40,7 +40,7 @@ class Sampler final : public sc_core::sc_module {
 
   void begin(std::vector<wave::Tap> taps) { taps_ = std::move(taps); }
 
-  /// Of each tap, clock by clock; `-` for nothing.
+  /// The values of each tap, clock by clock; `-` where it shows nothing.
   std::map<std::string, std::vector<std::string>> seen;
 
  private:
@@ -315,7 +315,7 @@ TEST_CASE("a wave of a machine with a ring shows its processors, what waits for 
     check_number(board, name, 32);
 }
 
-TEST_CASE("a wave of a machine that divides shows what comes of the model, its divider's store and who sends from it") {
+TEST_CASE("a wave of a machine that divides shows the model's progress, the divider's store and its sender") {
   const machines::Machine machine = dividing_machine(1);
   Board board(machine, slab_program(machine), {{15, 15}});
   CHECK(board.outer_names() ==
@@ -361,7 +361,7 @@ TEST_CASE("a wave shows each of several dividers by its number") {
   CHECK(board.changes("divider_1.store_fill") == "0 1 0");
 }
 
-TEST_CASE("a machine that divides refuses a Program that is not what it makes of its model, and a warning is thrown") {
+TEST_CASE("a machine that divides refuses a Program that differs from what it computes, and a warning is thrown") {
   const machines::Machine machine = dividing_machine(1);
   Board board(machine, slab_program(machine), {});
   board.program.segments[0].instructions.pop_back();

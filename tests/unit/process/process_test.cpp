@@ -330,7 +330,7 @@ TEST_CASE("a line whose gates take any number of inputs combines all pixels at o
   CHECK(path(small_machine("+global_or.fan_in=ideal"), one, "global OR") == doctest::Approx(100 + 60));
 }
 
-TEST_CASE("as many bits of memory as a decoder has lines, and one more, which is a level more") {
+TEST_CASE("memory with one bit more than a decoder's lines takes one more level") {
   const Process one = round_process();
   machines::Machine machine = small_machine();
   const auto pixel = [&](std::uint32_t bits) {

@@ -29,7 +29,7 @@ using Files = std::vector<rtl::DesignFile>;
 
 machines::Machine small_machine() { return kinds::load("pixel-planes-4+array.width=8+array.height=8"); }
 
-/// Enables all pixels, and shows so many bits of colour.
+/// Enables all pixels, and shows `colour_bits` bits of colour.
 isa::Program enabling(std::uint16_t colour_bits) {
   isa::Program program;
   program.shape = {8, 8, 72};
@@ -118,7 +118,7 @@ TEST_CASE("a Program's memory in a design, by hand") {
   CHECK(has(file_of(files, "system.v"), ".LINK(32), .WORDS(5), .INSTRUCTIONS(1),"));
 }
 
-TEST_CASE("where each instruction begins is told in the fewest digits that hold the number of words") {
+TEST_CASE("the begin of each instruction has the fewest digits that hold the number of words") {
   const isa::ArrayShape shape{.width = 16, .height = 16, .memory_bits = 72};
   CHECK(rc::check([&] {
     const isa::Program program = *test::arbitrary_program(shape, 40);
@@ -142,7 +142,7 @@ TEST_CASE("where each instruction begins is told in the fewest digits that hold 
   CHECK(first_line(254) == "000");
 }
 
-TEST_CASE("a board has a serial line where a design has no Program, and else nobody asks it for one") {
+TEST_CASE("a board needs a serial line only where a design has no Program") {
   const isa::Program program = enabling(24);
   const Files drawn = rtl::design_files(small_machine(), &program);
   const Files bare = rtl::design_files(small_machine(), nullptr);
@@ -230,7 +230,7 @@ TEST_CASE("a name in a template stands between two marks, is of capitals and _, 
   CHECK_THROWS_AS(rtl::template_text("none.v"), std::out_of_range);
 }
 
-TEST_CASE("a board that is told nothing of its line has none, and shows no pixel") {
+TEST_CASE("a board without settings for its line has none, and shows no pixel") {
   std::vector<rtl::Filling> fillings;
   rtl::add_board(fillings, {.colour_bits = 24});
   CHECK(rtl::filled("@CHANNEL_BITS@|@BOARD_VIDEO@|@BOARD_PORTS@|@BOARD_CONNECTIONS@|@BOARD_LINE_HX@|@BOARD_LINE_UP@",

@@ -94,7 +94,7 @@ std::vector<SolidCell> cells_of(const std::string& name, const software::FacetSh
   return cells;
 }
 
-/// Where a ray is in a box; nothing where it is not.
+/// The part of a ray inside a box; nothing if the ray misses it.
 std::optional<std::pair<double, double>> stay_in(const facet::Box& box, const SpaceRay& ray) {
   std::pair stay{ray.begin, ray.end};
   for (int axis = 0; axis < 3; ++axis) {
@@ -110,7 +110,7 @@ std::optional<std::pair<double, double>> stay_in(const facet::Box& box, const Sp
   return stay;
 }
 
-/// One that is told of, or is to be.
+/// A cell that the directory reports, or has to report.
 struct ToldCell {
   double in;
   double out;
@@ -240,7 +240,7 @@ TEST_CASE(
         cells += expected->size();
         const std::vector<ToldCell> told = told_along(*directory, ray);
         check_told(told, *expected);
-        // A visitor that has enough is told no more.
+        // A visitor that has enough receives no more cells.
         if (told.size() < 2) continue;
         Listener listener(told.size() - 1);
         software::Counting counting;

@@ -127,7 +127,7 @@ void check_pruned(const Counted& counted, const view::View& view) {
   }
 }
 
-/// Whatever is called comes back.
+/// Every call returns.
 void check_calls(const software::Operations& done) {
   CHECK(done.counts[static_cast<std::size_t>(software::Operation::call)] ==
         done.counts[static_cast<std::size_t>(software::Operation::come_back)]);

@@ -193,7 +193,7 @@ TEST_CASE("a page has a table of each front with its knee, and one of the comman
   CHECK(explored.study().sections(data).empty());
 }
 
-TEST_CASE("options that contradict each other are told") {
+TEST_CASE("options that contradict each other are refused by name") {
   const Models models;
   const std::string cube = models / "cube.csg";
   CHECK(usage_error({cube, "--vary", "alu.bits=1,2", "--set", "alu.bits=4"}) ==

@@ -2,6 +2,7 @@
 // figures follow from the rows by hand.
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <array>
 #include <nlohmann/json.hpp>
@@ -15,7 +16,7 @@
 #include "sim/studies/explore/front.h"
 #include "sim/studies/explore/show.h"
 #include "sim/studies/row_text.h"
-#include "tests/support/standard_output.h"
+#include "tests/support/captured.h"
 
 using namespace csgsim;
 using studies::ExploreRow;
@@ -25,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// A row of a design that is told apart by a figure and by z bits.
+/// A row of a design that a figure and the z bits identify.
 ExploreRow shown_row(const std::string& model, const char* alu_bits, unsigned z_bits, double fps, std::uint64_t bits) {
   ExploreRow one;
   one.point.model = model;
@@ -55,7 +56,7 @@ std::vector<ShownGroup> shown_groups(const std::vector<ExploreRow>& rows, const 
 }
 
 std::string printed(const std::vector<ExploreRow>& rows, const std::vector<ShownGroup>& groups) {
-  const testing::StandardOutput output;
+  const testing::Captured output(STDOUT_FILENO);
   studies::print_explored(rows, groups);
   return output.text();
 }
@@ -147,7 +148,8 @@ TEST_CASE("the knee looks at the front alone, however good or bad others are") {
   CHECK_FALSE(studies::knee_of(candidates, {false, false, false, false, false}, axes));
 }
 
-TEST_CASE("a design is marked in its own model's group, where it is drawn, and all models have a front of their own") {
+TEST_CASE(
+    "a design is marked in its model's group, if it is drawn there, and all models together have a separate front") {
   const std::vector<ExploreRow> rows = two_models();
   std::vector<ShownGroup> groups = shown_groups(rows, "time,memory");
   REQUIRE(groups.size() == 3);
@@ -216,7 +218,7 @@ TEST_CASE(
   CHECK(points[3]["design"] == Json::object());
 }
 
-TEST_CASE("a group of which nothing is drawn has no front and no knee, and says how many there are") {
+TEST_CASE("a group without a drawn design has no front and no knee, and prints the number of designs") {
   std::vector<ExploreRow> rows{refused_row("m", "1", 8, "no"), refused_row("m", "2", 8, "no")};
   const std::vector<ShownGroup> groups = shown_groups(rows, "time");
   const Json file = Json::parse(studies::explore_json("t", rows, groups));
@@ -231,7 +233,7 @@ TEST_CASE("a group of which nothing is drawn has no front and no knee, and says 
         "  alu.bits=1 cannot be drawn, as does 1 other design: no\n");
 }
 
-TEST_CASE("designs differ in any figure or option, which are told in the order of the machine, size and options") {
+TEST_CASE("designs differ in any figure or option, printed in the order of the machine, size and options") {
   std::vector<ExploreRow> rows(2);
   const auto fill = [](studies::ExplorePoint& point, unsigned number) {
     const std::string text = std::to_string(number);
@@ -269,7 +271,7 @@ TEST_CASE("designs differ in any figure or option, which are told in the order o
   CHECK(alone.text(rows[0].point) == "p+b=1+a=1");
 }
 
-TEST_CASE("the text has a line for each of the front, by its values, and says who is the knee and what draws it") {
+TEST_CASE("the text has a line for each design of the front, and names the knee and the command that draws it") {
   std::vector<ExploreRow> rows = two_models();
   rows.push_back(rows[1]);  // one more that is as good as b
   rows.back().point.z_bits = 20;
@@ -293,7 +295,7 @@ TEST_CASE("the text has a line for each of the front, by its values, and says wh
         "knee: alu.bits=1, z-bits=8; ms from frame to frame 20; memory bits of the machine 30\n");
 }
 
-TEST_CASE("each reason is told once, with the design that has it first and how many more, of the group's own model") {
+TEST_CASE("each reason is printed once, with its first design and the number of others of the group's model") {
   std::vector<ExploreRow> rows{refused_row("m", "1", 8, "no"),     refused_row("m", "1", 9, "never"),
                                refused_row("m", "2", 8, "no"),     refused_row("m", "2", 9, "no"),
                                refused_row("n", "1", 8, "no way"), shown_row("n", "1", 9, 10, 10)};
@@ -302,7 +304,7 @@ TEST_CASE("each reason is told once, with the design that has it first and how m
                   "  alu.bits=1, z-bits=9 cannot be drawn: never\n\nn: ") != std::string::npos);
   CHECK(text.find("n: 1 on the front of 2 designs; 1 cannot be drawn\n"
                   "  alu.bits=1, z-bits=8 cannot be drawn: no way\n  alu.bits") != std::string::npos);
-  // Of all models reasons are not told again.
+  // The group of all models does not print reasons again.
   CHECK(text.find("no way") == text.rfind("no way"));
 }
 

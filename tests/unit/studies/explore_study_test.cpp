@@ -1,4 +1,4 @@
-// csgsim explore as a study of its own: which points it asks for, and what it measures of them.
+// The study of csgsim explore: the points that it asks for, and what it measures at each.
 
 #include <doctest/doctest.h>
 
@@ -33,7 +33,7 @@ using testing::row_in;
 using testing::Texts;
 namespace fs = std::filesystem;
 
-TEST_CASE("a point of each model and design is asked for once, models first, with all that it depends on") {
+TEST_CASE("a point of each model and design is asked for once, models first, with everything it depends on") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const std::string two = models / "two.csg";
@@ -76,7 +76,7 @@ TEST_CASE("a point of each model and design is asked for once, models first, wit
   CHECK(explored.asked[0].inputs.machine_hash == explored.asked[4].inputs.machine_hash);
 }
 
-TEST_CASE("a point says its memory where somebody said it: by the option, a key that is varied, or a figure") {
+TEST_CASE("a point has its memory if the user set it: by the option, a varied key, or a figure") {
   const Models models;
   const std::string cube = models / "cube.csg";
   const auto memory = [&](const Texts& words) {
@@ -156,7 +156,7 @@ TEST_CASE("what lets light through is not held against an exact picture, on any 
   }
 }
 
-TEST_CASE("a row tells what the Program and its run take, and wrong pixels, of the machine with just its memory") {
+TEST_CASE("a row has the Program's and the run's figures, and wrong pixels, of the machine with just its memory") {
   const Models models;
   const Texts words{models / "two.csg", "--size", "16x12", "--z-bits", "12"};
   Texts asked = words;

@@ -17,7 +17,7 @@
 #include "sim/studies/runner.h"
 #include "tests/unit/studies/study_rows.h"
 
-/// csgsim explore as a study of its own, for tests.
+/// The study of csgsim explore, for tests.
 namespace csgsim::testing {
 
 using Texts = std::vector<std::string>;
@@ -64,7 +64,7 @@ struct Explored {
     return all;
   }
 
-  /// Measures all that was asked for.
+  /// Measures every point that was asked for.
   Texts measure() {
     std::vector<std::size_t> points(asked.size());
     std::iota(points.begin(), points.end(), std::size_t{0});

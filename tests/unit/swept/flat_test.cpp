@@ -144,7 +144,7 @@ TEST_CASE("a patch is divided for each of its sides that is bent, and for none b
   }
 }
 
-TEST_CASE("a patch is halved twelve times unless it is told otherwise, sixteen times at most") {
+TEST_CASE("a patch is halved at most twelve times by default, and sixteen on request") {
   const auto halved = [](const swept::Accuracy& accuracy) {
     return testing::error_of([&] { leaves_of(bent_net({1, 0, 0, 0}, false), accuracy); });
   };

@@ -104,7 +104,7 @@ std::set<Ring> rings_of(const Patchwork& made) {
 
 constexpr std::array both_repairs{Repair::filter, Repair::quadtree};
 
-/// Of one patch without a wire frame.
+/// The counts of repairs of one patch without a wire frame.
 RepairCounts repaired(const std::string& expression, Repair repair) {
   swept::SubdivisionCounts counts;
   DrawnStream stream(expression, {0, 0}, counts);

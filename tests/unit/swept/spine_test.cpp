@@ -25,7 +25,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Of a polyline.
+/// A polyline as a path.
 Path path_of(const std::vector<glm::dvec3>& points, bool is_closed = false) {
   return {swept::segments_of({1, is_closed, points}), is_closed, true};
 }

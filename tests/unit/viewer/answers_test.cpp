@@ -86,7 +86,7 @@ TEST_CASE("a picture comes with its size, its camera, the command that draws it,
                                  "alu.bits=4 --set 'background.colour=[0, 0, 1]'");
 }
 
-TEST_CASE("two pictures differ at the pixels of the box that one of them has, of which the first is its upper left") {
+TEST_CASE("two pictures differ at the pixels of the box that only one has; the first is its upper left") {
   viewer::Session session = figure_session();
   const Json nothing = box_wish(moved("0,90", "cube(size=[1,1,1]);"));
   const auto two = [&](const Json& a, const Json& b) { return ask(session, "two", {{"a", a}, {"b", b}}); };
@@ -113,7 +113,7 @@ TEST_CASE("two pictures differ at the pixels of the box that one of them has, of
   }
 }
 
-TEST_CASE("the first other instruction is told with both texts, or that one has nothing more") {
+TEST_CASE("the first different instruction is reported with both texts, or with the end of the shorter Program") {
   viewer::Session session = figure_session();
   const Json plain = box_wish();
   Json other = box_wish();
@@ -171,7 +171,7 @@ TEST_CASE("an instant is the beginning, if nothing is said, and has the active t
   CHECK(ask(session, "instant", wish).status == 422);
 }
 
-TEST_CASE("a verdict counts wrong pixels, and advice tells what could be turned") {
+TEST_CASE("a verdict counts wrong pixels, and advice lists the knobs to turn") {
   viewer::Session session = figure_session();
   const Json verdict = ask(session, "verdict", box_wish()).json;
   CHECK(verdict["accuracy"]["wrong"] == 0);
@@ -181,7 +181,7 @@ TEST_CASE("a verdict counts wrong pixels, and advice tells what could be turned"
   CHECK(advice["knobs"].size() > 3);
 }
 
-TEST_CASE("what the page has to know first is the model, what it began with, and what there is") {
+TEST_CASE("the page begins with the model, its first options, and the available machines and settings") {
   viewer::Session session({figure, {}, {{"size", "40x30"}}});
   const viewer::Reply reply = session.answer({.method = "GET"}, "about");
   CHECK(reply.status == 200);
@@ -264,7 +264,7 @@ TEST_CASE("brackets in brackets and values have limits, and a wish is an object"
   CHECK(status("{") == 400);
 }
 
-TEST_CASE("wishes that may not be are told by what is wrong with them") {
+TEST_CASE("a wish that is refused reports what is wrong with it") {
   viewer::Session session({figure, {}, {{"machine", "own.toml"}}});
   const auto error = [&](const Json& knobs) {
     const Answer answer = ask(session, "tree", {{"knobs", knobs}});
@@ -284,7 +284,7 @@ TEST_CASE("wishes that may not be are told by what is wrong with them") {
   CHECK(testing::error_of([] { const viewer::Session none({"/nosuch.csg", {}, Json::object()}); }) != "");
 }
 
-TEST_CASE("a question that is cancelled by its name says so, whatever it does") {
+TEST_CASE("any question that is cancelled by its name reports that it was cancelled") {
   viewer::Session* asked = nullptr;
   Json progress;
   viewer::Session session = figure_session(recording([&] {
@@ -320,7 +320,7 @@ TEST_CASE("a session that ends takes back what is asked, and what is asked from 
   }
 }
 
-TEST_CASE("a model whose evaluation takes longer than it may is told with the limit") {
+TEST_CASE("a model whose evaluation takes too long is refused with the limit") {
   viewer::Session session = figure_session({.evaluation_time = std::chrono::milliseconds(1500)});
   CHECK(Json::parse(session.answer({.method = "GET"}, "about").body)["evaluation_time"] == 1.5);
   viewer::Session hasty({CSGSIM_SOURCE_DIR "/tests/models/carburettor.csg", {}, Json::object()},

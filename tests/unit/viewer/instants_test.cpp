@@ -215,7 +215,7 @@ TEST_CASE("a tinted picture has half of the mark's colour where the enable regis
   }
 }
 
-TEST_CASE("an instant tells which instruction comes next, for whom, in which segment, and the ones around it") {
+TEST_CASE("an instant has the next instruction, its primitive, its segment, and the instructions around it") {
   for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square"}) {
     CAPTURE(machine);
     const Subject of = subject(machine);
@@ -258,7 +258,7 @@ TEST_CASE("an instant tells which instruction comes next, for whom, in which seg
   }
 }
 
-TEST_CASE("a clock is that of the first instruction of which something is still to be issued") {
+TEST_CASE("a clock belongs to the first instruction that is not completely issued") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   const auto number_at_clock = [&](std::uint64_t clock) {

@@ -107,7 +107,7 @@ TEST_CASE(
   CHECK(named_in(form, "cuts")["is_list"] == true);
 }
 
-TEST_CASE("a member of a wish that is not there, or null, is empty; one of another type is told by its name") {
+TEST_CASE("a missing or null member of a wish is empty; one of another type is refused by name") {
   const Json wish{{"text", "x"},          {"texts", {"a", "b"}}, {"number", 7U}, {"flag", true}, {"off", false},
                   {"object", {{"a", 1}}}, {"null", nullptr},     {"less", -7},   {"part", 1.5},  {"mixed", {"a", 1}}};
   CHECK(viewer::text_in(wish, "text") == "x");

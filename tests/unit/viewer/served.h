@@ -65,12 +65,12 @@ class RunningServer {
   RunningServer(const RunningServer&) = delete;
   RunningServer& operator=(const RunningServer&) = delete;
 
-  /// Whether it has ended by itself within three seconds.
+  /// Whether the server ends within three seconds.
   [[nodiscard]] bool is_left() const {
     for (int i = 0; i < 300 && !is_left_; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return is_left_;
   }
-  /// Whether it has ended by itself so far.
+  /// Whether the server has ended.
   [[nodiscard]] bool has_left() const { return is_left_; }
 
   std::uint16_t port = 0;

@@ -64,7 +64,7 @@ std::string plain_reply(const std::string& body) {
 
 }  // namespace
 
-TEST_CASE("how long a connection may take for a request, a reply and its end, and how often a page is told something") {
+TEST_CASE("the default time limits of a connection, and the interval of a page's events") {
   const viewer::ConnectionTimes times;
   CHECK(times.request == 10s);
   CHECK(times.reply == 60s);
@@ -202,7 +202,7 @@ TEST_CASE("a client that does not take its reply is left, and one that does has 
   CHECK(eager.bytes(large).size() == large);
 }
 
-TEST_CASE("a page that stays open is told something now and then, and the server ends when the last is closed") {
+TEST_CASE("an open page receives events at intervals, and the server ends when the last page is closed") {
   viewer::Serving one = serving({.between_events = 20ms});
   one.patience = 200ms;
   std::atomic<int> ticks = 0;
@@ -285,7 +285,7 @@ TEST_CASE("eight requests are handled at a time") {
   CHECK(most == 8);
 }
 
-TEST_CASE("of strangers there are 32, of which the first are closed for others, and those that left do not count") {
+TEST_CASE("32 connections without a token stay open; the oldest are closed for others, and closed ones do not count") {
   const RunningServer server(serving());
   Client asks(server.port);
   // In one turn the server takes a connection and sees who has left: it has done so when many requests are answered.
