@@ -28,12 +28,12 @@ if(NOT date)
   file(TIMESTAMP ${SOURCE}/CMakeLists.txt date %Y-%m-%d UTC)
 endif()
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [[
-#include "sim/shell/commit.h"
+#include "sim/session/options/commit.h"
 
-namespace csgsim::shell {
+namespace csgsim::session {
 
 const char* const commit = "@commit@";
 const char* const commit_date = "@date@";
 
-}  // namespace csgsim::shell
+}  // namespace csgsim::session
 ]])

@@ -14,10 +14,9 @@
 #include "hw/base/partial_files.h"
 #include "hw/base/standard_streams.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/usage.h"
-#include "sim/studies/gather_command.h"
+#include "sim/app/study_commands.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/rows.h"
-#include "sim/studies/runner.h"
 
 namespace {
 
@@ -39,7 +38,7 @@ int not_printed() {
 int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   try {
     line.run(arguments);
-  } catch (const csgsim::shell::UsageError& error) {
+  } catch (const csgsim::session::UsageError& error) {
     csgsim::tell_line("csgsim: " + std::string(error.what()));
     return bad_usage;
   } catch (const csgsim::InputError& error) {
@@ -79,7 +78,7 @@ bool add_command(csgsim::shell::CommandLine& line, std::string_view asked, std::
   const auto studies = csgsim::studies::all();
   const auto found = std::ranges::find_if(studies, [&](const auto* row) { return row->name == asked; });
   if (found == studies.end()) return false;
-  csgsim::studies::add_study(line, **found);
+  csgsim::app::add_study(line, **found);
   return true;
 }
 
@@ -88,8 +87,8 @@ void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> argum
 #define CSGSIM_ADD_COMMAND(name) csgsim::app::add_##name(line);
   CSGSIM_COMMANDS(CSGSIM_ADD_COMMAND)
 #undef CSGSIM_ADD_COMMAND
-  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::studies::add_study(line, *row);
-  csgsim::studies::add_gather(line, csgsim::studies::all());
+  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::app::add_study(line, *row);
+  csgsim::app::add_gather(line, csgsim::studies::all());
 }
 
 }  // namespace

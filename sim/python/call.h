@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "sim/shell/command_line.h"
+#include "sim/session/options/option_list.h"
 
 namespace csgsim::python {
 
@@ -18,15 +17,11 @@ struct Call {
   std::vector<std::pair<std::string, std::optional<std::string>>> options;
 };
 
-/// Adds the command that is called to the line, with what it does.
-using Describe = std::function<void(shell::CommandLine& line)>;
+/// Gives the options of the list what the call says, and takes them. Throws UsageError.
+void give(const Call& call, session::OptionList& list);
 
-/// Reads the call as the command line reads its words, and does what `describe` says. Throws UsageError, and what
-/// `describe` throws.
-void carry_out(const Call& call, const Describe& describe);
-
-/// The options and operands of a command, in the order of help, with their defaults. Throws UsageError
-/// for a command that cannot be called.
-std::vector<shell::OptionValue> options_of(const std::string& command);
+/// The options and operands of a command, in the order of help, with their defaults. Throws UsageError for a command
+/// that cannot be called.
+std::vector<session::OptionValue> options_of(const std::string& command);
 
 }  // namespace csgsim::python

@@ -18,18 +18,19 @@
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
-#include "sim/calls/explain.h"
-#include "sim/calls/render.h"
-#include "sim/calls/run.h"
 #include "sim/cycle/elaboration.h"
 #include "sim/python/call.h"
 #include "sim/python/interruptible.h"
 #include "sim/python/values.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/run_outputs.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/options/version.h"
+#include "sim/session/run/explain.h"
+#include "sim/session/run/render.h"
+#include "sim/session/run/run_file.h"
+#include "sim/session/run/run_outputs.h"
+#include "sim/studies/accuracy/choose_bits.h"
 #include "sim/studies/rows.h"
 #include "sim/studies/runner.h"
 
@@ -58,92 +59,78 @@ struct Drawn {
   Held held;
 };
 
-Drawn drawn_of(shell::FinishedRun run, const shell::RunOptions& options, Held held) {
+Drawn drawn_of(session::FinishedRun run, const session::RunRequest& options, Held held) {
   const bool is_of_opaque = options.surface == "opaque";
   return {is_of_opaque ? observe::of_opaque(std::move(run.picture)) : std::move(run.picture), std::move(run.stats_file),
           std::move(held)};
 }
 
-template <class Value>
-Value taken(std::optional<Value> value) {
-  if (!value) throw std::logic_error("the command line ran nothing");
-  return *std::move(value);
-}
+/// A request with what a call says of it.
+template <class Request>
+struct Read {
+  Request request;
+  session::OptionList list;
 
-/// What `work` gives of the command that is called, when the call has been read into its options.
-template <class Options, class Work>
-auto called(const Call& call, Options& options, const Work& work) {
-  std::optional<decltype(work(std::declval<const shell::Command&>()))> result;
-  carry_out(call, [&](shell::CommandLine& line) {
-    shell::Command command = line.add(call.command, "", "");
-    options.add_to(command);
-    command.runs([&result, &work, command] { result = work(command); });
-  });
-  return taken(std::move(result));
-}
+  explicit Read(const Call& call) : list(call.command) {
+    request.add_to(list);
+    give(call, list);
+  }
+};
 
 /// SystemC has one simulation a process: threads wait for each other there.
-std::unique_lock<std::mutex> alone_if_clocked(const shell::RunOptions& options) {
+std::unique_lock<std::mutex> alone_if_clocked(const session::RunRequest& options) {
   static std::mutex clocked;
   return options.level == "cycle" ? std::unique_lock(clocked) : std::unique_lock<std::mutex>();
 }
 
 Drawn rendered(const Call& call, const Text& text) {
-  calls::RenderOptions options;
-  return called(call, options, [&](const shell::Command& command) {
-    shell::RunOutputs outputs(options.run, options.model.inputs());
-    calls::Compiled compiled = calls::compile(options, {.text = text});
-    const std::unique_lock alone = alone_if_clocked(options.run);
-    shell::FinishedRun run =
-        shell::finish_run(command, compiled.subject(options), options.run, outputs, calls::advice_of(options, compiled),
-                          calls::judge_of(options, compiled), {}, true);
-    return drawn_of(std::move(run), options.run,
-                    held_of(std::move(compiled.model.program), std::move(compiled.machine)));
-  });
+  Read<session::RenderRequest> read(call);
+  session::RenderRequest& request = read.request;
+  session::RunOutputs outputs(request.run, request.model.inputs());
+  session::Compiled compiled = session::compile(request, studies::choose_bits, {.text = text});
+  const std::unique_lock alone = alone_if_clocked(request.run);
+  session::FinishedRun run =
+      session::finish_run(read.list, compiled.subject(request), request.run, outputs,
+                          session::advice_of(request, compiled), session::judge_of(request, compiled), {}, true);
+  return drawn_of(std::move(run), request.run, held_of(std::move(compiled.model.program), std::move(compiled.machine)));
 }
 
 Held compiled(const Call& call, const Text& text) {
-  calls::RenderOptions options;
-  return called(call, options.model, [&](const shell::Command& /*command*/) {
-    calls::Compiled compiled = calls::compile(options, {.text = text});
-    return held_of(std::move(compiled.model.program), std::move(compiled.machine));
-  });
+  session::RenderRequest request;
+  request.model = Read<session::ModelRequest>(call).request;
+  session::Compiled compiled = session::compile(request, studies::choose_bits, {.text = text});
+  return held_of(std::move(compiled.model.program), std::move(compiled.machine));
 }
 
 Drawn ran(const Call& call, const Held& program) {
-  calls::RunProgramOptions options;
-  return called(call, options, [&](const shell::Command& command) {
-    calls::refuse_misuse(options);
-    shell::RunOutputs outputs(options.run, options.files_read());
-    calls::Loaded loaded = calls::load(options, {.text = {}, .program = program ? &program->program : nullptr});
-    const std::unique_lock alone = alone_if_clocked(options.run);
-    shell::FinishedRun run =
-        shell::finish_run(command, loaded.subject(), options.run, outputs, calls::advice_of(options, loaded.machine),
-                          {}, options.checkpoints, true);
-    return drawn_of(std::move(run), options.run, held_of(std::move(loaded.program), std::move(loaded.machine)));
-  });
+  const Read<session::ProgramRequest> read(call);
+  const session::ProgramRequest& request = read.request;
+  session::refuse_misuse(request);
+  session::RunOutputs outputs(request.run, request.files_read());
+  session::Loaded loaded = session::load(request, {.text = {}, .program = program ? &program->program : nullptr});
+  const std::unique_lock alone = alone_if_clocked(request.run);
+  session::FinishedRun run =
+      session::finish_run(read.list, loaded.subject(), request.run, outputs,
+                          session::advice_of(request, loaded.machine), {}, request.checkpoints, true);
+  return drawn_of(std::move(run), request.run, held_of(std::move(loaded.program), std::move(loaded.machine)));
 }
 
 story::Answer explained(const Call& call, const Text& text, const Held& program) {
-  calls::ExplainOptions options;
-  return called(call, options, [&](const shell::Command& command) {
-    const calls::InPlace in_place{text, program ? &program->program : nullptr};
-    calls::refuse_misuse(options, command, in_place);
-    return calls::explain(options, command, in_place);
-  });
+  const Read<session::ExplainRequest> read(call);
+  const session::InPlace in_place{text, program ? &program->program : nullptr};
+  session::refuse_misuse(read.request, read.list, in_place);
+  return session::explain(read.request, read.list, in_place);
 }
 
 /// All that a study tells, as its JSON file has it.
 nlohmann::ordered_json studied(const Call& call) {
   const auto rows = studies::all();
   const auto row = std::ranges::find_if(rows, [&](const auto* one) { return one->name == call.command; });
-  if (row == rows.end()) throw shell::UsageError("there is no study '" + call.command + "'");
-  std::optional<nlohmann::ordered_json> json;
-  carry_out(call, [&](shell::CommandLine& line) {
-    const std::shared_ptr<studies::StudyCommand> asked = studies::describe_for_caller(line, **row);
-    asked->command.runs([&json, asked] { json = nlohmann::ordered_json::parse(studies::conduct(*asked)); });
-  });
-  return taken(std::move(json));
+  if (row == rows.end()) throw session::UsageError("there is no study '" + call.command + "'");
+  session::OptionList list(call.command);
+  const std::shared_ptr<studies::StudyCommand> asked = studies::describe_for_caller(list, **row);
+  give(call, list);
+  return nlohmann::ordered_json::parse(studies::conduct(*asked));
 }
 
 py::dict dict_of(const Drawn& drawn) {
@@ -186,10 +173,10 @@ py::tuple study(const std::string& name, const std::vector<std::string>& operand
 }
 
 py::tuple load(const std::string& file) {
-  shell::refuse_model(file);
+  session::refuse_model(file);
   auto told = interruptibly([&] {
-    isa::Program program = shell::read_program(file);
-    machines::Machine machine = shell::machine_for(program, file, "", {});
+    isa::Program program = session::read_program(file);
+    machines::Machine machine = session::machine_for(program, file, "", {});
     return held_of(std::move(program), std::move(machine));
   });
   return py::make_tuple(std::move(told.result), told.warnings);
@@ -218,12 +205,12 @@ py::list fields_of(const Held& held) {
   return rows;
 }
 
-/// As shell::Takes has them.
+/// As session::Takes has them.
 constexpr auto takes_names = std::to_array<const char*>({"flag", "whole number", "number", "text", "texts"});
 
 py::list option_rows(const std::string& command) {
   py::list rows;
-  for (const shell::OptionValue& option : options_of(command)) {
+  for (const session::OptionValue& option : options_of(command)) {
     py::dict row;
     row["name"] = option.name;
     row["takes"] = takes_names.at(static_cast<std::size_t>(option.takes));
@@ -251,7 +238,7 @@ void translate(std::exception_ptr thrown) {
   static PyObject* const usage_error = error_class("UsageError");
   try {
     if (thrown) std::rethrow_exception(std::move(thrown));
-  } catch (const shell::UsageError& wrong) {
+  } catch (const session::UsageError& wrong) {
     PyErr_SetString(usage_error, wrong.what());
   } catch (const InputError& wrong) {
     PyErr_SetString(error, wrong.what());
@@ -281,7 +268,7 @@ PYBIND11_MODULE(_csgsim, module) {
   using namespace csgsim::python;
   py::register_local_exception_translator(&translate);
   define_program(module);
-  module.def("version", &csgsim::shell::version);
+  module.def("version", &csgsim::session::version);
   module.def("render", &render);
   module.def("compile", &compile);
   module.def("run", &run);

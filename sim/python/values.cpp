@@ -13,7 +13,7 @@
 #include "hw/machines/kind.h"
 #include "sim/observe/pictures.h"
 #include "sim/pictures/encode.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/usage.h"
 
 namespace csgsim::python {
 
@@ -90,7 +90,7 @@ py::array owner_of(const observe::Frame& frame, const isa::Program& program) {
 
 py::bytes png_of(const py::array_t<std::uint8_t, py::array::c_style>& picture) {
   if (picture.ndim() != 3 || picture.shape(2) != 3 || picture.size() == 0)
-    throw shell::UsageError("picture", "is to have rows, columns and three channels");
+    throw session::UsageError("picture", "is to have rows, columns and three channels");
   const auto side = [&](int axis) { return static_cast<std::uint32_t>(picture.shape(axis)); };
   const pictures::Bytes bytes(picture.data(), static_cast<std::size_t>(picture.size()));
   return pictures::encode("picture.png", {side(1), side(0), 3, {}, bytes});

@@ -5,304 +5,252 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdint>
-#include <optional>
-#include <stdexcept>
-#include <type_traits>
 #include <utility>
 
 #include "hw/base/error.h"
-#include "hw/base/nearest.h"
+#include "hw/base/input_file.h"
 #include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
-#include "sim/shell/lists.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/options/version.h"
 #include "sim/shell/manual/description.h"
 #include "sim/shell/manual/help.h"
-#include "sim/shell/options.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/settings/settings_app.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/version.h"
 
 namespace csgsim::shell {
 
 namespace {
 
-/// What a word of the option is called.
-std::string kind_of(const CLI::Option& option) {
-  std::string name = option.get_lnames().empty() ? option.get_name() : option.get_lnames().front();
-  std::ranges::replace(name, '-', ' ');
-  return name;
+constexpr InputKind settings_input{"name a settings file, .toml", std::size_t{1} << 20U,
+                                   "a command has far fewer options"};
+
+/// An option with its texts as the library reads them.
+struct Tokens {
+  Option* option = nullptr;
+  CLI::Option* read = nullptr;
+  std::string text;
+  std::vector<std::string> texts;
+};
+
+/// The library only takes the words apart: what they may be is the option's own (sim/session/option_list.h).
+void add_to(CLI::App& app, Tokens& tokens) {
+  const std::string names = fmt::format("{}", fmt::join(tokens.option->names, ","));
+  if (tokens.option->takes == Takes::flag) {
+    tokens.read = app.add_flag(names);
+  } else if (tokens.option->takes == Takes::texts) {
+    tokens.read = app.add_option(names, tokens.texts);
+  } else {
+    tokens.read = app.add_option(names, tokens.text)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+}
+
+[[noreturn]] void refuse(const CLI::ParseError& error) {
+  const std::string message = error.what();
+  if (error.get_name() == "ArgumentMismatch") throw UsageError(message.substr(0, message.find(':')), "needs a value");
+  throw UsageError(message);
+}
+
+void refuse_zero_bytes(std::span<const std::string> words) {
+  for (const std::string& word : words) {
+    if (word.find('\0') != word.npos)
+      throw UsageError(printable(word), "it has a zero byte, which no text on a command line has; leave it out");
+  }
+}
+
+std::vector<std::string> with_program(const std::string& program, std::vector<std::string> words) {
+  words.insert(words.begin(), program);
+  return words;
+}
+
+/// What the command line says stays, but what the settings say has to be right all the same.
+void refuse_problem(const Option& option, const Setting& setting) {
+  const std::string problem = option.problem(setting.values);
+  if (!problem.empty()) throw InputError(fmt::format("{}: {}: {}", setting.place, option.shown_name(), problem));
+}
+
+/// Gives what the command line does not say.
+void give(std::span<const Setting> settings, Command& command) {
+  std::vector<std::pair<Option*, const Setting*>> to_give;
+  for (const Setting& setting : settings) {
+    Option& option = *command.find(setting.name);
+    refuse_problem(option, setting);
+    if (!option.is_given() && command.excluded_by(option) == nullptr) to_give.emplace_back(&option, &setting);
+  }
+  for (const auto& [option, setting] : to_give) {
+    if (command.excluded_by(*option) != nullptr)
+      throw InputError(fmt::format("{}: {} stands in place of another option that is set; leave one out",
+                                   setting->place, setting->name));
+    const bool is_unset_flag = option->takes == Takes::flag && setting->values.front() == "false";
+    if (is_unset_flag) continue;
+    option->given = setting->values;
+    option->place = setting->place;
+  }
 }
 
 }  // namespace
 
-Option& Option::required() {
-  option_->required();
-  return *this;
+void Command::prints_summary() { flag("-q,--quiet", is_quiet_, "Print nothing; errors and warnings are still told"); }
+
+void Command::run() const {
+  if (is_quiet_) silence_prints();
+  action_();
 }
 
-Option& Option::check(const Check& check) {
-  option_->check(check);
-  return *this;
+/// A command line that has been taken apart.
+struct CommandLine::Read {
+  Command* command = nullptr;
+  std::string settings_file;
+  bool wants_help = false;
+  bool wants_dump = false;  ///< of all options as a settings file
+};
+
+CommandLine::CommandLine(std::string description, std::string program)
+    : description_(std::move(description)), program_(std::move(program)) {}
+
+Command& CommandLine::add(const std::string& name, const std::string& description, const std::string& footer) {
+  Command& command = commands_.emplace_back(name);
+  command.description = description;
+  command.footer = footer;
+  return command;
 }
 
-Option& Option::one_of(const std::vector<std::string>& names, const std::string& kind) {
-  const std::string called = kind.empty() ? kind_of(*option_) : kind;
-  return words(names, [names, called](const std::string& word) {
-    return std::ranges::find(names, word) != names.end() ? std::string() : no_such(called, word, names);
-  });
+Command* CommandLine::command_named(std::string_view name) {
+  const auto found = std::ranges::find(commands_, name, &Command::name);
+  return found == commands_.end() ? nullptr : &*found;
 }
 
-Option& Option::list_of(const std::vector<std::string>& names, const std::string& kind) {
-  return words(names, is_read_by([names, kind](const std::string& text) { parse_names(text, kind, names); }));
+std::vector<SettableOption> CommandLine::options_of(std::string_view command) const {
+  const auto found = std::ranges::find(commands_, command, &Command::name);
+  return found->settable();
 }
 
-Option& Option::words(const std::vector<std::string>& words, const Check& check) {
-  option_->check(CLI::Validator([check](std::string& text) { return check(text); },
-                                fmt::format("{}", fmt::join(words, ", ")), words_check));
-  return *this;
-}
-
-Option& Option::folder() {
-  option_->type_name(folder_type);
-  return check(not_empty);
-}
-
-template <class Number>
-Option& Option::between(Number low, Number high) {
-  option_->check(CLI::Range(low, high).name(range_check).description(fmt::format("{} to {}", low, high)));
-  return *this;
-}
-
-template Option& Option::between(int, int);
-template Option& Option::between(unsigned, unsigned);
-
-Option& Option::excludes(const std::string& other) {
-  option_->excludes(other);
-  return *this;
-}
-
-template <class Value>
-Option Command::option(const std::string& names, Value& value, const std::string& help) {
-  CLI::Option& option = *command_->add_option(names, value, help);
-  constexpr bool has_default = std::is_same_v<Value, std::string> || std::is_arithmetic_v<Value>;
-  return Option(has_default ? *option.capture_default_str() : option);
-}
-
-template Option Command::option(const std::string&, std::string&, const std::string&);
-template Option Command::option(const std::string&, std::uint32_t&, const std::string&);
-template Option Command::option(const std::string&, double&, const std::string&);
-template Option Command::option(const std::string&, std::vector<std::string>&, const std::string&);
-template Option Command::option(const std::string&, std::optional<std::uint32_t>&, const std::string&);
-template Option Command::option(const std::string&, std::optional<std::uint64_t>&, const std::string&);
-template Option Command::option(const std::string&, std::optional<double>&, const std::string&);
-
-Option Command::read_option(const std::string& names, const std::function<void(const std::string&)>& take,
-                            const std::string& help) {
-  return Option(*command_->add_option_function<std::string>(names, take, help));
-}
-
-void Command::flag(const std::string& names, bool& is_given, const std::string& help) {
-  command_->add_flag(names, is_given, help);
-}
-
-void Command::prints_summary() {
-  const std::string meaning = "Print nothing; errors and warnings are still told";
-  command_->add_flag("-q,--quiet", meaning);
-}
-
-void Command::remove(const std::string& option) { command_->remove_option(command_->get_option(option)); }
-
-void Command::runs(const std::function<void()>& action) {
-  command_->callback([command = command_, action] {
-    const CLI::Option* const quiet = command->get_option_no_throw("--quiet");
-    if (quiet != nullptr && quiet->count() > 0) silence_prints();
-    action();
-  });
-}
-
-const std::string& Command::name() const { return command_->get_name(); }
-
-std::vector<GivenOption> Command::given() const {
-  std::vector<GivenOption> given;
-  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
-    if (option->get_positional() || option->get_lnames().empty() || option->count() == 0) continue;
-    if (settable(*option).name.empty()) continue;  // what a settings file says has been given
-    const std::string value = fmt::format("{}", fmt::join(option->results(), ","));
-    given.push_back({option->get_lnames().front(), value, value == option->get_default_str()});
+CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
+  refuse_zero_bytes(arguments);
+  Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
+  if (read.command == nullptr) throw UsageError("no command");  // explained() says which
+  read.command->clear();
+  CLI::App app;
+  std::deque<Tokens> all;
+  for (Option& option : read.command->all()) add_to(app, all.emplace_back(Tokens{&option, nullptr, {}, {}}));
+  if (takes_settings && !all.empty()) {
+    app.add_option(std::string(config_name), read.settings_file);
+    app.add_flag(std::string(dump_name), read.wants_dump);
   }
-  return given;
-}
-
-namespace {
-
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& then) {
-  first.insert(first.end(), then.begin(), then.end());
-  return first;
-}
-
-}  // namespace
-
-std::vector<std::string> option_words(const std::string& name, const std::string& value) {
-  if (value.starts_with('-')) return {"--" + name + "=" + value};
-  return {"--" + name, value};
-}
-
-std::vector<std::string> Command::words(std::span<const std::string_view> but) const {
-  std::vector<std::string> operands;
-  std::vector<std::string> options;
-  for (const CLI::Option* option : std::as_const(*command_).get_options()) {
-    if (option->count() == 0) continue;
-    if (option->get_positional()) {
-      operands = joined(std::move(operands), option->results());
-      continue;
-    }
-    if (settable(*option).name.empty()) continue;  // what a settings file says has been given
-    const std::string& name = option->get_lnames().front();
-    if (std::find(but.begin(), but.end(), name) != but.end()) continue;
-    const bool is_flag = option->get_expected_max() == 0;
-    if (is_flag && option->results().back() != "false") options.push_back("--" + name);
-    for (const std::string& value : option->results())
-      if (!is_flag) options = joined(std::move(options), option_words(name, value));
+  try {
+    std::vector<std::string> words(arguments.rbegin(), arguments.rend() - 2);
+    app.parse(words);
+  } catch (const CLI::CallForHelp&) {
+    read.wants_help = true;
+  } catch (const CLI::ParseError& error) {
+    refuse(error);
   }
-  const auto is_like_option = [](const std::string& operand) { return operand.starts_with('-'); };
-  if (std::none_of(operands.begin(), operands.end(), is_like_option))
-    return joined({name()}, joined(std::move(operands), options));
-  options.emplace_back("--");
-  return joined({name()}, joined(std::move(options), operands));
+  for (const Tokens& tokens : all) tokens.option->given = tokens.read->results();
+  return read;
 }
 
-namespace {
-
-/// A question after a blank, or nothing where no known word is like it.
-std::string did_you_mean(std::string_view word, const std::vector<std::string>& known) {
-  const std::vector<std::string_view> candidates(known.begin(), known.end());
-  const std::string_view nearest = nearest_alike(word, candidates);
-  return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
+std::vector<Setting> CommandLine::settings_in(const std::string& file, const Command& command) const {
+  if (file.empty()) return {};
+  std::vector<SettableCommand> known;
+  for (const Command& one : commands_)
+    if (!one.all().empty()) known.push_back({one.name(), one.settable()});
+  return read_settings(read_file(file, settings_input), file, known, command.name());
 }
 
 /// One line for people about a command line that could not be read, for the reason given; unknown commands and options
 /// name the nearest known one.
-std::string explain(const CLI::App& app, std::string_view reason, std::span<char* const> arguments) {
+std::string CommandLine::explained(std::string_view reason, std::span<const std::string> arguments) const {
   if (arguments.size() < 2) return "a subcommand is required; see csgsim --help";
   const std::string_view first = arguments[1];
+  const auto command = std::ranges::find(commands_, first, &Command::name);
   std::vector<std::string> known;
-  const CLI::App* command = nullptr;
-  for (const CLI::App* one : app.get_subcommands({})) {
-    if (one->get_name() == first) command = one;
-    known.push_back(one->get_name());
-  }
-  if (command == nullptr) {
+  if (command == commands_.end()) {
     const bool is_option = first.starts_with('-');
+    for (const Command& one : commands_) known.push_back(one.name());
     if (is_option) known = {"--help", "--version"};
     return fmt::format("there is no {};{} see csgsim --help",
                        is_option ? fmt::format("option {}", first) : fmt::format("command '{}'", first),
                        did_you_mean(first, known));
   }
-  known.clear();
-  for (const CLI::Option* option : command->get_options()) {
-    for (const std::string& name : option->get_lnames()) known.push_back("--" + name);
-  }
-  const std::string help = fmt::format("see csgsim {} --help", command->get_name());
-  for (const std::string_view argument : arguments.subspan(2)) {
+  for (const Option& option : command->all())
+    for (const std::string& name : option.names) known.push_back(name);
+  known.insert(known.end(), {"--help", std::string(config_name), std::string(dump_name)});
+  const std::string help = fmt::format("see csgsim {} --help", command->name());
+  for (const std::string& argument : arguments.subspan(2)) {
     if (argument == "--") break;
-    const std::string_view word = argument.substr(0, argument.find('='));
-    const bool unknown = word.starts_with("--") && std::ranges::find(known, word) == known.end();
-    if (unknown) return fmt::format("there is no option {};{} {}", word, did_you_mean(word, known), help);
+    const std::string word = argument.substr(0, argument.find('='));
+    const bool is_unknown = word.starts_with("--") && std::ranges::find(known, word) == known.end();
+    if (is_unknown) return fmt::format("there is no option {};{} {}", word, did_you_mean(word, known), help);
   }
   return fmt::format("{}; {}", reason, help);
 }
 
-/// For the command that was asked about, or for all.
-std::string help_of_app(CLI::App& app) {
-  const std::vector<CLI::App*> asked = app.get_subcommands();
-  if (!asked.empty()) return help_of(help_of_command(*asked.front()));
-  std::vector<CommandHelp> commands;
-  for (CLI::App* const command : app.get_subcommands({})) commands.push_back(help_of_command(*command));
-  return help_of_all(app.get_description(), commands);
-}
-
-/// The words as main has them, which end at their first zero byte: one within a word is refused.
-std::vector<char*> arguments_of(std::vector<std::string>& words) {
-  std::vector<char*> arguments;
-  arguments.reserve(words.size());
-  for (std::string& word : words) {
-    if (word.find('\0') != word.npos)
-      throw UsageError(printable(word), "it has a zero byte, which no text on a command line has; leave it out");
-    arguments.push_back(word.data());
-  }
-  return arguments;
-}
-
-}  // namespace
-
-CommandLine::CommandLine(const std::string& description, const std::string& program)
-    : app_(make_settings_app(description, program)) {
-  app_->require_subcommand(1);
-}
-
-CommandLine::~CommandLine() = default;
-
-void CommandLine::add_own_options() {
-  app_->set_version_flag("--version", version_page, "Print version, commit, build and libraries");
-  const auto write_pages = [app = app_.get()](const std::string& folder) {
-    write_description(describe(*app), folder);
-    throw CLI::Success();
-  };
-  app_->add_option_function<std::string>("--describe", write_pages)->group(hidden_group);
-}
-
-Command CommandLine::add(const std::string& name, const std::string& description, const std::string& footer) {
-  CLI::App& command = *app_->add_subcommand(name, description);
-  command.footer(footer);
-  return Command(command);
-}
-
-std::vector<SettableOption> CommandLine::options_of(const std::string& command) const {
-  return settable_options(*std::as_const(*app_).get_subcommand(command));
-}
-
-void CommandLine::parse(std::span<char* const> arguments, const std::function<void()>& load) {
+void CommandLine::carry_out(std::span<const std::string> arguments, const std::function<void()>& act) {
   try {
-    load();
-    app_->parse(static_cast<int>(arguments.size()), arguments.data());
-  } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", help_of_app(*app_));
-  } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) throw UsageError(explain(*app_, error.what(), arguments));
-    app_->exit(error);
+    act();
   } catch (const UsageError& error) {
-    const std::string place = place_of(*app_, error.what());
+    const Command* const command = arguments.size() < 2 ? nullptr : command_named(arguments[1]);
+    const std::string place = command == nullptr ? "" : command->place_of(error.what());
     if (!place.empty()) throw InputError(place + ": " + error.what());
-    throw UsageError(explain(*app_, error.what(), arguments));
+    throw UsageError(explained(error.what(), arguments));
   }
+}
+
+/// What is asked of the program itself. The first argument is its name.
+bool CommandLine::is_answered(std::span<const std::string> arguments) const {
+  if (arguments.size() < 2) return false;
+  const std::string_view first = arguments[1];
+  constexpr std::string_view describing = "--describe";
+  if (first == "--help" || first == "-h") {
+    fmt::print("{}", help_of_all(description_, helps_of(commands_)));
+  } else if (has_own_options_ && first == "--version") {
+    fmt::print("{}\n", version_page());
+  } else if (has_own_options_ && first == describing && arguments.size() > 2) {
+    write_description(describe(program_, description_, commands_), arguments[2]);
+  } else {
+    return false;
+  }
+  return true;
 }
 
 void CommandLine::run(std::span<char* const> arguments) {
-  parse(arguments, [&] { load_settings(*app_, arguments); });
+  const std::vector<std::string> words(arguments.begin(), arguments.end());
+  if (is_answered(words)) return;
+  carry_out(words, [&] {
+    const Read read = read_words(words, true);
+    Command& command = *read.command;
+    if (read.wants_help) return fmt::print("{}", help_of(help_of_command(command)));
+    give(settings_in(read.settings_file, command), command);
+    if (read.wants_dump) {
+      command.take_given();
+      return fmt::print("{}", settings_text(command.name(), command.values()));
+    }
+    command.typed = words;
+    command.watch = {};
+    command.take();
+    command.run();
+  });
 }
 
-void CommandLine::run(std::vector<std::string> words, std::vector<Setting> settings) {
-  words.insert(words.begin(), app_->get_name());
-  const std::vector<char*> arguments = arguments_of(words);
-  parse(arguments, [&] { load_settings(*app_, arguments, std::move(settings)); });
+void CommandLine::run(std::vector<std::string> words, std::vector<Setting> settings, const RunWatch& watch) {
+  const std::vector<std::string> arguments = with_program(program_, std::move(words));
+  carry_out(arguments, [&] {
+    Command& command = *read_words(arguments, false).command;
+    give(settings, command);
+    command.watch = watch;
+    command.take();
+    command.run();
+  });
 }
 
 std::vector<std::string> CommandLine::read(std::vector<std::string> words, std::span<const std::string_view> but) {
-  words.insert(words.begin(), app_->get_name());
-  const std::vector<char*> arguments = arguments_of(words);
-  only_read(*app_, arguments);
-  try {
-    app_->parse(static_cast<int>(arguments.size()), arguments.data());
-  } catch (const CLI::CallForHelp&) {
-    throw UsageError("it asks for help");
-  } catch (const CLI::Success&) {
-    return Command(*app_->get_subcommands().front()).words(but);
-  } catch (const CLI::ParseError& error) {
-    throw UsageError(explain(*app_, error.what(), arguments));
-  }
-  throw std::logic_error("a command line that was to be read alone was run");
+  const std::vector<std::string> arguments = with_program(program_, std::move(words));
+  std::vector<std::string> told;
+  carry_out(arguments, [&] {
+    const Read read = read_words(arguments, false);
+    if (read.wants_help) throw UsageError("it asks for help");
+    read.command->take();
+    told = read.command->words(but);
+  });
+  return told;
 }
 
 }  // namespace csgsim::shell

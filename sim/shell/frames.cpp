@@ -12,12 +12,12 @@
 #include "sim/cycle/sequence.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/pictures.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/near_faces_warning.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/near_faces_warning.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
 
 namespace csgsim::shell {
 
@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void refuse_other_outputs(const RunOptions& run) {
+void refuse_other_outputs(const RunRequest& run) {
   for (const auto& [option, name] : {std::pair("--depth", &run.depth),
                                      {"--owner", &run.owner},
                                      {"--stats", &run.stats},
@@ -44,7 +44,7 @@ std::vector<fs::path> picture_paths(const fs::path& picture, std::uint32_t frame
   return paths;
 }
 
-std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turntable& turntable,
+std::vector<isa::Program> compile_frames(const ModelRequest& model, const Turntable& turntable,
                                          const machines::Machine& machine) {
   CompiledModel first = compile_model(model, machine);
   warn_of_near_faces(first, model);
@@ -57,7 +57,7 @@ std::vector<isa::Program> compile_frames(const ModelOptions& model, const Turnta
   return programs;
 }
 
-std::vector<engine::RunResult> run_frames(const machines::Machine& machine, const RunOptions& run,
+std::vector<engine::RunResult> run_frames(const machines::Machine& machine, const RunRequest& run,
                                           const std::vector<isa::Program>& programs,
                                           const std::vector<engine::Observer*>& observers) {
   const systemc::EvaluatorForm form = evaluator_form(run.evaluator, run.level);
@@ -82,7 +82,7 @@ void print_frames(const std::vector<engine::RunResult>& results, const machines:
              seconds == 0 ? 0.0 : static_cast<double>(results.size()) / seconds);
 }
 
-void draw(const RunOptions& run, const std::vector<isa::Program>& programs, const machines::Machine& machine,
+void draw(const RunRequest& run, const std::vector<isa::Program>& programs, const machines::Machine& machine,
           std::deque<OutputFile>& files) {
   std::vector<std::unique_ptr<observe::FrameObserver>> frames;
   std::vector<engine::Observer*> observers;
@@ -104,7 +104,7 @@ void draw(const RunOptions& run, const std::vector<isa::Program>& programs, cons
 
 }  // namespace
 
-void draw_frames(const ModelOptions& model, const RunOptions& run, const Turntable& turntable,
+void draw_frames(const ModelRequest& model, const RunRequest& run, const Turntable& turntable,
                  const machines::Machine& machine) {
   refuse_other_outputs(run);
   if (!run.picture.empty() && is_stream(run.picture))

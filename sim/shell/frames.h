@@ -3,10 +3,12 @@
 #include <cstdint>
 
 #include "hw/machines/machine.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/run/run_request.h"
 
 namespace csgsim::shell {
+
+using namespace session;
 
 inline constexpr std::uint32_t most_frames = 1000;
 
@@ -20,7 +22,7 @@ struct Turntable {
 /// axis through its centre; NAME_000.png and so on for NAME.png. At the cycle level the machine draws them as a
 /// sequence, and what is told of their pace is counted from that. Throws UsageError for outputs that a sequence has
 /// not.
-void draw_frames(const ModelOptions& model, const RunOptions& run, const Turntable& turntable,
+void draw_frames(const ModelRequest& model, const RunRequest& run, const Turntable& turntable,
                  const machines::Machine& machine);
 
 }  // namespace csgsim::shell

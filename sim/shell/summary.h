@@ -2,9 +2,11 @@
 
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
-#include "sim/shell/advice.h"
+#include "sim/session/run/advice.h"
 
 namespace csgsim::shell {
+
+using namespace session;
 
 /// The readable summary of a run on standard output.
 void print_summary(const observe::Report& report);

@@ -6,10 +6,10 @@
 
 #include "host/emit/options.h"
 #include "host/view/projection.h"
-#include "sim/shell/command_line.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/read_by.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/option_list.h"
+#include "sim/session/options/read_by.h"
 
 /// Dimensions that several studies vary: what their options take.
 namespace csgsim::studies {
@@ -34,11 +34,11 @@ std::vector<std::string> fixed_names_of(const Choices& choices) {
 }
 
 inline std::vector<unsigned> z_bits_of(const std::string& text) {
-  return shell::parse_numbers(text, view::fewest_z_bits, view::most_z_bits);
+  return session::parse_numbers(text, view::fewest_z_bits, view::most_z_bits);
 }
 
 inline std::vector<unsigned> stack_bits_of(const std::string& text) {
-  return shell::parse_numbers(text, emit::fewest_stack_bits, shell::most_stack_bits);
+  return session::parse_numbers(text, emit::fewest_stack_bits, session::most_stack_bits);
 }
 
 /// Faceting tolerances in model units, with commas between them. Throws InputError or UsageError.
@@ -64,9 +64,9 @@ void for_each_strategy(const Ranges& ranges, Point point, const Use& use) {
 
 /// An option whose text `parse` reads, or refuses.
 template <class Parse>
-void add_list(shell::Command& command, const std::string& name, std::string& value, const Parse& parse,
+void add_list(session::OptionList& command, const std::string& name, std::string& value, const Parse& parse,
               const std::string& help) {
-  command.option(name, value, help).check(shell::is_read_by(parse));
+  command.option(name, value, help).check(session::is_read_by(parse));
 }
 
 }  // namespace csgsim::studies

@@ -14,8 +14,8 @@
 #include "hw/base/messages.h"
 #include "hw/base/standard_streams.h"
 #include "hw/base/text.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/usage.h"
 
 namespace csgsim::studies {
 
@@ -25,8 +25,9 @@ namespace {
 constexpr auto written_endings = std::to_array<std::string_view>({".csv", ".study", ".json", ".png", ".svg"});
 
 std::filesystem::path made_folder(const std::filesystem::path& folder) {
-  if (folder.empty()) throw shell::UsageError("--output", "the name is empty; name the folder");
-  if (is_standard_output(folder)) throw shell::UsageError("--output", "a folder is needed for several files; name one");
+  if (folder.empty()) throw session::UsageError("--output", "the name is empty; name the folder");
+  if (is_standard_output(folder))
+    throw session::UsageError("--output", "a folder is needed for several files; name one");
   make_folder(folder);
   return folder;
 }
@@ -37,8 +38,9 @@ std::vector<std::filesystem::path> replaceable(const std::filesystem::path& fold
   std::error_code error;
   for (auto entry = std::filesystem::directory_iterator(folder, error);
        !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
-    const bool is_written = std::any_of(written_endings.begin(), written_endings.end(),
-                                        [&](std::string_view ending) { return shell::ends_in(entry->path(), ending); });
+    const bool is_written = std::any_of(written_endings.begin(), written_endings.end(), [&](std::string_view ending) {
+      return session::ends_in(entry->path(), ending);
+    });
     if (is_written) files.push_back(entry->path());
   }
   if (error) throw InputError(folder.native() + ": cannot be read (" + error.message() + ")");
@@ -62,14 +64,14 @@ StudyFolder::StudyFolder(const std::filesystem::path& folder, const std::string&
                          std::span<const std::filesystem::path> inputs)
     : path_(made_folder(folder)), lock_(path_, study) {
   for (const std::filesystem::path& file : replaceable(path_)) {
-    shell::refuse_clashes(inputs, std::span(&file, 1));
+    session::refuse_clashes(inputs, std::span(&file, 1));
     refuse_foreign(file);
   }
 }
 
-std::string study_title(const shell::Command& command, const std::set<std::string>& but) {
+std::string study_title(const session::OptionList& command, const std::set<std::string>& but) {
   std::string title = "csgsim " + command.name();
-  for (const shell::GivenOption& option : command.given()) {
+  for (const session::GivenOption& option : command.given()) {
     const bool has_effect = std::ranges::find(options_without_effect, option.name) == options_without_effect.end();
     if (!has_effect || option.is_default || but.contains(option.name)) continue;
     title += fmt::format(" --{} {}", option.name, escaped(option.value));

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hw/base/folder_lock.h"
-#include "sim/shell/command_line.h"
+#include "sim/session/options/option_list.h"
 
 namespace csgsim::studies {
 
@@ -30,7 +30,7 @@ class StudyFolder {
 
 /// `csgsim STUDY` with the options that are not as they are by default, but for those named and those that change no
 /// result (the output, threads, progress, plots): tells what a table is of.
-std::string study_title(const shell::Command& command, const std::set<std::string>& but);
+std::string study_title(const session::OptionList& command, const std::set<std::string>& but);
 
 /// Options of studies that change no result.
 inline constexpr auto options_without_effect = std::to_array<std::string_view>(

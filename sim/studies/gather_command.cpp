@@ -14,9 +14,9 @@
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
-#include "sim/shell/options.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/version.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/options/version.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/gather.h"
 #include "sim/studies/runner.h"
@@ -24,14 +24,6 @@
 namespace csgsim::studies {
 
 namespace {
-
-struct Options {
-  std::vector<std::string> folders;
-  std::string output;
-  std::string page;
-  bool no_plots = false;
-  bool missing = false;
-};
 
 /// Of one shard, for a shell.
 std::string shard_command(const Gathered& gathered, unsigned number, const std::string& folder) {
@@ -56,27 +48,29 @@ void print_missing(const Gathered& gathered, const std::string& folder) {
   for (const unsigned number : gathered.unfinished) fmt::print("{}\n", shard_command(gathered, number, folder));
 }
 
-/// A command line of studies alone.
-class StudyLine {
+/// A study that words of a shard ask for. Throws UsageError for words that ask for none.
+class GatheredStudy {
  public:
-  explicit StudyLine(std::span<const StudyRow* const> studies) : line_("csgsim: studies that were gathered", "csgsim") {
-    for (const StudyRow* const row : studies) {
-      if (row->has_shards) commands_.push_back(describe(line_, *row));
-    }
+  GatheredStudy(std::span<const StudyRow* const> studies, const std::vector<std::string>& words)
+      : list_(words.front()), command_(describe(list_, row_of(studies, words.front()))) {
+    list_.give_words(std::span(words).subspan(1));
+    list_.take();
   }
 
-  /// Returns the words as csgsim would write them in a shard. Throws UsageError for words that ask for no study.
-  std::vector<std::string> read(std::vector<std::string> words) {
-    return line_.read(std::move(words), options_without_effect);
-  }
-
-  [[nodiscard]] StudyCommand& at(std::string_view name) const {
-    return **std::ranges::find_if(commands_, [&](const auto& one) { return one->row->name == name; });
-  }
+  /// As csgsim would write them in a shard.
+  [[nodiscard]] std::vector<std::string> words() const { return list_.words(options_without_effect); }
+  [[nodiscard]] StudyCommand& command() const { return *command_; }
 
  private:
-  shell::CommandLine line_;
-  std::vector<std::shared_ptr<StudyCommand>> commands_;
+  static const StudyRow& row_of(std::span<const StudyRow* const> studies, std::string_view name) {
+    const auto is_named = [&](const StudyRow* row) { return row->has_shards && row->name == name; };
+    const auto found = std::ranges::find_if(studies, is_named);
+    if (found == studies.end()) throw session::UsageError(fmt::format("there is no study '{}'", name));
+    return **found;
+  }
+
+  session::OptionList list_;
+  std::shared_ptr<StudyCommand> command_;
 };
 
 /// What a shard says of its command is data: it has to be as csgsim writes it, a study with options that change a
@@ -90,29 +84,39 @@ void refuse_other_words(std::span<const StudyRow* const> studies, const Gathered
   };
   std::vector<std::string> words;
   try {
-    words = StudyLine(studies).read(with_words(gathered.words, {"-o", "."}));  // which some studies need
-  } catch (const shell::UsageError& error) {
+    words = GatheredStudy(studies, with_words(gathered.words, {"--output", "."})).words();  // which some studies need
+  } catch (const session::UsageError& error) {
     refuse(error.what());
   }
   if (words != gathered.words) refuse("csgsim writes '" + printable(fmt::format("{}", fmt::join(words, " "))) + "'");
 }
 
-std::vector<std::string> output_words(const std::string& output, const Options& options) {
-  std::vector<std::string> words{"-o", output};
+std::vector<std::string> output_words(const std::string& output, const GatherRequest& options) {
+  std::vector<std::string> words{"--output", output};
   if (!options.page.empty()) words.insert(words.end(), {"--report", options.page});
   if (options.no_plots) words.emplace_back("--no-plots");
   return words;
 }
 
 void tell_other_csgsim(const Gathered& gathered, const std::string& output) {
-  const std::string here = shell::version_and_build();
+  const std::string here = session::version_and_build();
   if (gathered.inputs.csgsim == here) return;
   tell_line(fmt::format("{}: measured by csgsim {}; this is {}", output, gathered.inputs.csgsim, here));
 }
 
-void run(std::span<const StudyRow* const> studies, const Options& options) {
+}  // namespace
+
+void GatherRequest::add_to(session::OptionList& list) {
+  list.option("FOLDER", folders, "Where the shards were told to write, with -o").required();
+  list.option("-o,--output", output, "Folder for the results; FOLDER if there is one only").folder();
+  list.option("--report", page, "The study's page, for a browser").check(session::not_empty);
+  list.flag("--no-plots", no_plots, "Do without plots (gnuplot)");
+  list.flag("--missing", missing, "Only print the command of each shard that is not done, a line each");
+}
+
+void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& options) {
   if (options.folders.size() > 1 && options.output.empty() && !options.missing)
-    throw shell::UsageError("--output", "the shards are in several folders; name one for the results");
+    throw session::UsageError("--output", "the shards are in several folders; name one for the results");
   const std::vector<std::filesystem::path> folders(options.folders.begin(), options.folders.end());
   const Gathered gathered = gather(folders);
   const std::string output = options.output.empty() ? options.folders.front() : options.output;
@@ -120,29 +124,8 @@ void run(std::span<const StudyRow* const> studies, const Options& options) {
   if (options.missing) return print_missing(gathered, options.folders.front());
   refuse_missing(gathered, options.folders.front());
   tell_other_csgsim(gathered, output);
-  StudyLine line(studies);
-  line.read(with_words(gathered.words, output_words(output, options)));
-  show_gathered(line.at(gathered.words.front()), gathered);
-}
-
-}  // namespace
-
-void add_gather(shell::CommandLine& line, std::span<const StudyRow* const> studies) {
-  const auto options = std::make_shared<Options>();
-  shell::Command command = line.add(
-      "gather", "Join the shards of a study: the table, JSON and plots that one process makes",
-      "Example:\n  csgsim sweep carburettor.csg --shard 1/2 -o out\n"
-      "  csgsim sweep carburettor.csg --shard 2/2 -o out\n"
-      "  csgsim gather out\n"
-      "Shards may run at the same time, on any number of machines; what has been measured of one that was killed is\n"
-      "kept, and the same command goes on. docs/cluster.md has scripts for Slurm, GNU Parallel and MPI launchers.");
-  command.option("FOLDER", options->folders, "Where the shards were told to write, with -o").required();
-  command.option("-o,--output", options->output, "Folder for the results; FOLDER if there is one only").folder();
-  command.option("--report", options->page, "The study's page, for a browser").check(shell::not_empty);
-  command.flag("--no-plots", options->no_plots, "Do without plots (gnuplot)");
-  command.flag("--missing", options->missing, "Only print the command of each shard that is not done, a line each");
-  command.prints_summary();
-  command.runs([options, studies] { run(studies, *options); });
+  const GatheredStudy study(studies, with_words(gathered.words, output_words(output, options)));
+  show_gathered(study.command(), gathered);
 }
 
 }  // namespace csgsim::studies

@@ -1,13 +1,26 @@
 #pragma once
 
 #include <span>
+#include <string>
+#include <vector>
 
-#include "sim/shell/command_line.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/study.h"
 
 namespace csgsim::studies {
 
-/// Adds the command that joins shards of these studies. The rows live as long as the line.
-void add_gather(shell::CommandLine& line, std::span<const StudyRow* const> studies);
+/// What shards have measured, to be joined.
+struct GatherRequest {
+  std::vector<std::string> folders;
+  std::string output;
+  std::string page;
+  bool no_plots = false;
+  bool missing = false;
+
+  void add_to(session::OptionList& list);
+};
+
+/// Joins shards of one of these studies, and shows it. Throws InputError, UsageError.
+void run_gather(std::span<const StudyRow* const> studies, const GatherRequest& options);
 
 }  // namespace csgsim::studies

@@ -14,8 +14,8 @@
 #include "hw/machines/hash.h"
 #include "hw/machines/regions.h"
 #include "sim/functional/clocks.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/options/version.h"
 
 namespace csgsim::studies {
 
@@ -43,7 +43,7 @@ isa::Program compile(const Job& job) {
                        [&](const isa::Program& program) { return functional::clocks_of_run(program, job.machine); });
 }
 
-JobMaker::Key JobMaker::key(const shell::ModelOptions& options, const machines::Machine& machine) {
+JobMaker::Key JobMaker::key(const session::ModelRequest& options, const machines::Machine& machine) {
   // Facets may depend on what a pixel covers; which surfaces stay curved on what the machine can draw, and in how many
   // bits.
   const bool is_faceted = options.curves == emit::name_of(emit::Curves::facets) ||
@@ -56,10 +56,10 @@ JobMaker::Key JobMaker::key(const shell::ModelOptions& options, const machines::
   return {options.model, machine.picture.width, machine.picture.height, std::move(curves)};
 }
 
-JobMaker::Read JobMaker::read(const shell::ModelOptions& options, const machines::Machine& machine) {
+JobMaker::Read JobMaker::read(const session::ModelRequest& options, const machines::Machine& machine) {
   try {
-    shell::ModelFile file = shell::read_model_file(options);
-    facet::Geometry scene = facet::make_geometry(file.tree, shell::faceting_of(options, machine, file.tree));
+    session::ModelFile file = session::read_model_file(options);
+    facet::Geometry scene = facet::make_geometry(file.tree, session::faceting_of(options, machine, file.tree));
     auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), file.hash});
     return {std::move(subject), "", std::move(file.hash)};
   } catch (const InputError& error) {
@@ -67,22 +67,22 @@ JobMaker::Read JobMaker::read(const shell::ModelOptions& options, const machines
   }
 }
 
-Job JobMaker::job_of(const shell::ModelOptions& options) {
-  machines::Machine machine = shell::machine_of(options);
+Job JobMaker::job_of(const session::ModelRequest& options) {
+  machines::Machine machine = session::machine_of(options);
   const auto [place, is_new] = read_.try_emplace(key(options, machine));
   if (is_new) place->second = read(options, machine);
   const Read& read = place->second;
   Job job{read.subject,
           {},
-          shell::sampling_of(options, machine),
+          session::sampling_of(options, machine),
           std::move(machine),
-          shell::emit_options_of(options),
-          {read.hash, {}, shell::version_and_build()},
+          session::emit_options_of(options),
+          {read.hash, {}, session::version_and_build()},
           read.reason};
   job.inputs.machine_hash = machines::hash_of(job.machine);
   if (!job.subject) return job;
   try {
-    job.camera = shell::camera_of(options, job.machine, job.subject->tree, job.subject->scene);
+    job.camera = session::camera_of(options, job.machine, job.subject->tree, job.subject->scene);
   } catch (const InputError& error) {
     job.reason = escaped(error.what());
   }

@@ -12,7 +12,7 @@
 #include "host/view/projection.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
 #include "sim/studies/inputs.h"
 
 namespace csgsim::studies {
@@ -43,7 +43,7 @@ class JobMaker {
  public:
   /// With the options with which `csgsim render` would draw it. A model that cannot be read, or seen, is the job's
   /// reason. Throws InputError for machines.
-  Job job_of(const shell::ModelOptions& options);
+  Job job_of(const session::ModelRequest& options);
 
  private:
   /// A model, or why it cannot be read.
@@ -55,8 +55,8 @@ class JobMaker {
   /// What facets and quadrics depend on, beside the options of a study that its machines share.
   using Key = std::tuple<std::string, std::uint32_t, std::uint32_t, std::string>;
 
-  static Key key(const shell::ModelOptions& options, const machines::Machine& machine);
-  static Read read(const shell::ModelOptions& options, const machines::Machine& machine);
+  static Key key(const session::ModelRequest& options, const machines::Machine& machine);
+  static Read read(const session::ModelRequest& options, const machines::Machine& machine);
 
   std::map<Key, Read> read_;
 };

@@ -6,20 +6,20 @@
 #include <nlohmann/json.hpp>
 
 #include "hw/base/output_file.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
 
 namespace csgsim::studies {
 
-void JsonExport::add_to(shell::Command& command, const std::string& what) {
-  command.option("--json", file_, what + ", .json; - prints it").check(shell::not_empty);
+void JsonExport::add_to(session::OptionList& command, const std::string& what) {
+  command.option("--json", file_, what + ", .json; - prints it").check(session::not_empty);
 }
 
 void JsonExport::write(std::span<const std::filesystem::path> inputs,
                        const std::function<nlohmann::ordered_json()>& facts, std::string_view list,
                        const std::function<void(const Put& put)>& items) const {
   if (file_.empty()) return;
-  shell::refuse_clashes(inputs, std::to_array<std::filesystem::path>({file_}));
+  session::refuse_clashes(inputs, std::to_array<std::filesystem::path>({file_}));
   OutputFile file(file_);
   std::string begin = facts().dump();
   begin.back() = ',';

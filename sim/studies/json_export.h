@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/shell/command_line.h"
+#include "sim/session/options/option_list.h"
 
 namespace csgsim::studies {
 
@@ -15,7 +15,7 @@ namespace csgsim::studies {
 class JsonExport {
  public:
   /// `what` is in the file.
-  void add_to(shell::Command& command, const std::string& what);
+  void add_to(session::OptionList& command, const std::string& what);
 
   [[nodiscard]] bool is_asked() const { return !file_.empty(); }
 

@@ -6,26 +6,26 @@
 #include <cstdint>
 
 #include "hw/base/text.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
 
 namespace csgsim::studies {
 
 std::vector<software::Priced> processors_in(const std::string& list) {
   std::vector<software::Priced> processors;
-  for (const std::string& name : shell::parse_words(list)) processors.push_back(software::priced(name));
+  for (const std::string& name : session::parse_words(list)) processors.push_back(software::priced(name));
   return processors;
 }
 
-void add_processors(shell::Command& command, std::string& list) {
+void add_processors(session::OptionList& command, std::string& list) {
   command
       .option("--processors", list,
               "List of processors that the work is priced for, by name or .toml file; this-computer is measured")
-      .check(shell::is_read_by(processors_in));
+      .check(session::is_read_by(processors_in));
 }
 
-void add_model_without_machine(shell::ModelOptions& model, shell::Command& command) {
+void add_model_without_machine(session::ModelRequest& model, session::OptionList& command) {
   model.add_to(command);
   for (const char* const of_machines : {"--memory-bits", "--strategy", "--stack-bits", "--colouring", "--pruning"})
     command.remove(of_machines);
@@ -37,9 +37,9 @@ std::string seconds_text(double seconds) {
                                 : grouped(static_cast<std::uint64_t>(std::llround(seconds)));
 }
 
-std::vector<std::filesystem::path> inputs_with_processors(const shell::ModelOptions& model, const std::string& list) {
+std::vector<std::filesystem::path> inputs_with_processors(const session::ModelRequest& model, const std::string& list) {
   std::vector<std::filesystem::path> files = model.inputs();
-  const std::vector<std::filesystem::path> more = shell::input_files({}, shell::parse_words(list));
+  const std::vector<std::filesystem::path> more = session::input_files({}, session::parse_words(list));
   files.insert(files.end(), more.begin(), more.end());
   return files;
 }

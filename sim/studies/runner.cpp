@@ -16,11 +16,11 @@
 #include "sim/plots/files.h"
 #include "sim/report/points.h"
 #include "sim/report/study_pages.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/options.h"
-#include "sim/shell/run_options.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/version.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/options/version.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/run_request.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/progress.h"
 #include "sim/studies/shard_run.h"
@@ -52,14 +52,14 @@ unsigned threads_of(const StudyCommand& asked) { return asked.row->is_parallel ?
 
 void measure(StudyCommand& asked, std::span<const std::size_t> points, const Study::Finished& finished) {
   const unsigned threads = threads_of(asked);
-  shell::with_memory_for_threads(threads, "points", [&] { asked.study->measure(points, threads, finished); });
+  session::with_memory_for_threads(threads, "points", [&] { asked.study->measure(points, threads, finished); });
 }
 
 /// Measures the points that the table has not.
 Rows complete(StudyCommand& asked, std::span<const Asked> points, Table& table) {
   const std::vector<std::size_t> missing = table.missing(points);
   {
-    Progress progress(points.size(), points.size() - missing.size(), shell::shows_progress(asked.options.progress),
+    Progress progress(points.size(), points.size() - missing.size(), session::shows_progress(asked.options.progress),
                       threads_of(asked));
     Rows pending;
     const auto write = [&] { table.add(std::exchange(pending, {})); };
@@ -83,18 +83,18 @@ Inputs inputs_of(std::span<const Asked> points) {
     models.add(one.inputs.model_hash + "\n");
     machines.add(one.inputs.machine_hash + "\n");
   }
-  return {models.text(), machines.text(), shell::version_and_build()};
+  return {models.text(), machines.text(), session::version_and_build()};
 }
 
 void refuse_page(const StudyCommand& asked) {
   if (!asked.options.report.asked()) return;
-  throw shell::UsageError("--report", "a shard has no page; csgsim gather writes it from all of them");
+  throw session::UsageError("--report", "a shard has no page; csgsim gather writes it from all of them");
 }
 
 void run_shard(StudyCommand& asked) {
   refuse_page(asked);
   if (asked.study->looks_further())
-    throw shell::UsageError("--shard", "a search goes on from what has been measured; leave out one of both");
+    throw session::UsageError("--shard", "a search goes on from what has been measured; leave out one of both");
   const std::vector<Asked> points = asked.study->ask();
   if (points.size() > most_points)
     throw InputError(fmt::format("{} points are too many to be shared out, {} at most; take several studies",
@@ -103,7 +103,8 @@ void run_shard(StudyCommand& asked) {
                {*asked.options.shard, points.size(), inputs_of(points), asked.command.words(options_without_effect)},
                asked.study->format().columns);
   {
-    Progress progress(run.points(), run.points() - run.missing().size(), shell::shows_progress(asked.options.progress));
+    Progress progress(run.points(), run.points() - run.missing().size(),
+                      session::shows_progress(asked.options.progress));
     measure(asked, run.missing(), [&](std::size_t point, std::string row) {
       run.add(point, std::move(row));
       progress.done();
@@ -113,10 +114,10 @@ void run_shard(StudyCommand& asked) {
 }
 
 report::StudyContext page_context(const StudyCommand& asked, const PageSubject& subject) {
-  const shell::ReportOption& report = asked.options.report;
+  const session::ReportOption& report = asked.options.report;
   report::StudyContext context = subject.has_picture
-                                     ? shell::study_context(report, subject.model, subject.machines)
-                                     : shell::plain_study_context(report, subject.model.model, subject.machines);
+                                     ? session::study_context(report, subject.model, subject.machines)
+                                     : session::plain_study_context(report, subject.model.model, subject.machines);
   if (!subject.name.empty()) context.model = subject.name;
   return context;
 }
@@ -140,7 +141,7 @@ report::Page page_of(const StudyCommand& asked, const std::string& json, std::sp
 /// Where results go, which are shown in any case.
 struct Places {
   std::optional<StudyFolder> folder;  ///< none if nothing is kept
-  shell::ReportFile report;
+  session::ReportFile report;
   std::string title;
 
   Places(const StudyCommand& asked, std::span<const fs::path> inputs)
@@ -199,67 +200,55 @@ void measure_all(StudyCommand& asked, std::vector<Asked> more, const Places& pla
   } while (!more.empty());
 }
 
-void run(StudyCommand& asked) {
-  if (asked.options.shard) return run_shard(asked);
-  std::vector<Asked> points = asked.study->ask();
-  Places places(asked, asked.study->inputs());
-  measure_all(asked, std::move(points), places);
-  show(asked, places);
-}
-
-void add_shard(shell::Command& command, std::optional<Shard>& shard) {
+void add_shard(session::OptionList& command, std::optional<Shard>& shard) {
   command.read_option(
       "--shard",
       [&shard](const std::string& text) {
         try {
           shard = parse_shard(text);
         } catch (const InputError& error) {
-          throw shell::UsageError("--shard", error.what());
+          throw session::UsageError("--shard", error.what());
         }
       },
       "Measure only the k-th of n shares of the points, as 3/16, into FOLDER/shards; csgsim gather joins them");
 }
 
-void add_folder(const StudyRow& row, Folder kept, shell::Command& command, std::string& folder) {
+void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, std::string& folder) {
   std::string unsaid;
   if (kept == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
   if (kept == Folder::optional) unsaid = "; nothing is kept if not given";
-  shell::Option option = command.option(
+  Option& option = command.option(
       "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
   if (kept == Folder::named) option.required();
   option.folder();
 }
 
-/// What every study's command has.
-std::shared_ptr<StudyCommand> describe_kept(shell::CommandLine& line, const StudyRow& row, Folder kept) {
-  auto asked = std::make_shared<StudyCommand>(
-      StudyCommand{&row, row.make(), {}, line.add(row.name, row.does, std::string("Example:\n") + row.example), kept});
+/// What every study has.
+std::shared_ptr<StudyCommand> describe_kept(session::OptionList& list, const StudyRow& row, Folder kept) {
+  auto asked = std::make_shared<StudyCommand>(StudyCommand{&row, row.make(), {}, list, kept});
   RunnerOptions& options = asked->options;
   options.threads = std::max(1U, std::thread::hardware_concurrency());
-  shell::Command& command = asked->command;
-  asked->study->add_options(command);
-  add_folder(row, kept, command, options.folder);
+  asked->study->add_options(list);
+  add_folder(row, kept, list, options.folder);
   if (row.is_parallel)
-    command.option("--threads", options.threads, "Points that are measured at the same time")
-        .between(1U, shell::most_threads);
-  command.flag("--no-plots", options.no_plots, "Do without plots (gnuplot)");
-  if (row.has_shards) add_shard(command, options.shard);
-  options.report.add_to(command);
-  shell::add_progress(command, options.progress);
+    list.option("--threads", options.threads, "Points that are measured at the same time")
+        .between(1U, session::most_threads);
+  list.flag("--no-plots", options.no_plots, "Do without plots (gnuplot)");
+  if (row.has_shards) add_shard(list, options.shard);
+  options.report.add_to(list);
+  session::add_progress(list, options.progress);
   return asked;
 }
 
 }  // namespace
 
-std::shared_ptr<StudyCommand> describe(shell::CommandLine& line, const StudyRow& row) {
-  std::shared_ptr<StudyCommand> asked = describe_kept(line, row, row.folder);
-  asked->command.prints_summary();
-  return asked;
+std::shared_ptr<StudyCommand> describe(session::OptionList& list, const StudyRow& row) {
+  return describe_kept(list, row, row.folder);
 }
 
-std::shared_ptr<StudyCommand> describe_for_caller(shell::CommandLine& line, const StudyRow& row) {
-  std::shared_ptr<StudyCommand> asked = describe_kept(line, row, Folder::optional);
-  if (row.has_shards) asked->command.remove("--shard");
+std::shared_ptr<StudyCommand> describe_for_caller(session::OptionList& list, const StudyRow& row) {
+  std::shared_ptr<StudyCommand> asked = describe_kept(list, row, Folder::optional);
+  if (row.has_shards) list.remove("--shard");
   return asked;
 }
 
@@ -274,9 +263,12 @@ std::string conduct(StudyCommand& asked) {
   return json;
 }
 
-void add_study(shell::CommandLine& line, const StudyRow& row) {
-  const std::shared_ptr<StudyCommand> asked = describe(line, row);
-  asked->command.runs([asked] { run(*asked); });
+void run_study(StudyCommand& asked) {
+  if (asked.options.shard) return run_shard(asked);
+  std::vector<Asked> points = asked.study->ask();
+  Places places(asked, asked.study->inputs());
+  measure_all(asked, std::move(points), places);
+  show(asked, places);
 }
 
 void show_gathered(StudyCommand& asked, const Gathered& gathered) {

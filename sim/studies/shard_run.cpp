@@ -8,7 +8,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/folder.h"
 
 namespace csgsim::studies {
@@ -30,7 +30,7 @@ void refuse_other_study(const ShardFile& file, const ShardHeader& header, const 
 
 ShardRun::ShardRun(fs::path folder, ShardHeader header, std::string columns)
     : folder_(std::move(folder)), header_(std::move(header)), writer_(folder_, header_, std::move(columns)) {
-  if (folder_.empty()) throw shell::UsageError("--output", "a shard is kept in a folder; name one");
+  if (folder_.empty()) throw session::UsageError("--output", "a shard is kept in a folder; name one");
   std::set<std::size_t> known;
   std::set<std::string> changed;
   for (const fs::path& path : shard_files(folder_, header_)) {

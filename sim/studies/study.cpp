@@ -1,11 +1,11 @@
 #include "sim/studies/study.h"
 
 #include "sim/report/page.h"
-#include "sim/shell/lists.h"
+#include "sim/session/options/lists.h"
 
 namespace csgsim::studies {
 
-PageSubject subject_on(const ModelOptions& model, const std::string& machines) {
+PageSubject subject_on(const ModelRequest& model, const std::string& machines) {
   PageSubject subject{model, {}};
   for (const std::string& name : parse_words(machines)) {
     subject.model.machine = name;

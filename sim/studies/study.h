@@ -15,8 +15,8 @@
 
 #include "hw/machines/machine.h"
 #include "sim/plots/plot.h"
-#include "sim/shell/command_line.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/rows_json.h"
@@ -29,18 +29,18 @@ struct Section;
 
 namespace csgsim::studies {
 
-using namespace shell;  // options, checks and texts of commands, in whose words a study is written
+using namespace session;  // options, checks and texts of commands, in whose words a study is written
 
 /// Whose figures a page tells, and of what it shows a picture.
 struct PageSubject {
-  ModelOptions model;
+  ModelRequest model;
   std::vector<machines::Machine> machines;  ///< the picture is drawn on the first
   bool has_picture = true;
   std::string name{};  ///< of what was studied; the model's if empty
 };
 
 /// A model on each of these machines, which a list names.
-PageSubject subject_on(const ModelOptions& model, const std::string& machines);
+PageSubject subject_on(const ModelRequest& model, const std::string& machines);
 
 /// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
 /// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads,
@@ -52,7 +52,7 @@ class Study {
   Study(const Study&) = delete;
   Study& operator=(const Study&) = delete;
 
-  virtual void add_options(Command& command) = 0;
+  virtual void add_options(session::OptionList& command) = 0;
   /// The files that are read, which nothing may be written over.
   [[nodiscard]] virtual std::vector<std::filesystem::path> inputs() const = 0;
   /// Options whose values are in the points, so that one table holds points of several.

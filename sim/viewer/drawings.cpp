@@ -13,7 +13,7 @@
 #include "hw/base/seconds.h"
 #include "hw/base/text.h"
 #include "hw/kinds/load.h"
-#include "sim/shell/paths.h"
+#include "sim/session/options/paths.h"
 #include "sim/viewer/knobs.h"
 
 namespace csgsim::viewer {
@@ -41,7 +41,7 @@ void add_words(std::vector<std::string>& words, const std::string& name, const J
     return;
   }
   if (!value.is_string()) throw WishError(name + " has to be a text");
-  for (std::string& word : shell::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
+  for (std::string& word : session::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
 }
 
 std::string shell_command(const std::vector<std::string>& words) {
@@ -87,25 +87,25 @@ Drawings::Asked Drawings::asked_by(const Json& asked) const {
   const std::optional<std::string> source = source_in(asked);
   if (source) wish["source"] = *source;
   std::vector<std::string> words = words_of(wish);
-  shell::ModelOptions options = shell::model_options_in(words);
+  session::ModelRequest options = session::model_request_in(words);
   std::string text = source ? *source : read_regular_file(options.model, read::model_file);
   return {std::move(wish), std::move(words), std::move(options), std::move(text)};
 }
 
 /// The tree as it was read last, if the same would be read.
-shell::ModelFile Drawings::model_of(const Asked& asked) const {
+session::ModelFile Drawings::model_of(const Asked& asked) const {
   const std::shared_ptr<const Drawing> last = latest();
   const auto is_same = [&](const char* name) { return knob_of(last->wish, name) == knob_of(asked.wish, name); };
   const bool is_read = last != nullptr && last->text == asked.text && is_same("snap") && is_same("set");
-  return is_read ? shell::ModelFile{last->model.tree, last->model.hash}
-                 : shell::read_model_text(asked.options, asked.text);
+  return is_read ? session::ModelFile{last->model.tree, last->model.hash}
+                 : session::read_model_text(asked.options, asked.text);
 }
 
 std::shared_ptr<Drawing> Drawings::evaluated(Asked asked) const {
   const KeptLines told;
   const auto begin = std::chrono::steady_clock::now();
-  machines::Machine machine = shell::machine_of(asked.options);
-  shell::CompiledModel model = shell::compile_model(model_of(asked), asked.options, machine);
+  machines::Machine machine = session::machine_of(asked.options);
+  session::CompiledModel model = session::compile_model(model_of(asked), asked.options, machine);
   asked.words.insert(asked.words.begin(), "render");
   return std::make_shared<Drawing>(Drawing{.wish = std::move(asked.wish),
                                            .text = std::move(asked.text),
@@ -162,8 +162,8 @@ std::shared_ptr<Drawing> Drawings::compiled(const Json& wish, Evaluation& evalua
 std::shared_ptr<Drawing> Drawings::drawn(const Json& wish, Evaluation& evaluation) {
   std::shared_ptr<Drawing> drawing = compiled(wish, evaluation);
   const std::lock_guard lock(drawing->found->mutex);
-  std::optional<shell::Drawn>& drawn = drawing->found->drawn;
-  if (!drawn) drawn = shell::draw(drawing->model.program, drawing->machine);
+  std::optional<session::Drawn>& drawn = drawing->found->drawn;
+  if (!drawn) drawn = session::draw(drawing->model.program, drawing->machine);
   return drawing;
 }
 

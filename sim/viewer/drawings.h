@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/run/run_request.h"
 #include "sim/viewer/evaluations.h"
 #include "sim/viewer/instants.h"
 #include "sim/viewer/lanes.h"
@@ -30,7 +30,7 @@ struct Beginning {
 /// What has been found out about a drawing, once it has been asked for.
 struct FoundOut {
   std::mutex mutex;  ///< held while one of these is made or changed
-  std::optional<shell::Drawn> drawn{};
+  std::optional<session::Drawn> drawn{};
   std::unique_ptr<Instants> instants{};
   std::unique_ptr<ActiveTrees> active_trees{};
   std::shared_ptr<const Lanes> lanes{};  ///< of the whole frame
@@ -40,9 +40,9 @@ struct FoundOut {
 struct Drawing {
   Json wish;
   std::string text;  ///< of the model, as it was read
-  shell::ModelOptions options;
+  session::ModelRequest options;
   machines::Machine machine;
-  shell::CompiledModel model;
+  session::CompiledModel model;
   std::string command;  ///< that draws the same
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
@@ -71,13 +71,13 @@ class Drawings {
   struct Asked {
     Json wish;
     std::vector<std::string> words;
-    shell::ModelOptions options;
+    session::ModelRequest options;
     std::string text;  ///< of the model
   };
 
   [[nodiscard]] std::vector<std::string> words_of(const Json& wish) const;
   [[nodiscard]] Asked asked_by(const Json& wish) const;
-  [[nodiscard]] shell::ModelFile model_of(const Asked& asked) const;
+  [[nodiscard]] session::ModelFile model_of(const Asked& asked) const;
   [[nodiscard]] std::shared_ptr<Drawing> evaluated(Asked asked) const;
   std::shared_ptr<Drawing> kept(const Asked& asked);
   void keep(const std::shared_ptr<Drawing>& next);

@@ -15,15 +15,15 @@
 #include "sim/report/configuration.h"
 #include "sim/report/pictures.h"
 #include "sim/report/run_page.h"
-#include "sim/shell/advice.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/json_text.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/primitive_name.h"
-#include "sim/shell/run_options.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/verdict.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/primitive_name.h"
+#include "sim/session/options/json_text.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/advice.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/run_request.h"
+#include "sim/session/run/verdict.h"
 #include "sim/story/answer.h"
 #include "sim/viewer/effects_form.h"
 #include "sim/viewer/knobs.h"
@@ -99,7 +99,7 @@ void put_active_tree(const Drawing& drawing, Json& instant) {
   if (active) instant["active"] = std::move(*active);
 }
 
-Json stats_of(const shell::CompiledModel& model, const machines::Machine& machine, const shell::Drawn& drawn,
+Json stats_of(const session::CompiledModel& model, const machines::Machine& machine, const session::Drawn& drawn,
               std::span<const observe::Knob> turned = {}) {
   const observe::Report report{model.program, machine, "functional", drawn.result, drawn.stats, drawn.seconds, turned};
   return report::without_wall_times(observe::to_json(report));
@@ -133,7 +133,7 @@ Reply ended_reply(Ended why, const std::string& model, std::chrono::milliseconds
 Json Session::draw(const Json& wish, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> held = drawings_.drawn(wish, evaluation);
   const Drawing& drawing = *held;
-  const shell::Drawn& done = *drawing.found->drawn;
+  const session::Drawn& done = *drawing.found->drawn;
   const report::Picture picture = report::picture_of(done.frame, drawing.model.program, "", "");
   return {{"picture", png_url(picture.png)},
           {"width", picture.width},
@@ -149,12 +149,12 @@ Json Session::explain(const Json& wish, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> held = drawings_.compiled(wish, evaluation);
   const Drawing& drawing = *held;
   const isa::Program& program = drawing.model.program;
-  const shell::Pixel pixel = shell::pixel_named(program, text_in(wish, "pixel"), "pixel");
+  const session::Pixel pixel = session::pixel_named(program, text_in(wish, "pixel"), "pixel");
   const std::string why_not = text_in(wish, "why_not");
   std::optional<std::uint32_t> missed;
-  if (!why_not.empty()) missed = shell::primitive_named(program, why_not, "why not");
-  return shell::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
-    const story::HalfspaceFinder finder = shell::halfspaces_of(drawing.model, drawing.options, drawing.machine);
+  if (!why_not.empty()) missed = session::primitive_named(program, why_not, "why not");
+  return session::with_memory_for_picture(drawing.machine.array, [&]() -> Json {
+    const story::HalfspaceFinder finder = session::halfspaces_of(drawing.model, drawing.options, drawing.machine);
     story::Answer told = story::answer_of({program, &finder}, drawing.machine, pixel.x, pixel.y, missed);
     return {{"text", std::move(told.text)}, {"story", std::move(told.json)}};
   });
@@ -171,7 +171,7 @@ Json Session::instant(const Json& wish, Evaluation& evaluation) {
   const std::lock_guard lock(drawing.found->mutex);
   std::unique_ptr<Instants>& instants = drawing.found->instants;
   try {
-    return shell::with_memory_for_picture(drawing.machine.array, [&] {
+    return session::with_memory_for_picture(drawing.machine.array, [&] {
       if (!instants) instants = std::make_unique<Instants>(drawing.model.program, drawing.machine);
       Json answer = instants->at(instant);
       put_active_tree(drawing, answer);
@@ -228,18 +228,18 @@ Json Session::wave(const Json& wish, Evaluation& evaluation) {
 Json Session::advice(const Json& wish, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish, evaluation);
   const engine::RunResult& result = drawing->found->drawn->result;
-  const shell::Advice advice{
+  const session::Advice advice{
       .machine = drawing->options.machine, .is_asked = true, .ask = {}, .settings = [&](const engine::RunResult& of) {
-        return shell::setting_knobs(drawing->model, drawing->options, drawing->machine, of);
+        return session::setting_knobs(drawing->model, drawing->options, drawing->machine, of);
       }};
-  const std::vector<observe::Knob> turned = shell::knobs_of(advice, drawing->model.program, drawing->machine, result);
+  const std::vector<observe::Knob> turned = session::knobs_of(advice, drawing->model.program, drawing->machine, result);
   return {{"knobs", stats_of(drawing->model, drawing->machine, *drawing->found->drawn, turned).at("knobs")}};
 }
 
 Json Session::verdict(const Json& wish, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> drawing = drawings_.drawn(wish, evaluation);
   Json accuracy;
-  std::string text = shell::verdict(drawing->model, drawing->options, drawing->found->drawn->frame, accuracy);
+  std::string text = session::verdict(drawing->model, drawing->options, drawing->found->drawn->frame, accuracy);
   return {{"accuracy", std::move(accuracy)}, {"text", std::move(text)}};
 }
 
@@ -252,7 +252,7 @@ Json Session::two(const Json& wish, Evaluation& evaluation) {
 std::string Session::report() const {
   const std::shared_ptr<const Drawing> drawing = drawings_.latest();
   if (drawing == nullptr || !is_drawn(*drawing)) throw WishError("nothing has been drawn yet");
-  const story::HalfspaceFinder finder = shell::halfspaces_of(drawing->model, drawing->options, drawing->machine);
+  const story::HalfspaceFinder finder = session::halfspaces_of(drawing->model, drawing->options, drawing->machine);
   return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn),
                                           drawing->found->drawn->frame, drawing->model.program, drawing->machine,
                                           {drawing->command, {}}, &finder));
@@ -261,7 +261,7 @@ std::string Session::report() const {
 Json Session::about() const {
   const Beginning& beginning = drawings_.beginning();
   Json machines = kinds::built_in_names();
-  const shell::ModelOptions usual;
+  const session::ModelRequest usual;
   const Json begun_with = beginning.knobs.value("machine", Json());
   if (begun_with.is_string() && std::ranges::find(machines, begun_with) == machines.end())
     machines.insert(machines.begin(), begun_with);
@@ -270,7 +270,7 @@ Json Session::about() const {
           {"knobs", beginning.knobs},
           {"names", knobs},
           {"machines", std::move(machines)},
-          {"strategies", shell::strategy_names()},
+          {"strategies", session::strategy_names()},
           {"effects", effects_form()},
           {"evaluation_time", std::chrono::duration<double>(evaluations_.most()).count()},
           {"usual", {{"machine", usual.machine}, {"strategy", usual.strategy}, {"z-bits", usual.z_bits}}}};
@@ -289,8 +289,8 @@ const Session::Question Session::questions[] = {
 };
 
 Reply Session::answered_post(const Request& request, std::string_view path) {
-  constexpr shell::JsonLimits limits{.depth = 16, .values = 10'000};
-  const Json wish = shell::parsed_json(request.body, limits);
+  constexpr session::JsonLimits limits{.depth = 16, .values = 10'000};
+  const Json wish = session::parsed_json(request.body, limits);
   if (!wish.is_object()) throw WishError("a wish has to be an object");
   const std::string evaluation_name = text_in(wish, "evaluation");
   if (path == "progress") return json_reply(evaluations_.progress(evaluation_name));
@@ -304,7 +304,7 @@ Reply Session::answered_post(const Request& request, std::string_view path) {
   try {
     return json_reply((this->*question->answer)(wish, evaluation));
   } catch (const Interrupted&) {
-    return ended_reply(evaluation.ended(), shell::shown_name(drawings_.beginning().model), evaluations_.most());
+    return ended_reply(evaluation.ended(), session::shown_name(drawings_.beginning().model), evaluations_.most());
   }
 }
 
@@ -321,14 +321,14 @@ Reply Session::answer(const Request& request, std::string_view path) {
     return answered(request, path);
   } catch (const Json::exception& error) {
     return json_reply({{"error", error.what()}}, 400);
-  } catch (const shell::JsonLimitError& error) {
+  } catch (const session::JsonLimitError& error) {
     return json_reply({{"error", error.what()}}, 400);
   } catch (const WishError& error) {
     return json_reply({{"error", error.what()}}, 400);
-  } catch (const shell::UsageError& error) {
+  } catch (const session::UsageError& error) {
     return json_reply({{"error", error.what()}}, 422);
   } catch (const InputError& error) {
-    return json_reply(error_json(error.what(), shell::shown_name(drawings_.beginning().model)), 422);
+    return json_reply(error_json(error.what(), session::shown_name(drawings_.beginning().model)), 422);
   } catch (const std::bad_alloc&) {
     return json_reply({{"error", "there is not enough memory"}}, 422);
   }

@@ -102,8 +102,8 @@ Json tree_of(const model::Tree& tree, const isa::Facts& facts) {
 
 std::optional<Json> ActiveTrees::of(std::uint32_t piece, std::uint32_t segment) {
   if (!plan_ || segment_ != segment) {
-    const view::View view = shell::view_of(model_, options_, machine_);
-    emit::Options options = shell::emit_options_of(options_);
+    const view::View view = session::view_of(model_, options_, machine_);
+    emit::Options options = session::emit_options_of(options_);
     if (const auto division = machine_.kind->division(machine_)) options = emit::options_for(*division, options);
     // The strategy that multiplies the tree out knows no sets.
     if (options.strategy == emit::Strategy::products) options.pruning.sets = false;

@@ -8,8 +8,8 @@
 #include "host/model/tree.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
 
 namespace csgsim::viewer {
 
@@ -22,7 +22,8 @@ nlohmann::ordered_json tree_of(const model::Tree& tree, const isa::Facts& facts)
 class ActiveTrees {
  public:
   /// Nothing is done before one is asked for. The arguments have to outlive it.
-  ActiveTrees(const shell::CompiledModel& model, const shell::ModelOptions& options, const machines::Machine& machine)
+  ActiveTrees(const session::CompiledModel& model, const session::ModelRequest& options,
+              const machines::Machine& machine)
       : model_(model), options_(options), machine_(machine) {}
 
   /// What the surface of that piece is compared with in the segment, in the form of tree_of: at depth 0 operands, all
@@ -32,8 +33,8 @@ class ActiveTrees {
   [[nodiscard]] std::optional<nlohmann::ordered_json> of(std::uint32_t piece, std::uint32_t segment);
 
  private:
-  const shell::CompiledModel& model_;
-  const shell::ModelOptions& options_;
+  const session::CompiledModel& model_;
+  const session::ModelRequest& options_;
   const machines::Machine& machine_;
   std::optional<emit::SegmentPlan> plan_;  ///< of the last segment
   std::uint32_t segment_ = 0;

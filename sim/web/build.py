@@ -18,7 +18,7 @@ ROOMS = """base toml isa machines division processors host pixel_planes scan_lin
 model view facet csg scene lighting convex emit effects functional observe read flat solids judges reference checkpoint
 lockstep swept commands""".split()
 # Those that answer in JSON.
-JSON_ROOMS = "debug story plots report shell viewer".split()
+JSON_ROOMS = "debug story plots report session viewer".split()
 
 # What asks for files, processes, shared libraries, or takes a library that is not headers alone.
 LEFT_OUT = {
@@ -28,7 +28,7 @@ LEFT_OUT = {
     "solids": "height_picture read_xml unzip",
     "plots": "files gnuplot",
     "report": "deflated",
-    "shell": "finished_run frames levels run_outputs scad version manual_pages completion",
+    "session": "finished_run levels run_outputs scad version",
     "viewer": "door page recorded serve files",
 }
 # Files whose names are others' too.
@@ -60,7 +60,7 @@ def link_headers(out):
     """Libraries that are headers alone, without the system's other headers beside them."""
     include = out / "include"
     include.mkdir(parents=True, exist_ok=True)
-    for name in "boost fmt tao toml++ nlohmann hwy glm polyclipping CLI".split():
+    for name in "boost fmt tao toml++ nlohmann hwy glm polyclipping".split():
         if not (include / name).exists():
             (include / name).symlink_to(f"/usr/include/{name}")
     # CGAL 5.5 names a base() that clang 19 misses.
@@ -70,7 +70,7 @@ def link_headers(out):
         text = iterator.read_text()
         iterator.unlink()
         write(iterator, text.replace("this->base() == nullptr", "g == nullptr"))
-    # libc++ declares std::fstream only where there is a file system, which toml++ and CLI11 name.
+    # libc++ declares std::fstream only where there is a file system, which toml++ names.
     site = Path("/usr/include/wasm32-wasi/c++/v1/__config_site").read_text()
     write(include / "__config_site", site.replace("#define _LIBCPP_HAS_NO_FILESYSTEM", ""))
 

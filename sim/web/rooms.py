@@ -49,8 +49,8 @@ def make_sources(made):
     texts = {"CSGSIM_" + script.replace(".", "_"): (TOP / "sim/report" / script).read_text() for script in scripts}
     write(made / "report/text.cpp", filled("sim/report/text.cpp.in", {
         "CSGSIM_PAGE_STYLE": (TOP / "sim/report/page.css").read_text(), **texts}))
-    (made / "shell").mkdir(parents=True, exist_ok=True)
-    subprocess.run(["cmake", f"-DSOURCE={TOP}", f"-DOUTPUT={made}/shell/commit.cpp", "-P", TOP / "cmake/commit.cmake"],
+    (made / "session").mkdir(parents=True, exist_ok=True)
+    subprocess.run(["cmake", f"-DSOURCE={TOP}", f"-DOUTPUT={made}/session/commit.cpp", "-P", TOP / "cmake/commit.cmake"],
                    check=True)
 
 

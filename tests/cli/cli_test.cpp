@@ -320,7 +320,7 @@ TEST_CASE("a hundred megabytes of brackets are refused quickly") {
 
 TEST_CASE("a machine that cannot hold the picture says what is missing") {
   refuses(model("old_example002") + " --memory-bits 40", "--memory-bits");
-  misused("render " + model("old_example002") + " --z-bits 31", "--z-bits: Value 31 not in range 4 to 30");
+  misused("render " + model("old_example002") + " --z-bits 31", "--z-bits: '31' is not a whole number from 4 to 30");
   misused("render " + model("old_example002") + " --machine pixel-plane-4", "pixel-planes-4");
 }
 

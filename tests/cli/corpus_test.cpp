@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "places.h"
-#include "sim/shell/text_columns.h"
+#include "sim/session/options/text_columns.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -211,7 +211,7 @@ TEST_CASE("cells of a table in columns have two blanks between them, and a line 
                                                    {"a line that is alone in its row"},
                                                    {"\u00e4", "123,456,789,012,345,678", "x"},
                                                    {"b", "not drawn"}};
-  CHECK(csgsim::shell::in_columns(rows, "<><") ==
+  CHECK(csgsim::session::in_columns(rows, "<><") ==
         "name                        n  why\n"
         "a line that is alone in its row\n"
         "\u00e4     123,456,789,012,345,678  x\n"

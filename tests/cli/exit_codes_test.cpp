@@ -76,7 +76,7 @@ TEST_CASE("lists of machines are of the command line too, and a list can be of n
     misused(study + model("sphere") + out + " --machines pixel-plane", "did you mean pixel-planes-4?");
     misused(study + model("sphere") + out + " --machines ''", "has nothing at a comma");
   }
-  misused("corpus " + model("sphere") + out + " --z-bits 31", "not in range 4 to 30");
+  misused("corpus " + model("sphere") + out + " --z-bits 31", "is not a whole number from 4 to 30");
   const std::string small = "compare " + model("sphere") + " --machines pixel-planes-4 --size 16x16 --no-plots";
   REQUIRE(run(small + " --fragments none --sides none -o " + (folder / "none")).code == 0);
   REQUIRE(run(small + " --fragments '' --sides '' -o " + (folder / "empty")).code == 0);

@@ -10,7 +10,7 @@
 
 #include "places.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/option_table.h"
+#include "sim/session/options/option_table.h"
 #include "sim/studies/rows.h"
 #include "tests/cli/cli.h"
 
@@ -215,7 +215,7 @@ TEST_CASE("every option that names a file is known to, so that its name is one o
       if (!is_text || !std::regex_search(key.meaning, of_file)) continue;
       CAPTURE(command);
       CAPTURE(key.name);
-      CHECK(csgsim::shell::known_option(key.name).role != csgsim::shell::FileRole::none);
+      CHECK(csgsim::session::known_option(key.name).role != csgsim::session::FileRole::none);
       ++files;
     }
   }

@@ -13,35 +13,35 @@ namespace fuzz = csgsim::fuzz;
 
 namespace {
 
-const std::vector<shell::SettableOption> options{
-    {"view-all", shell::Takes::flag}, {"z-bits", shell::Takes::whole_number}, {"near", shell::Takes::number},
-    {"camera", shell::Takes::text},   {"machines", shell::Takes::text},       {"set", shell::Takes::texts},
-    {"output", shell::Takes::text},   {"levels", shell::Takes::text}};
+const std::vector<session::SettableOption> options{
+    {"view-all", session::Takes::flag}, {"z-bits", session::Takes::whole_number}, {"near", session::Takes::number},
+    {"camera", session::Takes::text},   {"machines", session::Takes::text},       {"set", session::Takes::texts},
+    {"output", session::Takes::text},   {"levels", session::Takes::text}};
 
 const std::vector<shell::SettableCommand> commands{
-    {"render", options}, {"levels", {{"z-bits", shell::Takes::text}, {"turn", shell::Takes::number}}}};
+    {"render", options}, {"levels", {{"z-bits", session::Takes::text}, {"turn", session::Takes::number}}}};
 
-const shell::SettableOption& option_named(const std::string& name) {
-  const auto found = std::ranges::find(options, name, &shell::SettableOption::name);
+const session::SettableOption& option_named(const std::string& name) {
+  const auto found = std::ranges::find(options, name, &session::SettableOption::name);
   fuzz::require(found != options.end(), "a setting is of an option of the command");
   return *found;
 }
 
 void check(const shell::Setting& setting) {
-  const shell::SettableOption& option = option_named(setting.name);
-  fuzz::require(option.takes == shell::Takes::texts || setting.values.size() == 1, "an option has one value");
+  const session::SettableOption& option = option_named(setting.name);
+  fuzz::require(option.takes == session::Takes::texts || setting.values.size() == 1, "an option has one value");
   fuzz::require(setting.place.starts_with("fuzz.toml:"), "a setting has a place");
   for (const std::string& value : setting.values) {
     fuzz::require(value.find('\0') == std::string::npos, "a value could stand on a command line");
-    if (option.takes == shell::Takes::flag) fuzz::require(value == "true" || value == "false", "a flag is on or off");
-    if (option.takes == shell::Takes::whole_number)
+    if (option.takes == session::Takes::flag) fuzz::require(value == "true" || value == "false", "a flag is on or off");
+    if (option.takes == session::Takes::whole_number)
       fuzz::require(std::ranges::all_of(value, [](char c) { return c >= '0' && c <= '9'; }), "a whole number is one");
   }
 }
 
 /// Those that are read of what was dumped are those that were dumped.
 void check_dump(const std::vector<shell::Setting>& settings) {
-  std::vector<shell::OptionValue> dumped;
+  std::vector<session::OptionValue> dumped;
   for (const shell::Setting& setting : settings) {
     dumped.push_back({option_named(setting.name), false, "a meaning", setting.values});
     if (setting.values.empty()) dumped.pop_back();

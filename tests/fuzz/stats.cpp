@@ -5,25 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/option_table.h"
+#include "sim/session/options/option_table.h"
+#include "sim/session/options/version.h"
 #include "sim/shell/settings/recorded_run.h"
-#include "sim/shell/version.h"
 #include "tests/fuzz/property.h"
 
 namespace shell = csgsim::shell;
 namespace fuzz = csgsim::fuzz;
 
-std::string shell::version_and_build() { return "0.1.0 fuzz"; }
+std::string session::version_and_build() { return "0.1.0 fuzz"; }
 
 namespace {
 
 /// As render has them: one of each type, and what rerun passes over.
-const std::vector<shell::SettableOption> options{
-    {"model", shell::Takes::text},          {"program", shell::Takes::text},  {"size", shell::Takes::text},
-    {"machine", shell::Takes::text},        {"set", shell::Takes::texts},     {"view-all", shell::Takes::flag},
-    {"z-bits", shell::Takes::whole_number}, {"near", shell::Takes::number},   {"output", shell::Takes::text},
-    {"stats", shell::Takes::text},          {"report", shell::Takes::text},   {"checkpoint", shell::Takes::text},
-    {"resume", shell::Takes::text},         {"progress", shell::Takes::text}, {"quiet", shell::Takes::flag}};
+const std::vector<session::SettableOption> options{
+    {"model", session::Takes::text},          {"program", session::Takes::text},  {"size", session::Takes::text},
+    {"machine", session::Takes::text},        {"set", session::Takes::texts},     {"view-all", session::Takes::flag},
+    {"z-bits", session::Takes::whole_number}, {"near", session::Takes::number},   {"output", session::Takes::text},
+    {"stats", session::Takes::text},          {"report", session::Takes::text},   {"checkpoint", session::Takes::text},
+    {"resume", session::Takes::text},         {"progress", session::Takes::text}, {"quiet", session::Takes::flag}};
 
 /// A text that is none, so that files are not read.
 constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configuration": {"command": ["csgsim", "render"],
@@ -31,14 +31,15 @@ constexpr const char* other_run = R"({"clocks": 7, "parts": [1, 2], "configurati
   "picture": {"hash": "3"}}, "wall_seconds": 1})";
 
 void check(const shell::Setting& setting) {
-  const auto option = std::ranges::find(options, setting.name, &shell::SettableOption::name);
+  const auto option = std::ranges::find(options, setting.name, &session::SettableOption::name);
   fuzz::require(option != options.end(), "a setting is of an option of the command");
-  fuzz::require(shell::known_option(setting.name).role != shell::FileRole::output, "no setting names what is written");
+  fuzz::require(session::known_option(setting.name).role != session::FileRole::output,
+                "no setting names what is written");
   fuzz::require(!setting.values.empty(), "a setting has a value");
-  fuzz::require(option->takes == shell::Takes::texts || setting.values.size() == 1, "an option has one value");
+  fuzz::require(option->takes == session::Takes::texts || setting.values.size() == 1, "an option has one value");
   for (const std::string& value : setting.values)
     fuzz::require(value.find('\0') == std::string::npos, "a value could stand on a command line");
-  if (option->takes == shell::Takes::flag) fuzz::require(setting.values.front() == "true", "a flag is on");
+  if (option->takes == session::Takes::flag) fuzz::require(setting.values.front() == "true", "a flag is on");
 }
 
 /// Looks at it in one way; an error has to be one line with the file's name.

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/lists.h"
+#include "sim/session/options/lists.h"
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
@@ -78,14 +78,14 @@ bool has_doubles(std::vector<Value> values) {
 void look_at_lists(const std::string& text) {
   constexpr unsigned least = 3;
   constexpr unsigned most = 300;
-  look([&] { return shell::parse_numbers(text, least, most); },
+  look([&] { return session::parse_numbers(text, least, most); },
        [](const std::vector<unsigned>& values) {
          const auto within = [](unsigned value) { return value >= least && value <= most; };
          fuzz::require(!values.empty() && std::ranges::all_of(values, within), "numbers are within their range");
          fuzz::require(!has_doubles(values), "no number comes twice");
        });
   const std::vector<std::string> known{"stack", "list", "bits"};
-  look([&] { return shell::parse_names(text, "strategy", known); },
+  look([&] { return session::parse_names(text, "strategy", known); },
        [&](const std::vector<std::string>& names) {
          const auto is_known = [&](const std::string& name) { return std::ranges::count(known, name) == 1; };
          fuzz::require(!names.empty() && std::ranges::all_of(names, is_known), "names are known ones");

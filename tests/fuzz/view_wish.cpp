@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "sim/shell/json_text.h"
+#include "sim/session/options/json_text.h"
 #include "sim/viewer/session.h"
 #include "tests/fuzz/property.h"
 #include "tests/fuzz/scratch_file.h"
@@ -57,7 +57,7 @@ void make_small(Json& wish) {
 /// What cannot be read stays as it is.
 std::string made_small(std::string body) {
   try {
-    Json wish = csgsim::shell::parsed_json(body, {.depth = 16});
+    Json wish = csgsim::session::parsed_json(body, {.depth = 16});
     make_small(wish);
     return viewer::text_of(wish);
   } catch (const Json::exception&) {

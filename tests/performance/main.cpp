@@ -13,12 +13,12 @@
 #include "hw/base/text.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/machine_list.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/machine_list.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/run/run_request.h"
 #include "sim/studies/folder.h"
 #include "tests/performance/bench.h"
 #include "tests/performance/report.h"
@@ -167,7 +167,7 @@ void count(const CountOptions& options) {
 
 void describe_count(CommandLine& line) {
   const auto options = std::make_shared<CountOptions>();
-  Command command = line.add(
+  Command& command = line.add(
       "count", "Count what a Program takes at the functional level: the same on every computer",
       "Example:\n  csgsim_bench count traces/carburettor.csgt\n"
       "Segments and tiles of the picture; stretches, at whose ends threads meet; instructions carried out at tiles, of "
@@ -191,7 +191,7 @@ int main(int argc, char** argv) {
     csgsim::bench::describe_count(line);
     line.run({argv, static_cast<std::size_t>(argc)});
     return 0;
-  } catch (const csgsim::shell::UsageError& error) {
+  } catch (const csgsim::session::UsageError& error) {
     csgsim::tell_line("csgsim_bench: " + std::string(error.what()));
     return bad_usage;
   } catch (const std::exception& error) {

@@ -11,8 +11,8 @@
 #include "hw/base/error.h"
 #include "hw/base/hash.h"
 #include "hw/base/input_file.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/read_by.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/read_by.h"
 
 namespace csgsim::testing {
 
@@ -38,14 +38,14 @@ struct CollatzRow {
   }
 };
 
-std::vector<unsigned> addends_of(const std::string& text) { return shell::parse_numbers(text, 1, 99); }
+std::vector<unsigned> addends_of(const std::string& text) { return session::parse_numbers(text, 1, 99); }
 
 class Collatz : public studies::StudyOf<CollatzRow> {
  public:
   void add_options(shell::Command& command) override {
     command.option("FILE", file_, "Numbers, a line each").required();
     command.option("--addends", addends_, "Numbers: what is added to three times an odd number")
-        .check(shell::is_read_by(addends_of));
+        .check(session::is_read_by(addends_of));
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return {file_}; }

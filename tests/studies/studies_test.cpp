@@ -11,9 +11,8 @@
 
 #include "hw/base/error.h"
 #include "places.h"
-#include "sim/shell/usage.h"
-#include "sim/studies/gather_command.h"
-#include "sim/studies/runner.h"
+#include "sim/app/study_commands.h"
+#include "sim/session/options/usage.h"
 #include "tests/studies/collatz.h"
 #include "tests/support/error_of.h"
 
@@ -61,8 +60,8 @@ class Place {
   /// Runs the command in a line of its own.
   static void run(const Words& words, const studies::StudyRow& row = testing::collatz_row) {
     shell::CommandLine line("csgsim: a study that lives here alone", "csgsim");
-    studies::add_study(line, row);
-    studies::add_gather(line, rows);
+    app::add_study(line, row);
+    app::add_gather(line, rows);
     line.run(words, {});
   }
 
@@ -147,8 +146,8 @@ TEST_CASE("options of all studies are checked for a study that the house does no
   const Place place("options");
   for (const Words& words : {Words{"--addends", "0"}, Words{"--shard", "3/2"}, Words{"--threads", "0"},
                              Words{"--report", "page.txt"}, Words{"--shard", "1/2", "--report", "page.html"}})
-    CHECK_THROWS_AS(place.study("out", words), shell::UsageError);
-  CHECK_THROWS_AS(Place::run({"collatz", place / "numbers.txt"}), shell::UsageError);  // without -o
+    CHECK_THROWS_AS(place.study("out", words), session::UsageError);
+  CHECK_THROWS_AS(Place::run({"collatz", place / "numbers.txt"}), session::UsageError);  // without -o
   place.write("numbers.txt", "none\n");
   CHECK_THROWS_AS(place.study("out", {"--no-plots"}), InputError);
 }

@@ -4,7 +4,8 @@
 
 namespace csgsim::app {
 
-using namespace shell;  // in whose words commands are written
+using namespace session;  // whose requests commands read,
+using namespace shell;    // and show
 
 /// Every command but studies, in the order of help: NAME.cpp describes the command NAME in add_NAME. Its subject in
 /// help is in sim/shell/option_table.cpp.

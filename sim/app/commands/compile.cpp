@@ -11,22 +11,22 @@
 #include "hw/isa/binary.h"
 #include "hw/isa/program.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/near_faces_warning.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/model/near_faces_warning.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
 
 namespace csgsim::app {
 
 void add_compile(CommandLine& line) {
   struct Options {
-    ModelOptions model;
+    ModelRequest model;
     std::string output;
   };
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("compile", "Compile a CSG model into a Program file, to be run without the model",
                "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt\n  csgsim run carburettor.csgt -o "
                "carburettor.png");

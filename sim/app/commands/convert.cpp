@@ -21,14 +21,14 @@
 #include "hw/base/text.h"
 #include "hw/base/work.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/run_options.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/run_request.h"
 #include "sim/software/convert/blocks.h"
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/formats.h"
@@ -41,7 +41,7 @@ namespace {
 namespace convert = software::convert;
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::string output;
   std::string stats;
   bool ascii = false;
@@ -204,7 +204,7 @@ void run(const Options& options) {
 
 void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("convert", "Convert a model into a mesh, the closed boundary of what its tree leaves, or into blocks",
                "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
                "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"

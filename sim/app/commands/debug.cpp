@@ -16,22 +16,22 @@
 #include "sim/app/commands/commands.h"
 #include "sim/app/terminal.h"
 #include "sim/debug/session.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/run_options.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/run_request.h"
 
 namespace csgsim::app {
 
 namespace {
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::string commands;
   unsigned threads = 1;
 };
@@ -41,7 +41,7 @@ constexpr InputKind command_file{"name a file of commands", std::size_t{1} << 20
 /// Carries out a line and prints what it tells. Throws InputError with the line's place in front.
 void carry_out(const std::string& text, const std::string& name, std::size_t line, const isa::Program& program,
                debug::Session& session) {
-  const debug::Command command = debug::parse_command(text, name, line, program);
+  const debug::Command& command = debug::parse_command(text, name, line, program);
   try {
     fmt::print("{}", session.carry_out(command));
   } catch (const InputError& error) {
@@ -96,7 +96,7 @@ void look_into(const Options& options, const isa::Program& program, const machin
 
 void add_debug(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("debug", "Step through a Program: stop, look at pixels, go back",
                "Commands come from a file, from standard input, or from the keyboard; `help` lists them.\n"
                "Example:\n  csgsim debug traces/thesis_fig_2_3.csgt -x commands.txt\n  echo 'until Z2[200,200] < "
@@ -105,7 +105,7 @@ void add_debug(CommandLine& line) {
   command.option("-x,--commands", options->commands, "A file of commands, a line each").check(not_empty);
   command.option("--threads", options->threads, "Threads that it works on; the states are the same")
       .between(1U, most_threads);
-  command.runs([options, command] {
+  command.runs([options, &command] {
     if (options->model.model == standard_stream && options->commands.empty())
       throw UsageError("MODEL", "standard input is for the commands then; name a file of commands, -x FILE");
     if (!is_model(options->model.model)) refuse_model_options(command, {"machine", "set", "commands", "threads"});

@@ -18,17 +18,17 @@
 #include "sim/lockstep/comparison.h"
 #include "sim/observe/stats_json.h"
 #include "sim/report/two_page.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/prunings.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/report_option.h"
-#include "sim/shell/run_options.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/prunings.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/report_option.h"
+#include "sim/session/run/run_request.h"
 #include "sim/story/phrases.h"
 #include "sim/story/story.h"
 #include "sim/story/story_text.h"
@@ -48,7 +48,7 @@ struct SideOptions {
 };
 
 struct Options {
-  ModelOptions both;
+  ModelRequest both;
   SideOptions a;
   SideOptions b;
   bool no_stories = false;
@@ -63,8 +63,8 @@ struct Subject {
   isa::Program program;
 };
 
-ModelOptions options_of(const ModelOptions& both, const SideOptions& side) {
-  ModelOptions options = both;
+ModelRequest options_of(const ModelRequest& both, const SideOptions& side) {
+  ModelRequest options = both;
   options.model = side.subject;
   if (!side.machine.empty()) options.machine = side.machine;
   if (!side.strategy.empty()) options.strategy = side.strategy;
@@ -74,14 +74,14 @@ ModelOptions options_of(const ModelOptions& both, const SideOptions& side) {
 }
 
 /// `asked`: whether --machine was given for both.
-Subject subject_of(const ModelOptions& both, const SideOptions& side, bool asked) {
-  const ModelOptions options = options_of(both, side);
+Subject subject_of(const ModelRequest& both, const SideOptions& side, bool asked) {
+  const ModelRequest options = options_of(both, side);
   ProgramOnMachine found = program_of(options, asked || !side.machine.empty() ? options.machine : "");
   return {printable(side.subject), side.level, std::move(found.machine), std::move(found.program)};
 }
 
 /// Of a side that is a Program, options that say how to compile have no meaning.
-void refuse_misuse(const Options& options, const Command& command) {
+void refuse_misuse(const Options& options, const OptionList& command) {
   const bool is_model_a = is_model(options.a.subject);
   const bool is_model_b = is_model(options.b.subject);
   for (const auto& [side, is_one, letter] : {std::tuple(&options.a, is_model_a, "a"), {&options.b, is_model_b, "b"}}) {
@@ -235,7 +235,7 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
   print_picture(comparison, a, b);
 }
 
-void diff(const Options& options, const Command& command) {
+void diff(const Options& options, const OptionList& command) {
   refuse_misuse(options, command);
   ReportFile page(options.report, std::to_array<std::filesystem::path>({options.a.subject, options.b.subject}));
   const bool asked = is_given(command, "machine");
@@ -277,7 +277,7 @@ void add_side(Command& command, SideOptions& side, const std::string& letter) {
 
 void add_diff(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add(
+  Command& command = line.add(
       "diff", "Run two Programs, machines, levels or settings side by side and tell where they first differ",
       "Example:\n  csgsim diff old.csgt new.csgt\n  csgsim diff tests/models/carburettor.csg --size 64x64 --level-b "
       "cycle\n  csgsim diff part.csg --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
@@ -291,7 +291,7 @@ void add_diff(CommandLine& line) {
   command.flag("--no-stories", options->no_stories, "Leave out what happened at the pixel on both sides");
   options->report.add_to(command);
   command.prints_summary();
-  command.runs([options, command] {
+  command.runs([options, &command] {
     if (options->b.subject.empty()) options->b.subject = options->a.subject;
     diff(*options, command);
   });

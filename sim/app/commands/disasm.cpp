@@ -10,10 +10,10 @@
 #include "hw/bit_serial_memory/row_text.h"
 #include "hw/isa/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/subject.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
 
 namespace csgsim::app {
 
@@ -37,8 +37,8 @@ void add_disasm(CommandLine& line) {
     bool row_commands = false;
   };
   const auto options = std::make_shared<Options>();
-  Command command = line.add("disasm", "Show a Program as text, which csgsim run reads too",
-                             "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
+  Command& command = line.add("disasm", "Show a Program as text, which csgsim run reads too",
+                              "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
   command.flag(

@@ -17,13 +17,13 @@
 #include "sim/observe/stats_json.h"
 #include "sim/report/pictures.h"
 #include "sim/report/study_pages.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/report_option.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/run/report_option.h"
+#include "sim/session/run/run_request.h"
 #include "sim/studies/folder.h"
 
 namespace csgsim::app {
@@ -33,7 +33,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::string folder;
   ReportOption report;
 };
@@ -46,7 +46,7 @@ struct Variant {
 };
 
 /// Without those effects, whatever the scene or the model calls for.
-Variant draw_without(const ModelOptions& all, const std::vector<std::string>& without,
+Variant draw_without(const ModelRequest& all, const std::vector<std::string>& without,
                      const machines::Machine& machine) {
   const auto begin = std::chrono::steady_clock::now();
   isa::Program program = compile_model(all.without_effects(without), machine).program;
@@ -84,7 +84,7 @@ std::int64_t difference(std::uint64_t with, std::uint64_t without) {
   return static_cast<std::int64_t>(with) - static_cast<std::int64_t>(without);
 }
 
-Bill make_bill(const ModelOptions& options, const machines::Machine& machine) {
+Bill make_bill(const ModelRequest& options, const machines::Machine& machine) {
   Bill bill;
   bill.all = draw_without(options, {}, machine);
   const std::vector<std::string>& all = bill.all.program.facts.compile.effects;
@@ -207,7 +207,7 @@ void run(const Options& options) {
 
 void add_effects(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("effects", "Show what each effect of a scene costs, alone and together, and the picture without it",
                "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
                "The effects that there are, and their settings: docs/effects.md.");

@@ -1,4 +1,4 @@
-#include "sim/calls/explain.h"
+#include "sim/session/run/explain.h"
 
 #include <fmt/format.h>
 
@@ -11,23 +11,23 @@
 
 #include "hw/base/output_file.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
 
 namespace csgsim::app {
 
 namespace {
 
-struct Options : calls::ExplainOptions {
+struct Options : session::ExplainRequest {
   std::string json;
 };
 
-void run(const Options& options, const Command& command) {
-  calls::refuse_misuse(options, command);
+void run(const Options& options, const OptionList& command) {
+  session::refuse_misuse(options, command);
   refuse_clashes(options.model.inputs(), std::to_array<std::filesystem::path>({options.json}));
   std::optional<OutputFile> file;
   if (!options.json.empty()) file.emplace(options.json);
-  const story::Answer answer = calls::explain(options, command);
+  const story::Answer answer = session::explain(options, command);
   if (!file) {
     fmt::print("{}", answer.text);
     return;
@@ -40,12 +40,13 @@ void run(const Options& options, const Command& command) {
 
 void add_explain(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add("explain", "Tell why a pixel shows what it shows: its owner, and its story by instruction",
-                             "Example:\n  csgsim explain traces/thesis_fig_2_3.csgt --pixel 200,300 --why-not p1\n"
-                             "  csgsim explain thesis_fig_2_3.csg --point 10,0,6 --json story.json");
+  Command& command =
+      line.add("explain", "Tell why a pixel shows what it shows: its owner, and its story by instruction",
+               "Example:\n  csgsim explain traces/thesis_fig_2_3.csgt --pixel 200,300 --why-not p1\n"
+               "  csgsim explain thesis_fig_2_3.csg --point 10,0,6 --json story.json");
   options->add_to(command);
   command.option("--json", options->json, "The whole story, .json, in place of the text; - prints it").check(not_empty);
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, &command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

@@ -10,20 +10,20 @@
 
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/run_request.h"
 
 namespace csgsim::app {
 
 namespace {
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::string levels = "functional,cycle,reference";
   std::string progress = "auto";
 };
@@ -60,7 +60,7 @@ void compare_levels(const Options& options) {
 
 void add_levels(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("levels", "Run a model at every level: what fidelity costs in time, and that the results are equal",
                "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256\n"
                "  csgsim levels carburettor.csg --levels functional,cycle");

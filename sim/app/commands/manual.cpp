@@ -15,11 +15,11 @@
 #include "hw/process/process.h"
 #include "hw/processors/processor.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/machine_list.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/machine_list.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/methods/rows.h"
 #include "sim/software/space/directory.h"
@@ -155,10 +155,10 @@ void run(const Options& options) {
 
 void add_manual(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add("manual", "Tell of the machines, methods of software, the instruction set, scene files",
-                             "Example:\n  csgsim manual machines\n  csgsim manual machines pixel-planes-4 --set "
-                             "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
-                             "Without a topic it lists them.");
+  Command& command = line.add("manual", "Tell of the machines, methods of software, the instruction set, scene files",
+                              "Example:\n  csgsim manual machines\n  csgsim manual machines pixel-planes-4 --set "
+                              "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
+                              "Without a topic it lists them.");
   std::vector<std::string> names;
   names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);

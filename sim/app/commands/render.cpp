@@ -1,18 +1,20 @@
-#include "sim/calls/render.h"
+#include "sim/session/run/render.h"
 
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "sim/app/commands/commands.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/run_outputs.h"
 #include "sim/shell/frames.h"
-#include "sim/shell/run_outputs.h"
-#include "sim/shell/usage.h"
+#include "sim/shell/run_program.h"
+#include "sim/studies/accuracy/choose_bits.h"
 
 namespace csgsim::app {
 
 namespace {
 
-struct Options : calls::RenderOptions {
+struct Options : RenderRequest {
   Turntable turntable;
 };
 
@@ -23,22 +25,22 @@ void run_frames(const Options& options) {
   draw_frames(options.model, options.run, options.turntable, machine_of(options.model));
 }
 
-void run(Options& options, const Command& command) {
+void run(Options& options, const OptionList& command) {
   if (options.turntable.frames > 1) {
-    if (command.watch().after) throw UsageError("--frames", "a sequence of frames has no stats to be compared with");
+    if (command.watch.after) throw UsageError("--frames", "a sequence of frames has no stats to be compared with");
     return run_frames(options);
   }
   RunOutputs outputs(options.run, options.model.inputs());
-  const calls::Compiled compiled = calls::compile(options);
-  run_program(command, compiled.subject(options), options.run, outputs, calls::advice_of(options, compiled),
-              calls::judge_of(options, compiled));
+  const Compiled compiled = compile(options, studies::choose_bits);
+  run_program(command, compiled.subject(options), options.run, outputs, advice_of(options, compiled),
+              judge_of(options, compiled));
 }
 
 }  // namespace
 
 void add_render(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("render", "Draw a CSG model on a machine and count what it takes",
                "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
                "carburettor.json\n"
@@ -51,7 +53,7 @@ void add_render(CommandLine& line) {
   command.option("--turn", options->turntable.degrees,
                  "Degrees that the camera turns about the vertical axis through its centre from one frame to the next");
   command.prints_summary();
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, &command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

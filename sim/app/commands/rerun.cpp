@@ -11,10 +11,10 @@
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/option_table.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/options/option_table.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/run/run_request.h"
 #include "sim/shell/settings/recorded_run.h"
 
 namespace csgsim::app {
@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string file;
-  RunOptions run;  ///< what is written of the new run, and its progress
+  RunRequest run;  ///< what is written of the new run, and its progress
   std::string from;
   bool anyway = false;
 };
@@ -64,7 +64,7 @@ struct Comparison {
   std::vector<std::string> differing;
 };
 
-void rerun(CommandLine& line, const Command& command, const Options& options) {
+void rerun(CommandLine& line, const Options& options) {
   const RecordedRun run = read_recorded_run(options.file);
   refuse_clashes(std::vector<fs::path>{options.file},
                  std::vector<fs::path>{options.run.picture, options.run.depth, options.run.owner, options.run.stats});
@@ -73,14 +73,13 @@ void rerun(CommandLine& line, const Command& command, const Options& options) {
   if (!options.from.empty()) go_to(options.from);
   refuse(run, changes_since(run), options.anyway);
   Comparison comparison;
-  command.watch() = {[&](const nlohmann::ordered_json& configuration) {
-                       refuse(run, changes_between(run, configuration), options.anyway);
-                     },
-                     [&](const nlohmann::ordered_json& stats) {
-                       comparison = {true, differences(run, stats)};
-                     }};
-  line.run(words, settings);
-  command.watch() = {};
+  line.run(words, settings,
+           {[&](const nlohmann::ordered_json& configuration) {
+              refuse(run, changes_between(run, configuration), options.anyway);
+            },
+            [&](const nlohmann::ordered_json& stats) {
+              comparison = {true, differences(run, stats)};
+            }});
   if (!comparison.is_done)
     throw InputError(run.file + ": nothing was run that could be compared; take a stats file as csgsim wrote it");
   if (!comparison.differing.empty()) {
@@ -93,7 +92,7 @@ void rerun(CommandLine& line, const Command& command, const Options& options) {
 
 void add_rerun(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add(
+  Command& command = line.add(
       "rerun", "Run again what a stats file tells of, and see that picture and counts are the same",
       "Example:\n  csgsim render carburettor.csg -o carburettor.png --stats carburettor.json\n  csgsim rerun "
       "carburettor.json -o again.png\nWhat was written then is not written again, but where an option here says so.");
@@ -104,7 +103,7 @@ void add_rerun(CommandLine& line) {
   command.flag("--anyway", options->anyway, "Go on where csgsim or a file that was read is not as it was");
   add_progress(command, options->run.progress);
   command.prints_summary();
-  command.runs([&line, options, command] { rerun(line, command, *options); });
+  command.runs([&line, options] { rerun(line, *options); });
 }
 
 }  // namespace csgsim::app

@@ -15,15 +15,15 @@
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/rtl/design.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
 
 namespace csgsim::app {
 
@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::string output;
 };
 
@@ -45,7 +45,7 @@ struct Subject {
 };
 
 /// Where there is no model.
-void refuse_what_is_for_models(const ModelOptions& options, const Command& command) {
+void refuse_what_is_for_models(const ModelRequest& options, const OptionList& command) {
   const std::string mend = "name one behind the machine";
   refuse_model_options(command, {"size", "memory-bits", "set", "output"}, mend);
   const std::vector<std::string> of_scene = sorted(options.sets).scene;
@@ -53,7 +53,7 @@ void refuse_what_is_for_models(const ModelOptions& options, const Command& comma
     throw UsageError("--set", fmt::format("'{}' is for models; {}", printable(of_scene.front()), mend));
 }
 
-Subject subject_of(const Options& options, const Command& command) {
+Subject subject_of(const Options& options, const OptionList& command) {
   if (options.model.model.empty()) {
     refuse_what_is_for_models(options.model, command);
     return {machine_of(options.model), std::nullopt};
@@ -78,7 +78,7 @@ void warn_of_size(const machines::Machine& machine) {
                   machine.array.width, machine.array.height));
 }
 
-void write_design(const Options& options, const Command& command) {
+void write_design(const Options& options, const OptionList& command) {
   const fs::path folder = options.output;
   if (is_standard_output(folder)) throw UsageError("--output", "a design is several files; name a folder");
   const Subject subject = subject_of(options, command);
@@ -101,7 +101,7 @@ void write_design(const Options& options, const Command& command) {
 
 void add_rtl(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add(
+  Command& command = line.add(
       "rtl", "Write a machine as Verilog: a design to simulate and to put on an FPGA, with a Program in its memory",
       "Example:\n  csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o design\n"
       "  make -C design icarus ice40\nWhat is in the folder, and what fits on which FPGA: docs/hardware.md.");
@@ -124,7 +124,7 @@ void add_rtl(CommandLine& line) {
       .check(not_empty)
       .folder();
   command.prints_summary();
-  command.runs([options, command] { write_design(*options, command); });
+  command.runs([options, &command] { write_design(*options, command); });
 }
 
 }  // namespace csgsim::app

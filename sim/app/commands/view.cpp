@@ -14,11 +14,11 @@
 #include "hw/base/input_file.h"
 #include "hw/base/standard_streams.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/options.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/usage.h"
 #include "sim/viewer/door.h"
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/page.h"
@@ -30,7 +30,7 @@ namespace csgsim::app {
 namespace {
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   unsigned port = 0;
   unsigned patience = 10;
   unsigned evaluation_time = 10;
@@ -41,7 +41,7 @@ bool is_knob(const std::string& name) { return std::ranges::find(viewer::knobs, 
 /// Options that render does not have.
 bool is_own(const std::string& name) { return name == "port" || name == "patience" || name == "evaluation-time"; }
 
-viewer::Beginning beginning_of(const Options& options, const Command& command) {
+viewer::Beginning beginning_of(const Options& options, const OptionList& command) {
   viewer::Beginning beginning{options.model.model, {}, viewer::Json::object()};
   for (const OptionValue& one : command.values()) {
     if (one.is_operand || one.values.empty() || !is_given(command, one.name)) continue;
@@ -61,7 +61,7 @@ viewer::Beginning beginning_of(const Options& options, const Command& command) {
   return beginning;
 }
 
-void run(const Options& options, const Command& command) {
+void run(const Options& options, const OptionList& command) {
   if (options.model.model == standard_stream) throw UsageError("model", "has to be a file, which the page shows");
   if (!is_model(options.model.model)) throw UsageError("model", "is a Program; csgsim debug steps through it");
   // They are read again for each picture, and a pipe would have to be waited for.
@@ -99,9 +99,9 @@ void run(const Options& options, const Command& command) {
 
 void add_view(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add("view", "Show a model in a browser, drawn by the machine while it is turned and edited",
-                             "Example:\n  csgsim view carburettor.csg\n"
-                             "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
+  Command& command = line.add("view", "Show a model in a browser, drawn by the machine while it is turned and edited",
+                              "Example:\n  csgsim view carburettor.csg\n"
+                              "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
   options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
   command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 takes a free one").between(0U, 65'535U);
   command
@@ -112,7 +112,7 @@ void add_view(CommandLine& line) {
       .option("--evaluation-time", options->evaluation_time,
               "Seconds that evaluating the model's source may take, by OpenSCAD and by csgsim; then it is ended")
       .between(1U, 86'400U);
-  command.runs([options, command] { run(*options, command); });
+  command.runs([options, &command] { run(*options, command); });
 }
 
 }  // namespace csgsim::app

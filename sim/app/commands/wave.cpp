@@ -18,16 +18,16 @@
 #include "hw/base/seconds.h"
 #include "hw/base/text.h"
 #include "sim/app/commands/commands.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/primitive_name.h"
-#include "sim/shell/program_of.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/run_options.h"
-#include "sim/shell/subject.h"
-#include "sim/shell/usage.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/model/primitive_name.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
+#include "sim/session/run/run_request.h"
 #include "sim/waves/foreknowledge.h"
 #include "sim/waves/record.h"
 #include "sim/waves/view.h"
@@ -39,7 +39,7 @@ namespace csgsim::app {
 namespace {
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::vector<std::string> pixels;
   std::vector<std::string> probes;
   std::string window = "0:2000";
@@ -137,7 +137,7 @@ Windows whole_frame(const waves::Foreknowledge& known) {
 }
 
 /// Of a file of what the parts are at without a pixel.
-void refuse_what_pixels_have(const Command& command) {
+void refuse_what_pixels_have(const OptionList& command) {
   for (const char* const option : {"at", "evaluator"}) {
     if (is_given(command, option))
       throw UsageError("--" + std::string(option), "is of a pixel; say which, as in --pixel 100,20");
@@ -145,7 +145,7 @@ void refuse_what_pixels_have(const Command& command) {
 }
 
 /// Refuses words that do not go together; returns the window that is asked for, if --at does not stand in its place.
-std::optional<waves::WindowRequest> checked(const Options& options, const Command& command) {
+std::optional<waves::WindowRequest> checked(const Options& options, const OptionList& command) {
   if (options.lanes && !is_unnamed_stream(options.output) && !ends_in(options.output, ".json"))
     throw UsageError("--lanes", "the name of a file of lanes has to end in .json");
   if (!ends_in(options.output, ".vcd") && !ends_in(options.output, ".fst") && has_views(options))
@@ -191,7 +191,7 @@ void print_summary(const Options& options, const Windows& windows, const wave::R
              has_views(options) ? "; to look at it: gtkwave " + shell_word(view_paths(options).front().native()) : "");
 }
 
-void record(const Options& options, const Command& command) {
+void record(const Options& options, const OptionList& command) {
   const std::optional<waves::WindowRequest> asked = checked(options, command);
   std::vector<std::filesystem::path> outputs{options.output};
   for (std::filesystem::path& path : view_paths(options)) outputs.push_back(std::move(path));
@@ -243,7 +243,7 @@ void record(const Options& options, const Command& command) {
 
 void add_wave(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command = line.add(
+  Command& command = line.add(
       "wave", "Record what a machine's parts and some pixels do over a window of clocks",
       "Example:\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o last_write.vcd\n"
@@ -275,7 +275,7 @@ void add_wave(CommandLine& line) {
               "are at over the frame, and with --pixel all that a wave shows, as trace events, which Perfetto shows")
       .required();
   command.prints_summary();
-  command.runs([options, command] { record(*options, command); });
+  command.runs([options, &command] { record(*options, command); });
 }
 
 }  // namespace csgsim::app

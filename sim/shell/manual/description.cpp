@@ -1,6 +1,5 @@
 #include "sim/shell/manual/description.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -10,9 +9,8 @@
 #include "hw/base/output_file.h"
 #include "hw/kinds/load.h"
 #include "hw/processors/processor.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/option_table.h"
-#include "sim/shell/version.h"
+#include "sim/session/options/option_table.h"
+#include "sim/session/options/version.h"
 
 namespace csgsim::shell {
 
@@ -26,52 +24,67 @@ std::string settings_name(const OptionHelp& option) {
   return name;
 }
 
-/// What a check of that name tells of itself; empty if there is none.
-std::string told_by(CLI::Option& option, const char* check) {
-  try {
-    return option.get_validator(check)->get_description();
-  } catch (const CLI::OptionNotFound&) {
-    return {};
+const char* type_of(const Option& option) {
+  if (option.is_folder) return folder_type;
+  switch (option.takes) {
+    case Takes::flag: return "";
+    case Takes::whole_number: return "UINT";
+    case Takes::number: return "FLOAT";
+    case Takes::text:
+    case Takes::texts: break;
   }
+  return "TEXT";
 }
 
-OptionHelp help_of_option(CLI::Option& option) {
+OptionHelp help_of_option(const Option& option) {
+  return {.names = option.names,
+          .type = type_of(option),
+          .meaning = option.meaning,
+          .words = option.offered,
+          .range = option.range,
+          .usual = option.usual,
+          .is_needed = option.is_required,
+          .takes_several = option.takes == Takes::texts};
+}
+
+OptionHelp help_of_own(std::vector<std::string> names, std::string type, std::string meaning) {
   OptionHelp help;
-  if (option.get_positional()) {
-    help.names.push_back(option.get_name());
-  } else {
-    for (const std::string& name : option.get_snames()) help.names.push_back("-" + name);
-    for (const std::string& name : option.get_lnames()) help.names.push_back("--" + name);
-  }
-  const std::string type = option.get_type_name();
-  help.type = option.get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
-  help.meaning = option.get_description();
-  if (const std::string words = told_by(option, words_check); !words.empty()) {
-    for (const std::string_view word : split(words, ", ")) help.words.emplace_back(word);
-  }
-  help.range = told_by(option, range_check);
-  help.usual = option.get_default_str();
-  help.is_needed = option.get_required();
-  help.takes_several = option.get_items_expected_max() > 1;
+  help.names = std::move(names);
+  help.type = std::move(type);
+  help.meaning = std::move(meaning);
   return help;
 }
+
+OptionHelp help_of_help() { return help_of_own({"-h", "--help"}, "", "Print this help message and exit"); }
 
 }  // namespace
 
-CommandHelp help_of_command(CLI::App& command) {
-  CommandHelp help{command.get_name(), command.get_description(), command.get_footer(), {}, {}};
-  for (CLI::Option* const option : command.get_options()) {
-    if (option->get_group() == hidden_group) continue;
-    (option->get_positional() ? help.operands : help.options).push_back(help_of_option(*option));
-  }
+CommandHelp help_of_command(const Command& command) {
+  CommandHelp help{command.name(), command.description, command.footer, {}, {help_of_help()}};
+  for (const Option& option : command.all())
+    (option.is_operand ? help.operands : help.options).push_back(help_of_option(option));
+  if (command.all().empty()) return help;
+  help.options.push_back(
+      help_of_own({std::string(config_name)}, "TEXT",
+                  "A settings file, .toml: options of this command and others; what the command line says wins"));
+  help.options.push_back(
+      help_of_own({std::string(dump_name)}, "", "Print every option as it is now, as a settings file, and do nothing"));
   return help;
 }
 
-Description describe(CLI::App& app) {
-  CommandHelp program = help_of_command(app);
-  Description description{program.name, program.meaning, version(), date_of_sources(), std::move(program.options), {}};
-  for (CLI::App* const command : app.get_subcommands({})) description.commands.push_back(help_of_command(*command));
-  return description;
+std::vector<CommandHelp> helps_of(const std::deque<Command>& commands) {
+  std::vector<CommandHelp> helps;
+  for (const Command& command : commands) helps.push_back(help_of_command(command));
+  return helps;
+}
+
+Description describe(const std::string& program, const std::string& meaning, const std::deque<Command>& commands) {
+  return {program,
+          meaning,
+          version(),
+          date_of_sources(),
+          {help_of_help(), help_of_own({"--version"}, "", "Print version, commit, build and libraries")},
+          helps_of(commands)};
 }
 
 ValueKind kind_of(const OptionHelp& option) {

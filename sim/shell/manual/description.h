@@ -1,14 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <vector>
 
+#include "sim/shell/command_line.h"
 #include "sim/shell/manual/help.h"
-
-namespace CLI {
-class App;
-}
 
 namespace csgsim::shell {
 
@@ -41,18 +39,10 @@ struct Description {
   std::vector<CommandHelp> commands;
 };
 
-// Names of the checks that tell which words, and which numbers, an option takes.
-inline constexpr const char* words_check = "words";
-inline constexpr const char* range_check = "range";
+CommandHelp help_of_command(const Command& command);
+std::vector<CommandHelp> helps_of(const std::deque<Command>& commands);
 
-/// The group of options that no help shows.
-inline constexpr const char* hidden_group = "Hidden";
-
-/// What the library that reads the command line knows of a command.
-CommandHelp help_of_command(CLI::App& command);
-
-/// The same of all.
-Description describe(CLI::App& app);
+Description describe(const std::string& program, const std::string& meaning, const std::deque<Command>& commands);
 
 /// A file that is made from the description.
 struct DescriptionFile {

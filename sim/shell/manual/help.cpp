@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "sim/shell/option_table.h"
+#include "sim/session/options/option_table.h"
 
 namespace csgsim::shell {
 
@@ -135,7 +135,7 @@ std::string long_name(const OptionHelp& option) {
 
 std::string value_name(const OptionHelp& option) {
   if (option.type.empty() || option.type == folder_type) return option.type;
-  const std::string_view value = known_option(long_name(option)).value;
+  const std::string_view value = session::known_option(long_name(option)).value;
   if (!value.empty()) return std::string(value);
   if (!option.words.empty()) return "WORD";
   return option.type == "UINT" ? "N" : option.type == "FLOAT" ? "X" : "TEXT";
@@ -144,12 +144,12 @@ std::string value_name(const OptionHelp& option) {
 std::vector<SubjectHelp> by_subject(std::span<const OptionHelp> options) {
   std::vector<SubjectHelp> subjects;
   for (const OptionHelp& option : options) {
-    const std::string_view subject = known_option(long_name(option)).subject;
+    const std::string_view subject = session::known_option(long_name(option)).subject;
     auto found = std::ranges::find(subjects, subject, &SubjectHelp::subject);
     if (found == subjects.end()) found = subjects.insert(found, SubjectHelp{subject, {}});
     found->options.push_back(&option);
   }
-  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return place_of_subject(one.subject); });
+  std::ranges::sort(subjects, {}, [](const SubjectHelp& one) { return session::place_of_subject(one.subject); });
   return subjects;
 }
 
@@ -181,13 +181,13 @@ std::string help_of_all(const std::string& meaning, std::span<const CommandHelp>
   std::string text = wrapped(meaning, 0, 0) + "\nUsage: csgsim COMMAND [OPTIONS]\n";
   std::vector<std::string_view> subjects;
   for (const CommandHelp& command : commands) {
-    const std::string_view subject = subject_of_command(command.name);
+    const std::string_view subject = session::subject_of_command(command.name);
     if (std::ranges::find(subjects, subject) == subjects.end()) subjects.push_back(subject);
   }
   for (const std::string_view subject : subjects) {
     text += fmt::format("\n{}:\n", subject);
     for (const CommandHelp& command : commands)
-      if (subject_of_command(command.name) == subject) text += line_of(command.name, command.meaning);
+      if (session::subject_of_command(command.name) == subject) text += line_of(command.name, command.meaning);
   }
   return text + "\n" +
          wrapped(

@@ -4,19 +4,17 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <limits>
 #include <string_view>
 #include <system_error>
 
 #include "hw/base/error.h"
-#include "hw/base/hash.h"
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
-#include "sim/shell/json_text.h"
-#include "sim/shell/option_table.h"
-#include "sim/shell/version.h"
+#include "sim/session/options/json_text.h"
+#include "sim/session/options/option_table.h"
+#include "sim/session/options/version.h"
+#include "sim/session/run/recorded_bytes.h"
 
 namespace csgsim::shell {
 
@@ -32,9 +30,6 @@ constexpr auto recorded_commands = std::to_array<std::string_view>({"render", "r
 /// Options without effect on picture and counts, beside names of what is written.
 constexpr auto without_effect =
     std::to_array<std::string_view>({"checkpoint-every", "openscad-time", "progress", "quiet"});
-
-/// Read once already, within limits of its own.
-constexpr InputKind input_again{"a file", std::numeric_limits<std::size_t>::max(), ""};
 
 constexpr std::size_t most_differences = 10;  ///< that are told
 
@@ -142,37 +137,6 @@ Json picture_of(const Json& stats) {
 }
 
 }  // namespace
-
-Json bytes_json(const std::string& bytes) {
-  if (printable(bytes) == bytes) return bytes;
-  std::string digits;
-  for (const char byte : bytes) digits += fmt::format("{:02x}", static_cast<unsigned char>(byte));
-  return {{"hex", digits}};
-}
-
-std::string bytes_of(const Json& json) {
-  if (json.is_string()) return json.get<std::string>();
-  const bool has_digits = json.is_object() && json.contains("hex") && json["hex"].is_string();
-  const std::string digits = has_digits ? json["hex"].get<std::string>() : "";
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-    unsigned byte = 0;
-    const auto [end, error] = std::from_chars(digits.data() + i, digits.data() + i + 2, byte, 16);
-    if (error != std::errc() || end != digits.data() + i + 2) break;
-    bytes += static_cast<char>(byte);
-  }
-  if (!has_digits || bytes.size() * 2 != digits.size()) throw InputError("neither a text nor bytes in hexadecimal");
-  return bytes;
-}
-
-Json hash_of_file(const std::filesystem::path& file) {
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(file, error);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return nullptr;
-  Hash hash;
-  hash.add(read_file(file, input_again));
-  return hash.text();
-}
 
 RecordedRun read_recorded_run(const std::string& file) { return recorded_run_of(read_file(file, stats_input), file); }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "sim/session/options/option_list.h"
 #include "sim/shell/settings/settings_file.h"
 
 namespace csgsim::shell {
@@ -16,15 +17,6 @@ struct RecordedRun {
   nlohmann::ordered_json stats;
   nlohmann::ordered_json configuration;
 };
-
-/// The hash of the bytes of a file; null of what can be read only once, as a pipe is. Throws InputError.
-nlohmann::ordered_json hash_of_file(const std::filesystem::path& file);
-
-/// Bytes from outside, as JSON can hold them: those that are no plain text are {"hex": "..."}.
-nlohmann::ordered_json bytes_json(const std::string& bytes);
-
-/// The same back. Throws InputError where it is neither.
-std::string bytes_of(const nlohmann::ordered_json& json);
 
 /// Throws InputError where the file is no stats file, or has no configuration.
 RecordedRun read_recorded_run(const std::string& file);

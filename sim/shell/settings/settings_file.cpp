@@ -11,7 +11,7 @@
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
 #include "hw/base/toml_text.h"
-#include "sim/shell/option_table.h"
+#include "sim/session/options/option_table.h"
 
 namespace csgsim::shell {
 

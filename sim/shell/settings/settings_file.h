@@ -7,32 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/session/options/option_list.h"
+
 namespace csgsim::shell {
+
+using namespace session;  // whose requests the shell reads and shows
 
 inline constexpr std::size_t most_in_list = 10'000;  ///< values that a file gives an option
 
-/// What an option takes.
-enum class Takes : std::uint8_t {
-  flag,          ///< nothing, or true or false
-  whole_number,  ///< 0 or more
-  number,
-  text,
-  texts,  ///< any number of them
-};
-
-/// An option of a command, or an operand of it, under the name that settings have: the long one without dashes, or the
-/// operand's in small letters.
-struct SettableOption {
-  std::string name;
-  Takes takes = Takes::text;
-};
-
-/// An option or operand with the value that it has, given or by default.
-struct OptionValue : SettableOption {
-  bool is_operand = false;
-  std::string meaning;
-  std::vector<std::string> values;  ///< none where nothing is said
-};
+// Options of every command with options, about settings files.
+inline constexpr std::string_view config_name = "--config";
+inline constexpr std::string_view dump_name = "--dump-config";
 
 struct SettableCommand {
   std::string name;

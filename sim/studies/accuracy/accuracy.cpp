@@ -12,13 +12,13 @@
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/see_through.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/see_through.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/version.h"
+#include "sim/session/run/memory.h"
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/accuracy/pareto.h"
 #include "sim/studies/accuracy/plots.h"
@@ -31,7 +31,7 @@ namespace csgsim::studies {
 namespace {
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   unsigned views = 4;
   std::string knobs;
   std::string tolerances;
@@ -120,7 +120,7 @@ Knobs knobs_of(const Options& options, const machines::Machine& machine, const m
 
 class Accuracy : public StudyOf<Measurement> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     options_.model.add_to(command);
     command.remove("--memory-bits");  // what is needed is one of the results
     command.option("--views", options_.views, "Views that a point is measured in: the camera turned about the vertical")

@@ -23,7 +23,7 @@
 #include "sim/judges/truth.h"
 #include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
 
 namespace csgsim::studies {
 
@@ -137,7 +137,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
 
   facet::Geometry scene = facet::make_geometry(tree_, faceting);
   machines::Machine machine = sized(machine_, sampling);
-  machine.array.memory_bits = std::max(machine.array.memory_bits, shell::ample_memory_bits);
+  machine.array.memory_bits = std::max(machine.array.memory_bits, session::ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
   const isa::DepthScale depth = drawn.program.facts.depth_scale;
   auto made = std::make_unique<Subject>(Subject{std::move(scene), nullptr, {}, {}, std::move(drawn.frame)});

@@ -35,8 +35,8 @@ std::string picture_name(const AdviseOptions& options, const std::string& what) 
   return name;
 }
 
-Advice advice_of(const AdviseOptions& options, const Command& command, const AdviceQuestion& question, Rows rows,
-                 bool are_read) {
+Advice advice_of(const AdviseOptions& options, const session::OptionList& command, const AdviceQuestion& question,
+                 Rows rows, bool are_read) {
   Advice advice{recommend(rows, question.wishes), {}};
   for (const Recommendation& one : advice.recommendations) {
     check_by_drawing(question.job, one.row, are_read);
@@ -150,9 +150,9 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
 
 class Advise : public RowsOf<AdviceRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     options_.add_to(command);
-    command_ = command;
+    asked_ = &command;
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
@@ -233,12 +233,12 @@ class Advise : public RowsOf<AdviceRow> {
  protected:
   void conclude() override {
     if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
-    advice_ = advice_of(options_, *command_, question_, rows(), are_read());
+    advice_ = advice_of(options_, *asked_, question_, rows(), are_read());
   }
 
  private:
   AdviseOptions options_;
-  std::optional<Command> command_;
+  const session::OptionList* asked_ = nullptr;
   AdviceQuestion question_;
   studies::Advice advice_;
 };

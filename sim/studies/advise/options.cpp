@@ -15,16 +15,16 @@
 #include "hw/machines/hash.h"
 #include "hw/machines/regions.h"
 #include "sim/report/page.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/options.h"
-#include "sim/shell/see_through.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/see_through.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/options/version.h"
 #include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
 
-using namespace shell;
+using namespace session;
 
 namespace {
 
@@ -109,7 +109,7 @@ AdviceJob job_of(const AdviseOptions& options, const machines::Machine& machine,
                 {},
                 {subject->hash, machines::hash_of(machine), version_and_build()}};
   for (const unsigned bits : alu_bits) {
-    ModelOptions one = options.model;
+    ModelRequest one = options.model;
     one.machine = machine_name(options, bits);
     job.machines.push_back(machine_of(one));
   }
@@ -124,7 +124,7 @@ std::string words_of(const std::string& name, const std::string& value) {
 }
 
 /// Those that were given, and that render has too.
-std::string given_words(const AdviseOptions& options, const Command& command) {
+std::string given_words(const AdviseOptions& options, const session::OptionList& command) {
   const std::vector<std::string> own = own_options();
   std::string words;
   for (const GivenOption& option : command.given()) {
@@ -156,12 +156,12 @@ AdviceQuestion question_of(const AdviseOptions& options) {
   return {job_of(options, machine, ranges.alu_bits), points_of(ranges), wishes};
 }
 
-std::string render_command(const AdviseOptions& options, const Command& command, const AdviceRow& row,
+std::string render_command(const AdviseOptions& options, const session::OptionList& command, const AdviceRow& row,
                            const std::string& picture) {
   const AdvicePoint& point = row.point;
   std::string text = "csgsim render " + shell_word(options.model.model) + given_words(options, command);
   const std::string machine = machine_name(options, point.alu_bits);
-  if (machine != ModelOptions().machine) text += words_of("machine", machine);
+  if (machine != ModelRequest().machine) text += words_of("machine", machine);
   text +=
       fmt::format(" --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {} --strategy {}",
                   row.used_bits, point.z_bits, point.fraction_bits, point.colour_bits, point.colouring, point.strategy);
@@ -171,7 +171,7 @@ std::string render_command(const AdviseOptions& options, const Command& command,
 
 report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, const std::string& caption) {
   const AdvicePoint& point = row.point;
-  ModelOptions model = options.model;
+  ModelRequest model = options.model;
   model.machine = machine_name(options, point.alu_bits);
   model.memory_bits = row.used_bits;
   model.z_bits = point.z_bits;
@@ -180,10 +180,10 @@ report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, c
   model.colouring = point.colouring;
   model.strategy = point.strategy;
   if (point.stack_bits > 0) model.stack_bits = point.stack_bits;
-  return shell::picture_of(model, machine_of(model), caption);
+  return session::picture_of(model, machine_of(model), caption);
 }
 
-void AdviseOptions::add_to(Command& command) {
+void AdviseOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   for (const char* name :
        {"--memory-bits", "--z-bits", "--fraction-bits", "--colour-bits", "--colouring", "--strategy", "--stack-bits"})
@@ -192,11 +192,9 @@ void AdviseOptions::add_to(Command& command) {
       .option("--max-bits", max_bits,
               "Wish: at most so many memory bits a pixel; as many as the machine has if not given")
       .between(1U, isa::max_memory_bits);
-  command
-      .option("--max-wrong-pixels", max_wrong_pixels,
-              fmt::format("Wish: at most so many pixels that differ from the exact picture; {} if not given",
-                          default_wrong_pixels))
-      .check(whole_number);
+  command.option("--max-wrong-pixels", max_wrong_pixels,
+                 fmt::format("Wish: at most so many pixels that differ from the exact picture; {} if not given",
+                             default_wrong_pixels));
   command.option("--min-fps", min_fps, "Wish: at least so many frames a second; any number if not given")
       .check(not_negative);
   command

@@ -5,16 +5,16 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/command_line.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/report_option.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/option_list.h"
+#include "sim/session/run/report_option.h"
 #include "sim/studies/advise/measure.h"
 
 namespace csgsim::studies {
 
 /// Options of csgsim advise. What is searched are lists and ranges, checked when the command line is read.
 struct AdviseOptions {
-  shell::ModelOptions model;
+  session::ModelRequest model;
   std::string z_bits = "10..20";
   std::string fraction_bits = "2,4,6,8,10,12";
   std::string colour_bits = "12,15,18,21,24";
@@ -27,7 +27,7 @@ struct AdviseOptions {
   std::optional<double> min_fps;
   std::optional<std::uint32_t> min_colour_bits;
 
-  void add_to(shell::Command& command);
+  void add_to(session::OptionList& command);
 };
 
 /// Names of the options that ask for wishes or lists: all others are those of `csgsim render`, but for those without
@@ -49,7 +49,7 @@ report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, c
 
 /// `csgsim render` with all options that draw the choice, on a machine with just its memory, and judge it; its picture
 /// is called `picture`.
-std::string render_command(const AdviseOptions& options, const shell::Command& command, const AdviceRow& row,
+std::string render_command(const AdviseOptions& options, const session::OptionList& command, const AdviceRow& row,
                            const std::string& picture);
 
 }  // namespace csgsim::studies

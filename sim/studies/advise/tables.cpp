@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hw/base/text.h"
-#include "sim/shell/numbers.h"
+#include "sim/session/options/numbers.h"
 #include "sim/studies/advise/show.h"
 
 namespace csgsim::studies {
@@ -22,21 +22,21 @@ std::string fps_missed(double by) { return fmt::format("{:.2f}", std::ceil(by * 
 
 std::string miss_text(Wish wish, double by) {
   switch (wish) {
-    case Wish::bits: return shell::counted(static_cast<std::uint64_t>(by), "bit") + " too many";
-    case Wish::wrong_pixels: return shell::counted(static_cast<std::uint64_t>(by), "wrong pixel") + " too many";
+    case Wish::bits: return session::counted(static_cast<std::uint64_t>(by), "bit") + " too many";
+    case Wish::wrong_pixels: return session::counted(static_cast<std::uint64_t>(by), "wrong pixel") + " too many";
     case Wish::speed: return fps_missed(by) + " frames a second too few";
-    case Wish::colour: return shell::counted(static_cast<std::uint64_t>(by), "bit") + " of colour too few";
+    case Wish::colour: return session::counted(static_cast<std::uint64_t>(by), "bit") + " of colour too few";
   }
   return {};
 }
 
 std::string wish_text(Wish wish, const Wishes& wishes) {
   switch (wish) {
-    case Wish::bits: return fmt::format("at most {} a pixel", shell::counted(wishes.max_bits, "bit"));
-    case Wish::wrong_pixels: return "at most " + shell::counted(wishes.max_wrong_pixels, "wrong pixel");
+    case Wish::bits: return fmt::format("at most {} a pixel", session::counted(wishes.max_bits, "bit"));
+    case Wish::wrong_pixels: return "at most " + session::counted(wishes.max_wrong_pixels, "wrong pixel");
     case Wish::speed:
       return wishes.min_fps > 0 ? fmt::format("at least {:g} frames a second", wishes.min_fps) : "any speed";
-    case Wish::colour: return fmt::format("at least {} of colour", shell::counted(wishes.min_colour_bits, "bit"));
+    case Wish::colour: return fmt::format("at least {} of colour", session::counted(wishes.min_colour_bits, "bit"));
   }
   return {};
 }
@@ -44,10 +44,10 @@ std::string wish_text(Wish wish, const Wishes& wishes) {
 /// What is best by the wish.
 std::string value_text(Wish wish, const AdviceRow& row) {
   switch (wish) {
-    case Wish::bits: return fmt::format("{} a pixel", shell::counted(row.used_bits, "bit"));
-    case Wish::wrong_pixels: return shell::counted(row.wrong, "wrong pixel");
+    case Wish::bits: return fmt::format("{} a pixel", session::counted(row.used_bits, "bit"));
+    case Wish::wrong_pixels: return session::counted(row.wrong, "wrong pixel");
     case Wish::speed: return fmt::format("{:.2f} frames a second", row.frames_per_second);
-    case Wish::colour: return fmt::format("{} of colour", shell::counted(row.point.colour_bits, "bit"));
+    case Wish::colour: return fmt::format("{} of colour", session::counted(row.point.colour_bits, "bit"));
   }
   return {};
 }
@@ -66,7 +66,7 @@ std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const W
 }
 
 std::string colours_text(const Wishes& wishes) {
-  return fmt::format(", with {} of colour or more", shell::counted(wishes.min_colour_bits, "bit"));
+  return fmt::format(", with {} of colour or more", session::counted(wishes.min_colour_bits, "bit"));
 }
 
 void print_row(const AdviceRow& row, bool has_alu, bool meets) {
@@ -105,7 +105,7 @@ std::string misses_text(const AdviceRow& row, const Wishes& wishes) {
 
 void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Wishes& wishes) {
   const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); });
-  fmt::print("{}: {} searched", printable(subject), shell::counted(rows.size(), "choice"));
+  fmt::print("{}: {} searched", printable(subject), session::counted(rows.size(), "choice"));
   const auto refused = rows.size() - static_cast<std::size_t>(compiled);
   if (refused > 0) fmt::print(", {} of which cannot be drawn", grouped(refused));
   fmt::print("\nwishes: ");

@@ -11,11 +11,11 @@
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
 #include "sim/report/points.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/version.h"
 #include "sim/studies/classify/events.h"
 #include "sim/studies/classify/show.h"
 #include "sim/studies/folder.h"
@@ -61,7 +61,7 @@ std::string difference_of(std::span<const ClassifyRow> rows) {
 
 class Classify : public StudyOf<ClassifyRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
         .words(software::names_in(software::methods()), is_read_by(methods_in));
@@ -157,7 +157,7 @@ class Classify : public StudyOf<ClassifyRow> {
     }
   }
 
-  ModelOptions options_;
+  ModelRequest options_;
   std::string methods_ = all_of(software::methods());
   std::string coherences_ = all_of(software::coherences());
   std::string shapes_ = "balanced";

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hw/base/text.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/text_columns.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/text_columns.h"
 #include "sim/studies/classify/show.h"
 #include "sim/studies/processors.h"
 
@@ -34,8 +34,8 @@ std::string a_ray(std::uint64_t count, std::uint64_t rays) {
 void print_rays(Rows rows) {
   const auto drawn = std::ranges::find_if(rows, &ClassifyRow::drawn);
   if (drawn == rows.end()) return;
-  fmt::print("{}, {}; {}\n", shell::counted(drawn->primitives, "primitive"),
-             shell::counted(drawn->halfspaces, "half-space"), shell::counted(drawn->tree_levels, "level"));
+  fmt::print("{}, {}; {}\n", session::counted(drawn->primitives, "primitive"),
+             session::counted(drawn->halfspaces, "half-space"), session::counted(drawn->tree_levels, "level"));
   Lines lines{{"", "count", "a hit ray"}};
   const auto add = [&](const std::string& what, std::uint64_t count) {
     lines.push_back({what, grouped(count), a_ray(count, drawn->hit_rays)});
@@ -52,7 +52,7 @@ void print_rays(Rows rows) {
         rows, [&](const ClassifyRow& one) { return one.drawn() && one.point.coherence == coherence; });
     if (row != rows.end() && coherence != "none") add("evaluations, " + coherence, row->evaluations);
   }
-  fmt::print("{}", shell::in_columns(lines, sides_of(lines)));
+  fmt::print("{}", session::in_columns(lines, sides_of(lines)));
 }
 
 /// What methods do besides evaluations.
@@ -67,7 +67,7 @@ void print_work(Rows rows) {
     lines.push_back({name, grouped(row.evaluations), grouped(row.node_visits), grouped(row.early_outs),
                      grouped(row.list_steps), grouped(row.list_elements), grouped(row.words)});
   }
-  fmt::print("\n{}", shell::in_columns(lines, sides_of(lines)));
+  fmt::print("\n{}", session::in_columns(lines, sides_of(lines)));
 }
 
 void print_seconds(Rows rows, const software::Priced& processor) {
@@ -81,7 +81,7 @@ void print_seconds(Rows rows, const software::Priced& processor) {
       line.push_back(row != nullptr && row->drawn() ? seconds_text(seconds_of(*row, processor).classification) : "-");
     }
   }
-  fmt::print("\n{}", shell::in_columns(lines, sides_of(lines)));
+  fmt::print("\n{}", session::in_columns(lines, sides_of(lines)));
 }
 
 void print_best(Rows rows, std::span<const software::Priced> processors) {

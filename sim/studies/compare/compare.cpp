@@ -8,17 +8,17 @@
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
 #include "sim/report/points.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/machine_list.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/options.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/see_through.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/see_through.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/machine_list.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/version.h"
+#include "sim/session/run/memory.h"
 #include "sim/studies/compare/ideal.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/compare/software.h"
@@ -36,7 +36,7 @@ using Rows = std::span<const ComparisonRow>;
 constexpr unsigned most_fragments = 4096;
 
 struct Options {
-  ModelOptions model;
+  ModelRequest model;
   std::string machines = all_machines();
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
@@ -67,7 +67,7 @@ struct Named {
 std::vector<Named> named_machines(const Options& options) {
   std::vector<Named> machines;
   for (const std::string& name : with_figures(parse_words(options.machines), options.model.sets)) {
-    ModelOptions one = options.model;
+    ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
     one.sets = sorted(one.sets).scene;
     machines.push_back({escaped(name), machine_of(one)});
@@ -199,7 +199,7 @@ std::string difference_of(Rows rows) {
 
 class Compare : public StudyOf<ComparisonRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     options_.model.add_to(command);
     command.remove("--machine");
     command.remove("--tolerance");

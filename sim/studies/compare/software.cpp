@@ -8,7 +8,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/shell/lists.h"
+#include "sim/session/options/lists.h"
 
 namespace csgsim::studies {
 
@@ -72,7 +72,7 @@ void measure_software(const ComparisonJob& job, const model::Tree& tree, Compari
 
 std::vector<SoftwareChoice> software_choices(const std::string& list) {
   std::vector<SoftwareChoice> choices;
-  for (const std::string& said : shell::parse_words(list)) {
+  for (const std::string& said : session::parse_words(list)) {
     const std::size_t colon = said.rfind(':');
     if (colon == std::string::npos)
       throw InputError("'" + said + "' is not of the form PROCESSOR:METHOD or PROCESSOR:METHOD/COHERENCE");

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/numbers.h"
+#include "sim/session/options/numbers.h"
 
 namespace csgsim::studies {
 

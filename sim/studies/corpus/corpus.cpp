@@ -10,13 +10,13 @@
 #include "hw/base/text.h"
 #include "sim/plots/number_text.h"
 #include "sim/report/points.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/machine_list.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/text_columns.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/machine_list.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/text_columns.h"
 #include "sim/studies/corpus/files.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/groups.h"
@@ -121,7 +121,7 @@ nlohmann::ordered_json distribution_json(const Distribution& one, bool adds_up) 
 
 class Corpus : public StudyOf<CorpusRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     command.option("MODEL", models_, "Models, .csg, .scad or .jan, and folders that hold such").required();
     command.option("--machines", machines_, "List of machines, by name or .toml file")
         .check(is_read_by(check_machines));
@@ -140,7 +140,7 @@ class Corpus : public StudyOf<CorpusRow> {
     std::vector<Asked> asked;
     for (const std::string& model : corpus_files(models_)) {
       for (const std::string& machine : parse_words(machines_)) {
-        ModelOptions one = view_;
+        ModelRequest one = view_;
         one.model = model;
         one.machine = machine;
         points_.push_back({escaped(model), escaped(machine)});
@@ -195,7 +195,7 @@ class Corpus : public StudyOf<CorpusRow> {
   }
 
  private:
-  ModelOptions view_;
+  ModelRequest view_;
   std::vector<std::string> models_;  ///< files and folders
   std::string machines_ = all_machines();
   std::vector<CorpusPoint> points_;

@@ -8,8 +8,8 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/subject.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/paths.h"
 
 namespace csgsim::studies {
 
@@ -18,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_source_of(const fs::path& file, const std::vector<fs::path>& files) {
-  return shell::ends_in(file, ".scad") &&
+  return session::ends_in(file, ".scad") &&
          std::ranges::find(files, fs::path(file).replace_extension(".csg")) != files.end();
 }
 
@@ -27,7 +27,7 @@ std::vector<fs::path> models_in(const fs::path& folder) {
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator(folder, error);
        !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
-    if (entry->is_regular_file() && shell::has_model_name(entry->path())) files.push_back(entry->path());
+    if (entry->is_regular_file() && session::has_model_name(entry->path())) files.push_back(entry->path());
   }
   if (error) throw InputError(fmt::format("{}: cannot be read ({})", printable(folder.native()), error.message()));
   std::ranges::sort(files);

@@ -12,11 +12,11 @@
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
 #include "sim/report/points.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/version.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/methods/rows.h"
 #include "sim/software/space/directory.h"
@@ -65,7 +65,7 @@ std::string display_difference(std::span<const DisplayStudyRow> rows) {
 
 class Display : public StudyOf<DisplayStudyRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
         .words(software::names_in(software::display_methods()), is_read_by(display_methods_in));
@@ -182,7 +182,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     }
   }
 
-  ModelOptions options_;
+  ModelRequest options_;
   std::string methods_ = fmt::format("{}", fmt::join(software::names_in(software::display_methods()), ","));
   std::string tolerances_;
   std::string fragments_;

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "hw/base/text.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/text_columns.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/text_columns.h"
 #include "sim/studies/display/show.h"
 #include "sim/studies/processors.h"
 
@@ -52,7 +52,7 @@ class Table {
     if (std::ranges::all_of(group_.rows, [&](const DisplayStudyRow* row) { return row->*count == 0; })) return;
     add(what, [&](const DisplayStudyRow& row) { return grouped(row.*count); });
   }
-  void print() const { fmt::print("{}", shell::in_columns(lines_, "<" + std::string(group_.rows.size(), '>'))); }
+  void print() const { fmt::print("{}", session::in_columns(lines_, "<" + std::string(group_.rows.size(), '>'))); }
 
  private:
   const MethodGroup& group_;

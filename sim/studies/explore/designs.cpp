@@ -17,16 +17,16 @@
 #include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/prunings.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/prunings.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/explore/sample.h"
 
 namespace csgsim::studies {
 
-using namespace shell;
+using namespace session;
 
 namespace {
 
@@ -47,39 +47,39 @@ std::string word_of(const std::string& text, const char* kind, const Choices& ch
 /// An option of render that may be varied.
 struct VariedOption {
   std::string_view name;
-  void (*put)(ModelOptions& options, const std::string& value);
+  void (*put)(ModelRequest& options, const std::string& value);
 };
 
 constexpr VariedOption options_by_name[] = {
-    {"size", [](ModelOptions& options, const std::string& value) { options.size = value; }},
-    {"memory-bits", [](ModelOptions& options,
+    {"size", [](ModelRequest& options, const std::string& value) { options.size = value; }},
+    {"memory-bits", [](ModelRequest& options,
                        const std::string& value) { options.memory_bits = number_of(value, 1, isa::max_memory_bits); }},
     {"z-bits",
-     [](ModelOptions& options, const std::string& value) {
+     [](ModelRequest& options, const std::string& value) {
        options.z_bits = number_of(value, view::fewest_z_bits, view::most_z_bits);
      }},
     {"fraction-bits",
-     [](ModelOptions& options, const std::string& value) {
+     [](ModelRequest& options, const std::string& value) {
        options.fraction_bits = number_of(value, 0, view::most_fraction_bits);
      }},
     {"colour-bits",
-     [](ModelOptions& options, const std::string& value) {
+     [](ModelRequest& options, const std::string& value) {
        options.colour_bits = number_of(value, isa::fewest_colour_bits, isa::most_colour_bits);
      }},
-    {"strategy", [](ModelOptions& options,
+    {"strategy", [](ModelRequest& options,
                     const std::string& value) { options.strategy = word_of(value, "strategy", emit::strategies); }},
     {"stack-bits",
-     [](ModelOptions& options, const std::string& value) {
+     [](ModelRequest& options, const std::string& value) {
        options.stack_bits = number_of(value, emit::fewest_stack_bits, most_stack_bits);
      }},
-    {"colouring", [](ModelOptions& options,
+    {"colouring", [](ModelRequest& options,
                      const std::string& value) { options.colouring = word_of(value, "colouring", emit::colourings); }},
     {"curves",
-     [](ModelOptions& options, const std::string& value) {
+     [](ModelRequest& options, const std::string& value) {
        options.curves = parse_names(value, "way", names_of(emit::curve_choices)).at(0);
      }},
     {"pruning",
-     [](ModelOptions& options, const std::string& value) {
+     [](ModelRequest& options, const std::string& value) {
        static_cast<void>(pruning_of(value));
        options.pruning = value;
      }},
@@ -119,8 +119,8 @@ const machines::FigureSchema* figure_of(const machines::Machine& machine, std::s
 }
 
 /// The base with the last value of every figure but that one: what does not fit the base may fit these.
-ModelOptions with_others(const ModelOptions& base, std::span<const Dimension> dimensions, const Dimension& but) {
-  ModelOptions one = base;
+ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> dimensions, const Dimension& but) {
+  ModelRequest one = base;
   for (const Dimension& dimension : dimensions) {
     if (dimension.key != but.key && varied_option(dimension.key) == nullptr)
       vary(one, dimension.key, dimension.values.back());
@@ -128,9 +128,9 @@ ModelOptions with_others(const ModelOptions& base, std::span<const Dimension> di
   return one;
 }
 
-bool is_possible(const ModelOptions& base, const std::string& key, const std::string& value) {
+bool is_possible(const ModelRequest& base, const std::string& key, const std::string& value) {
   try {
-    ModelOptions one = base;
+    ModelRequest one = base;
     vary(one, key, value);
     static_cast<void>(machine_of(one));
   } catch (const InputError&) {
@@ -142,8 +142,8 @@ bool is_possible(const ModelOptions& base, const std::string& key, const std::st
 }
 
 /// The design has that value, whatever the others are; what is wrong with it is wrong with --vary.
-ModelOptions varied_once(const ModelOptions& base, const std::string& key, const std::string& value) {
-  ModelOptions one = base;
+ModelRequest varied_once(const ModelRequest& base, const std::string& key, const std::string& value) {
+  ModelRequest one = base;
   const auto fail = [&](const char* why) { throw UsageError("--vary " + printable(key), why); };
   try {
     vary(one, key, value);
@@ -169,10 +169,10 @@ void check_keys(const machines::Machine& machine, std::span<const Dimension> dim
 
 /// Each value has to be possible by itself, or with the last values of the other figures, and a figure's may not be
 /// what an option says otherwise: --size, or --memory-bits.
-void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
+void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
   const machines::Machine machine = machine_of(base);
   check_keys(machine, dimensions);
-  ModelOptions with_options = base;
+  ModelRequest with_options = base;
   for (const Dimension& dimension : dimensions) {
     if (varied_option(dimension.key) == nullptr) continue;
     for (const std::string& value : dimension.values) varied_once(base, dimension.key, value);
@@ -182,10 +182,10 @@ void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
     const machines::FigureSchema* const figure = figure_of(machine, dimension.key);
     if (figure == nullptr) continue;
     for (const std::string& value : dimension.values) {
-      const ModelOptions others = with_others(with_options, dimensions, dimension);
+      const ModelRequest others = with_others(with_options, dimensions, dimension);
       const bool fits_others =
           !is_possible(with_options, dimension.key, value) && is_possible(others, dimension.key, value);
-      const ModelOptions one = varied_once(fits_others ? others : with_options, dimension.key, value);
+      const ModelRequest one = varied_once(fits_others ? others : with_options, dimension.key, value);
       if (figure->load(machine_of(one)) != figure->load(kinds::load(one.machine)))
         throw UsageError("--vary", fmt::format("an option says otherwise than {}={}; leave out --size, --memory-bits",
                                                dimension.key, value));
@@ -194,7 +194,7 @@ void check(const ModelOptions& base, std::span<const Dimension> dimensions) {
 }
 
 /// All that tells designs apart.
-std::string identity_of(const ModelOptions& one) {
+std::string identity_of(const ModelRequest& one) {
   const unsigned stack_bits = has_stack_bits(one.strategy) ? one.stack_bits : 0;
   return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", one.machine, one.size, one.memory_bits.value_or(0), one.z_bits,
                      one.fraction_bits, one.colour_bits, one.strategy, stack_bits, one.colouring, one.curves,
@@ -230,12 +230,12 @@ bool is_memory_figure(std::string_view key) {
   return std::ranges::find(figures, key) != std::end(figures);
 }
 
-void vary(ModelOptions& options, const std::string& key, const std::string& value) {
+void vary(ModelRequest& options, const std::string& key, const std::string& value) {
   if (const VariedOption* const option = varied_option(key)) return option->put(options, value);
   options.machine += fmt::format("+{}={}", key, value);
 }
 
-DesignGrid::DesignGrid(ModelOptions base, std::vector<Dimension> dimensions, const GridChoice& choice)
+DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions, const GridChoice& choice)
     : base_(std::move(base)), dimensions_(std::move(dimensions)) {
   check(base_, dimensions_);
   double cells = 1;
@@ -272,7 +272,7 @@ void DesignGrid::add_sample(const GridChoice& choice) {
 
 /// Unless there is one that draws alike.
 void DesignGrid::add(Cell cell) {
-  ModelOptions one = base_;
+  ModelRequest one = base_;
   for (std::size_t axis = 0; axis < cell.size(); ++axis)
     vary(one, dimensions_[axis].key, dimensions_[axis].values[cell[axis]]);
   if (!known_.insert(identity_of(one)).second) return;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hw/machines/machine.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
 
 namespace csgsim::studies {
 
@@ -35,7 +35,7 @@ bool is_memory_figure(std::string_view key);
 
 /// Gives the figure, or the option, that value. Throws InputError, or UsageError, for a value that the option does not
 /// take; figures are looked at when the machine is loaded.
-void vary(shell::ModelOptions& options, const std::string& key, const std::string& value);
+void vary(session::ModelRequest& options, const std::string& key, const std::string& value);
 
 /// Which cells of a grid are designs.
 struct GridChoice {
@@ -49,10 +49,10 @@ class DesignGrid {
  public:
   /// Every combination, or a sample of them. Throws UsageError for a grid of more than most_designs cells where no
   /// sample is asked for, and for a value that is wrong whatever the others are.
-  DesignGrid(shell::ModelOptions base, std::vector<Dimension> dimensions, const GridChoice& choice);
+  DesignGrid(session::ModelRequest base, std::vector<Dimension> dimensions, const GridChoice& choice);
 
   /// In the order in which they were asked for.
-  [[nodiscard]] const std::vector<shell::ModelOptions>& designs() const { return designs_; }
+  [[nodiscard]] const std::vector<session::ModelRequest>& designs() const { return designs_; }
 
   /// Asks for those besides that differ from one of these, by their numbers, in one key, by the value before or behind
   /// in its list; for so many at most.
@@ -65,10 +65,10 @@ class DesignGrid {
   void add_sample(const GridChoice& choice);
   void add(Cell cell);
 
-  shell::ModelOptions base_;
+  session::ModelRequest base_;
   std::vector<Dimension> dimensions_;
   std::vector<std::size_t> sizes_;
-  std::vector<shell::ModelOptions> designs_;
+  std::vector<session::ModelRequest> designs_;
   std::vector<Cell> cells_;      ///< of the designs
   std::set<std::string> known_;  ///< what tells them apart
 };

@@ -12,12 +12,12 @@
 #include "hw/machines/hash.h"
 #include "hw/machines/names.h"
 #include "sim/report/points.h"
-#include "sim/shell/memory.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/see_through.h"
-#include "sim/shell/usage.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/see_through.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/options/version.h"
+#include "sim/session/run/memory.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/options.h"
@@ -40,7 +40,7 @@ std::vector<std::string> different(const std::vector<std::string>& names) {
   return once;
 }
 
-ExplorePoint point_of(const ModelOptions& design, const machines::Size& size) {
+ExplorePoint point_of(const ModelRequest& design, const machines::Size& size) {
   ExplorePoint point;
   point.model = escaped(design.model);
   point.machine = escaped(design.machine);
@@ -95,9 +95,9 @@ report::Table front_table(const report::Json& data, std::size_t number) {
 
 class Explore : public StudyOf<ExploreRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     options_.add_to(command);
-    command_ = command;
+    asked_ = &command;
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
@@ -203,7 +203,7 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<Asked> asked;
     for (const std::string& model : different(options_.models)) {
       for (std::size_t i = first; i < grid_->designs().size(); ++i) {
-        ModelOptions design = grid_->designs()[i];
+        ModelRequest design = grid_->designs()[i];
         design.model = model;
         add(design);
         design_of_point_.push_back(i);
@@ -221,7 +221,7 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   /// A design whose figures do not fit each other is one that says so.
-  void add(const ModelOptions& design) {
+  void add(const ModelRequest& design) {
     try {
       Job job = maker_.job_of(design);
       refuse_unseen(design, job);
@@ -235,8 +235,8 @@ class Explore : public StudyOf<ExploreRow> {
     }
   }
 
-  void add_refused(const ModelOptions& design, const std::string& why) {
-    ModelOptions plain = options_.model;
+  void add_refused(const ModelRequest& design, const std::string& why) {
+    ModelRequest plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
     Job job = maker_.job_of(plain);
@@ -254,7 +254,7 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   /// What is seen through is not held against an exact picture.
-  void refuse_unseen(const ModelOptions& design, Job& job) {
+  void refuse_unseen(const ModelRequest& design, Job& job) {
     if (!job.reason.empty()) return;
     const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
     if (is_new) {
@@ -284,13 +284,13 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<std::string> commands;
     for (const ExploreRow* const row : drawn) {
       const std::string picture = plot_stem(row->point.model) + "-knee.png";
-      commands.push_back(render_command(options_, *command_, *row, memory_bits, picture));
+      commands.push_back(render_command(options_, *asked_, *row, memory_bits, picture));
     }
     return commands;
   }
 
   ExploreOptions options_;
-  std::optional<Command> command_;
+  const session::OptionList* asked_ = nullptr;
   std::optional<process::Process> process_;
   std::optional<DesignGrid> grid_;
   std::size_t asked_first_ = 0;  ///< designs, before any was searched for

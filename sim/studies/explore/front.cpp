@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "sim/shell/lists.h"
+#include "sim/session/options/lists.h"
 #include "sim/studies/row_text.h"
 
 namespace csgsim::studies {
@@ -109,7 +109,7 @@ std::vector<std::string> explore_axis_names() {
 
 std::vector<ExploreAxis> axes_in(const std::string& text) {
   std::vector<ExploreAxis> axes;
-  for (const std::string& name : shell::parse_names(text, "axis", explore_axis_names()))
+  for (const std::string& name : session::parse_names(text, "axis", explore_axis_names()))
     axes.push_back(*std::ranges::find(all_axes, name, &ExploreAxis::name));
   return axes;
 }

@@ -9,18 +9,18 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/machines/names.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/options.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/settings/sets.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/front.h"
 
 namespace csgsim::studies {
 
-using namespace shell;
+using namespace session;
 
 namespace {
 
@@ -42,8 +42,8 @@ std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
 }
 
 /// The machine with its figures as set, which then are part of its name.
-ModelOptions base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
-  ModelOptions base = options.model;
+ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
+  ModelRequest base = options.model;
   base.sets = sorted(options.model.sets).scene;
   base.machine = with_figures({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
@@ -64,7 +64,7 @@ std::string shell_words(const std::string& name, const std::string& value) {
 }
 
 /// Those that were given, and that render has too.
-std::string given_words(const ExploreOptions& options, const Command& command) {
+std::string given_words(const ExploreOptions& options, const session::OptionList& command) {
   const std::vector<std::string> own = own_explore_options();
   std::string words;
   for (const GivenOption& option : command.given()) {
@@ -85,7 +85,7 @@ std::vector<std::string> own_explore_options() {
   return names;
 }
 
-void ExploreOptions::add_to(Command& command) {
+void ExploreOptions::add_to(session::OptionList& command) {
   model.add_to(command);
   command.remove("MODEL");
   command.option("MODEL", models, "The models, OpenSCAD .csg files, sources, .scad, or commands, .jan").required();
@@ -115,7 +115,7 @@ void ExploreOptions::add_to(Command& command) {
               "Designs of a sample of the combinations, which all of the grid is in evenly; 0 for all combinations, "
               "which are 10,000 at most then")
       .between(0U, most_designs);
-  command.option("--seed", seed, "Of the sample").check(whole_number);
+  command.option("--seed", seed, "Of the sample");
   command
       .option(
           "--search", search,
@@ -151,13 +151,13 @@ DesignGrid ExploreOptions::designs() const {
   return {base_of(*this, dimensions), dimensions, {points, seed}};
 }
 
-bool ExploreOptions::has_memory(const ModelOptions& design) const {
+bool ExploreOptions::has_memory(const ModelRequest& design) const {
   if (design.memory_bits) return true;
   return std::ranges::any_of(machines::changes_of(design.machine),
                              [](const std::string& change) { return is_memory_figure(key_of(change)); });
 }
 
-std::string render_command(const ExploreOptions& options, const Command& command, const ExploreRow& row,
+std::string render_command(const ExploreOptions& options, const session::OptionList& command, const ExploreRow& row,
                            std::uint32_t memory_bits, const std::string& picture) {
   const ExplorePoint& point = row.point;
   std::string text = "csgsim render " + shell_word(named(options.models, point.model)) + given_words(options, command);

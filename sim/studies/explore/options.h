@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "hw/process/process.h"
-#include "sim/shell/command_line.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/measure.h"
 
@@ -15,7 +15,7 @@ namespace csgsim::studies {
 
 /// Options of csgsim explore.
 struct ExploreOptions {
-  shell::ModelOptions model;
+  session::ModelRequest model;
   std::vector<std::string> models;
   std::vector<std::string> vary;
   std::uint32_t points = 0;
@@ -24,7 +24,7 @@ struct ExploreOptions {
   std::string axes;
   std::string process;
 
-  void add_to(shell::Command& command);
+  void add_to(session::OptionList& command);
 
   /// The designs asked for, without a model. Throws UsageError, or InputError for machines.
   [[nodiscard]] DesignGrid designs() const;
@@ -36,7 +36,7 @@ struct ExploreOptions {
   [[nodiscard]] std::optional<process::Process> loaded_process() const;
 
   /// Whether somebody said how many memory bits a pixel has.
-  [[nodiscard]] bool has_memory(const shell::ModelOptions& design) const;
+  [[nodiscard]] bool has_memory(const session::ModelRequest& design) const;
 };
 
 /// Options that the command which draws a design does not have from the study's.
@@ -44,7 +44,7 @@ std::vector<std::string> own_explore_options();
 
 /// `csgsim render` of the row's point, with the clock that its process leaves, with so many memory bits a pixel and the
 /// options of the study, as a POSIX shell takes it.
-std::string render_command(const ExploreOptions& options, const shell::Command& command, const ExploreRow& row,
+std::string render_command(const ExploreOptions& options, const session::OptionList& command, const ExploreRow& row,
                            std::uint32_t memory_bits, const std::string& picture);
 
 }  // namespace csgsim::studies

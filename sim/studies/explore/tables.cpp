@@ -9,7 +9,7 @@
 
 #include "hw/base/text.h"
 #include "hw/machines/names.h"
-#include "sim/shell/numbers.h"
+#include "sim/session/options/numbers.h"
 #include "sim/studies/explore/show.h"
 
 namespace csgsim::studies {
@@ -95,7 +95,7 @@ std::string group_text(const ExploreGroup& group) {
   const auto on_front = static_cast<std::uint64_t>(std::ranges::count(group.front, true));
   std::string text =
       fmt::format("{}: {} on the front of {}", group.model.empty() ? "All models" : group.model, grouped(on_front),
-                  shell::counted(group.values.size() + group.refused + group.unpriced, "design"));
+                  session::counted(group.values.size() + group.refused + group.unpriced, "design"));
   if (group.refused > 0) text += fmt::format("; {} cannot be drawn", grouped(group.refused));
   if (group.unpriced > 0) text += fmt::format("; {} without a price on an axis left out", grouped(group.unpriced));
   return text;
@@ -116,7 +116,7 @@ void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, c
   }
   for (const auto& [row, more] : reasons) {
     const std::string others =
-        more > 0 ? fmt::format(", as {} {}", more == 1 ? "does" : "do", shell::counted(more, "other design")) : "";
+        more > 0 ? fmt::format(", as {} {}", more == 1 ? "does" : "do", session::counted(more, "other design")) : "";
     fmt::print("  {} cannot be drawn{}: {}\n", names.text(row->point), others, row->reason);
   }
 }

@@ -14,10 +14,10 @@
 #include "hw/base/input_file.h"
 #include "hw/base/text.h"
 #include "sim/report/points.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/version.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/version.h"
 #include "sim/software/work.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/json_export.h"
@@ -46,7 +46,7 @@ std::vector<software::Priced> meshing_processors(const std::string& list) {
 
 class Mesh : public StudyOf<MeshRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     command.option("MODEL", model_, "Commands, .jan, with sweeps or patches").required();
     command.option("--tolerances", tolerances_, "List of tolerances, model units").check(is_read_by(tolerances_in));
     command

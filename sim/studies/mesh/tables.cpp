@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hw/base/text.h"
-#include "sim/shell/text_columns.h"
+#include "sim/session/options/text_columns.h"
 #include "sim/studies/mesh/price.h"
 #include "sim/studies/mesh/show.h"
 #include "sim/studies/processors.h"
@@ -64,7 +64,7 @@ void print_group(std::span<const MeshRow> rows, std::span<const software::Priced
     add_line(lines, processor.name + ": repairing, s", rows,
              [&](const MeshRow& row) { return seconds_text(seconds_of(row, *processor.processor).repairing); });
   }
-  fmt::print("{}", shell::in_columns(lines, "<" + std::string(rows.size(), '>')));
+  fmt::print("{}", session::in_columns(lines, "<" + std::string(rows.size(), '>')));
   for (const MeshRow& row : rows) {
     if (!row.is_meshed()) fmt::print("tolerance {:g}: {}\n", row.point.tolerance, row.reason);
   }

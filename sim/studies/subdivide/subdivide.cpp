@@ -12,11 +12,11 @@
 #include "hw/kinds/rows.h"
 #include "hw/machines/hash.h"
 #include "sim/report/points.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/version.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
@@ -35,7 +35,7 @@ bool subdivides(const machines::Kind& kind) {
   return kind.subdivided(machines::blank(kind), 0, machines::Parts::segments).has_value();
 }
 
-machines::Machine subdividing_machine(const ModelOptions& options) {
+machines::Machine subdividing_machine(const ModelRequest& options) {
   machines::Machine machine = machine_of(options);
   if (subdivides(*machine.kind)) return machine;
   std::vector<std::string_view> kinds;
@@ -78,7 +78,7 @@ constexpr report::PointColumn square_columns[] = {{"subdivisions", "levels"},
 
 class Subdivide : public StudyOf<SubdivideRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     options_.machine = "pixel-square";
     options_.add_to(command);
     command.option("--subdivisions", levels_, "Numbers: levels of binary subdivision, 0 to 20")
@@ -160,7 +160,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
  private:
-  ModelOptions options_;
+  ModelRequest options_;
   std::string levels_ = "4,6,8";
   std::string tolerances_;
   machines::Machine machine_;

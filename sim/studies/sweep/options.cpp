@@ -5,8 +5,8 @@
 #include "host/emit/curves.h"
 #include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
-#include "sim/shell/prunings.h"
-#include "sim/shell/settings/sets.h"
+#include "sim/session/options/prunings.h"
+#include "sim/session/options/sets.h"
 #include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
@@ -14,16 +14,16 @@ namespace csgsim::studies {
 namespace {
 
 std::vector<unsigned> memory_bits_of(const std::string& text) {
-  return shell::parse_numbers(text, 1, isa::max_memory_bits);
+  return session::parse_numbers(text, 1, isa::max_memory_bits);
 }
 std::vector<std::string> strategies_of(const std::string& text) {
-  return shell::parse_names(text, "strategy", names_of(emit::strategies));
+  return session::parse_names(text, "strategy", names_of(emit::strategies));
 }
 std::vector<std::string> colourings_of(const std::string& text) {
-  return shell::parse_names(text, "colouring", names_of(emit::colourings));
+  return session::parse_names(text, "colouring", names_of(emit::colourings));
 }
 std::vector<std::string> curves_of(const std::string& text) {
-  return shell::parse_names(text, "way", names_of(emit::curve_choices));
+  return session::parse_names(text, "way", names_of(emit::curve_choices));
 }
 
 SweepRanges ranges_of(const SweepOptions& options) {
@@ -32,13 +32,13 @@ SweepRanges ranges_of(const SweepOptions& options) {
     if (std::find(ranges.models.begin(), ranges.models.end(), model) == ranges.models.end())
       ranges.models.push_back(model);
   }
-  ranges.machines = shell::with_figures(shell::parse_words(options.machines), options.view.sets);
+  ranges.machines = session::with_figures(session::parse_words(options.machines), options.view.sets);
   for (const std::string& machine : ranges.machines) {
     ranges.memory_bits[machine] = options.memory_bits.empty() ? std::vector{kinds::load(machine).array.memory_bits}
                                                               : memory_bits_of(options.memory_bits);
   }
   ranges.z_bits = z_bits_of(options.z_bits);
-  ranges.prunings = shell::prunings_of(options.prunings);
+  ranges.prunings = session::prunings_of(options.prunings);
   ranges.colourings = colourings_of(options.colourings);
   ranges.curves = curves_of(options.curves);
   ranges.strategies = strategies_of(options.strategies);
@@ -50,11 +50,11 @@ SweepRanges ranges_of(const SweepOptions& options) {
 
 std::vector<SweepPoint> SweepOptions::points() const { return points_of(ranges_of(*this)); }
 
-shell::ModelOptions SweepOptions::at(const SweepPoint& point) const {
-  shell::ModelOptions one = view;
+session::ModelRequest SweepOptions::at(const SweepPoint& point) const {
+  session::ModelRequest one = view;
   one.model = point.model;
   one.machine = point.machine;  // with its figures as set
-  one.sets = shell::sorted(view.sets).scene;
+  one.sets = session::sorted(view.sets).scene;
   one.memory_bits = point.memory_bits;
   one.z_bits = point.z_bits;
   one.pruning = point.pruning;
@@ -65,7 +65,7 @@ shell::ModelOptions SweepOptions::at(const SweepPoint& point) const {
   return one;
 }
 
-void SweepOptions::add_to(shell::Command& command) {
+void SweepOptions::add_to(session::OptionList& command) {
   command.option("MODEL", models, "The models, OpenSCAD .csg files, sources, .scad, or commands, .jan").required();
   command.option("--strategy", strategies, "List of the ways in which classifications are worked out")
       .list_of(names_of(emit::strategies), "strategy");
@@ -77,8 +77,8 @@ void SweepOptions::add_to(shell::Command& command) {
       .option("--pruning", prunings,
               "List of which prunings are done: all, none, those named (space+hidden) or all but those "
               "(no-space+no-hidden)")
-      .words(shell::pruning_words(), shell::is_read_by(shell::prunings_of));
-  add_list(command, "--machines", machines, shell::check_machines, "List of machines, by name or .toml file");
+      .words(session::pruning_words(), session::is_read_by(session::prunings_of));
+  add_list(command, "--machines", machines, session::check_machines, "List of machines, by name or .toml file");
   add_list(command, "--memory-bits", memory_bits, memory_bits_of,
            "Numbers: memory bits a pixel; the machine's own if not given");
   view.add_view_to(command);

@@ -3,15 +3,15 @@
 #include <string>
 #include <vector>
 
-#include "sim/shell/command_line.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/sweep/points.h"
 
 namespace csgsim::studies {
 
 /// Options of csgsim sweep. What a sweep varies are lists and ranges, checked when the command line is read.
 struct SweepOptions {
-  shell::ModelOptions view;
+  session::ModelRequest view;
   std::vector<std::string> models;
   std::string machines = "pixel-planes-4";
   std::string memory_bits;
@@ -23,13 +23,13 @@ struct SweepOptions {
   std::string curves = "auto";
   bool no_draw = false;
 
-  void add_to(shell::Command& command);
+  void add_to(session::OptionList& command);
 
   /// The points asked for.
   [[nodiscard]] std::vector<SweepPoint> points() const;
 
   /// Those with which `csgsim render` would draw the point.
-  [[nodiscard]] shell::ModelOptions at(const SweepPoint& point) const;
+  [[nodiscard]] session::ModelRequest at(const SweepPoint& point) const;
 };
 
 }  // namespace csgsim::studies

@@ -7,9 +7,9 @@
 #include "hw/base/error.h"
 #include "hw/base/prints.h"
 #include "hw/base/text.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/paths.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
 #include "sim/studies/groups.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
@@ -63,7 +63,7 @@ bool draws_alike(Rows rows) {
 
 class Sweep : public StudyOf<SweepRow> {
  public:
-  void add_options(Command& command) override { options_.add_to(command); }
+  void add_options(session::OptionList& command) override { options_.add_to(command); }
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
     return input_files(options_.models, parse_words(options_.machines));
   }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/shell/numbers.h"
+#include "sim/session/options/numbers.h"
 #include "sim/studies/folder.h"
 #include "sim/studies/sweep/axis.h"
 #include "sim/studies/sweep/show.h"
@@ -96,7 +96,7 @@ std::string share(std::uint64_t more, std::uint64_t than) {
 }
 
 std::string classification(const SweepRow& row) {
-  return shell::counted(row.classification_bits, "bit") + " for the classification";
+  return session::counted(row.classification_bits, "bit") + " for the classification";
 }
 
 /// What one set of strategies comes to.
@@ -121,8 +121,9 @@ std::string conclusion(const Rows& group) {
   for (const SweepRow& row : by_bits) {
     if (row.clocks >= best) continue;
     best = row.clocks;
-    steps += fmt::format("{}{} {} clocks ({})", steps.empty() ? "" : ", ",
-                         shell::counted(row.classification_bits, "bit"), grouped(row.clocks), strategy_name(row.point));
+    steps +=
+        fmt::format("{}{} {} clocks ({})", steps.empty() ? "" : ", ", session::counted(row.classification_bits, "bit"),
+                    grouped(row.clocks), strategy_name(row.point));
   }
   return text + "  what bits buy: " + steps + "\n";
 }
@@ -146,8 +147,8 @@ void print_sweep(std::span<const SweepRow> rows) {
     return;
   }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;
-  fmt::print("\n{}: {}, {}, {} x {} pixels\n", facts.point.model, shell::counted(facts.primitives, "primitive"),
-             shell::counted(facts.halfspaces, "half-space"), facts.width, facts.height);
+  fmt::print("\n{}: {}, {}, {} x {} pixels\n", facts.point.model, session::counted(facts.primitives, "primitive"),
+             session::counted(facts.halfspaces, "half-space"), facts.width, facts.height);
   print_points(rows);
   for (const auto& [table, conditions] : shared(rows, table_6_1)) {
     fmt::print("\nTable 6.1: rendering versus memory, {} primitive solids{}{}\n{}", grouped(facts.primitives),

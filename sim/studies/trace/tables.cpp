@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "hw/base/text.h"
-#include "sim/shell/numbers.h"
-#include "sim/shell/text_columns.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/text_columns.h"
 #include "sim/studies/processors.h"
 #include "sim/studies/trace/show.h"
 
@@ -23,7 +23,7 @@ using Rows = std::span<const TraceRow>;
 void print_lines(const Lines& lines, std::size_t names) {
   std::string sides(names, '<');
   sides.append(lines.front().size() - names, '>');
-  fmt::print("\n{}", shell::in_columns(lines, sides));
+  fmt::print("\n{}", session::in_columns(lines, sides));
 }
 
 std::string a_ray(std::uint64_t count, const TraceRow& row) {
@@ -110,8 +110,8 @@ void print_seconds(Rows rows, const software::Priced& processor) {
 void print_tracing(Rows rows, std::span<const software::Priced> processors) {
   const auto drawn = std::ranges::find_if(rows, &TraceRow::drawn);
   if (drawn != rows.end()) {
-    fmt::print("{}, {}; {} of {} rays hit the solid\n", shell::counted(drawn->primitives, "primitive"),
-               shell::counted(drawn->halfspaces, "half-space"), grouped(drawn->hit_rays), grouped(drawn->rays));
+    fmt::print("{}, {}; {} of {} rays hit the solid\n", session::counted(drawn->primitives, "primitive"),
+               session::counted(drawn->halfspaces, "half-space"), grouped(drawn->hit_rays), grouped(drawn->rays));
   }
   print_directories(rows, processors);
   print_rays(rows);

@@ -13,11 +13,11 @@
 #include "hw/base/text.h"
 #include "hw/machines/hash.h"
 #include "sim/report/points.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/lists.h"
-#include "sim/shell/paths.h"
-#include "sim/shell/read_by.h"
-#include "sim/shell/version.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/version.h"
 #include "sim/software/methods/rows.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/folder.h"
@@ -64,7 +64,7 @@ std::string difference_of(std::span<const TraceRow> rows) {
 
 class Trace : public StudyOf<TraceRow> {
  public:
-  void add_options(Command& command) override {
+  void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command
         .option("--directories", directories_,
@@ -221,7 +221,7 @@ class Trace : public StudyOf<TraceRow> {
     subject_tolerance_ = tolerance;
   }
 
-  ModelOptions options_;
+  ModelRequest options_;
   std::string directories_ = "excell,excell-recursive,boxes,octree,grid,kd-tree,bvh";
   std::string bucket_sizes_ = "8";
   std::string cast_ = "primary,shadow,mirror";

@@ -1,8 +1,8 @@
-// In place of sim/shell/levels.cpp: without the cycle level, which is SystemC's.
+// In place of sim/session/run/levels.cpp: without the cycle level, which is SystemC's.
 #include "sim/engine/engine.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/run/run_request.h"
 
-namespace csgsim::shell {
+namespace csgsim::session {
 
 std::vector<std::string> level_names() { return {"functional", "reference"}; }
 
@@ -12,4 +12,4 @@ std::unique_ptr<engine::Engine> make_engine(const machines::Machine& machine, co
                               : engine::make_functional_engine(machine, threads);
 }
 
-}  // namespace csgsim::shell
+}  // namespace csgsim::session

@@ -6,7 +6,7 @@
 #include "host/solids/read_mesh.h"
 #include "hw/base/error.h"
 #include "hw/base/module.h"
-#include "sim/shell/scad.h"
+#include "sim/session/model/scad.h"
 #include "sim/viewer/recorded.h"
 
 namespace csgsim {
@@ -36,18 +36,18 @@ std::vector<Mesh> parse_3mf(std::string_view /*bytes*/, std::string_view name) {
 
 }  // namespace solids
 
-namespace shell {
+namespace session {
 
-void add_openscad_time(Command& /*command*/) {}
-
-std::string csg_of_scad(const std::string& file) {
+std::string csg_of_scad(const std::string& file, std::chrono::seconds /*longest*/) {
   throw InputError(file +
                    ": OpenSCAD is not in this page; export the model as .csg there (File, Export), and open that");
 }
 
-std::string csg_of_scad(const std::string& file, std::string_view /*text*/) { return csg_of_scad(file); }
+std::string csg_of_scad(const std::string& file, std::string_view /*text*/, std::chrono::seconds longest) {
+  return csg_of_scad(file, longest);
+}
 
-}  // namespace shell
+}  // namespace session
 
 namespace viewer {
 

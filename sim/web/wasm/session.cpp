@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "sim/shell/json_text.h"
+#include "sim/session/options/json_text.h"
 #include "sim/web/wasm/files.h"
 
 namespace csgsim::web {
@@ -73,7 +73,7 @@ int csgsim_begin(std::size_t name_length) {
   return csgsim::web::status_of([&] {
     const auto [name, knobs] = csgsim::web::parted(name_length);
     csgsim::web::session = std::make_unique<csgsim::viewer::Session>(
-        csgsim::viewer::Beginning{.model = name, .words = {}, .knobs = csgsim::shell::parsed_json(knobs, {})});
+        csgsim::viewer::Beginning{.model = name, .words = {}, .knobs = csgsim::session::parsed_json(knobs, {})});
     return 200;
   });
 }

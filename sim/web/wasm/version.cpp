@@ -1,9 +1,9 @@
-// In place of sim/shell/version.cpp, which reads what the linker of this machine has written.
-#include "sim/shell/version.h"
+// In place of sim/session/options/version.cpp, which reads what the linker of this machine has written.
+#include "sim/session/options/version.h"
 
-#include "sim/shell/commit.h"
+#include "sim/session/options/commit.h"
 
-namespace csgsim::shell {
+namespace csgsim::session {
 
 std::string version() { return CSGSIM_VERSION; }
 
@@ -11,4 +11,4 @@ std::string version_and_build() { return version() + " " + commit; }
 
 std::string date_of_sources() { return commit_date; }
 
-}  // namespace csgsim::shell
+}  // namespace csgsim::session

@@ -219,6 +219,6 @@ TEST_CASE("what a room declares is in the namespace of its name, and what the ba
   // SystemC looks for the operators of a word of a link beside the word; the others name parts of a page beforehand.
   CHECK(lines_of(strange) ==
         "hw/link/frame_words.h: csgsim::isa\n"
-        "sim/shell/report_option.h: csgsim::report\n"
+        "sim/session/run/report_option.h: csgsim::report\n"
         "sim/studies/study.h: csgsim::report\n");
 }

@@ -8,7 +8,7 @@
 #include "host/read/read.h"
 #include "hw/base/error.h"
 #include "hw/kinds/load.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
 #include "sim/studies/accuracy/measure.h"
 #include "sim/studies/accuracy/pareto.h"
 #include "sim/studies/compare/measure.h"
@@ -30,7 +30,7 @@ studies::Measurement point(const std::string& value, std::uint64_t clocks, std::
 
 machines::Machine small_machine() {
   machines::Machine machine = kinds::load("pixel-planes-4");
-  machine.array = {96, 96, shell::ample_memory_bits};
+  machine.array = {96, 96, session::ample_memory_bits};
   return machine;
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("facets as right as curved surfaces are those of the fewest clocks wit
 TEST_CASE("curved surfaces without facets are right to the arithmetic, where facets are off by their tolerance") {
   const model::Tree tree = read::read_csg_text(bitten_cube, "test");
   machines::Machine machine = kinds::load("pixel-powers");
-  machine.array = {96, 96, shell::ample_memory_bits};
+  machine.array = {96, 96, session::ample_memory_bits};
   studies::Meter meter(tree, studies::turned_views(camera, 2), machine, {});
   studies::Knobs knobs{{"curves", "tolerance"}, {0.05}, {}};
   for (const studies::CurvesChoice& choice : studies::curves_choices()) knobs.curves.push_back(choice);

@@ -10,7 +10,7 @@
 #include "hw/machines/kind.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/stats.h"
-#include "sim/shell/command_line.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/runner.h"
 #include "tests/support/drawing.h"
@@ -26,9 +26,10 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 
 /// The points that a command asks for, as the first cells of their rows.
 Words points_asked(const Words& words) {
-  shell::CommandLine line("csgsim: a study", "csgsim");
-  const auto command = studies::describe(line, studies::compare_row);
-  (void)line.read(words, {});
+  session::OptionList list("compare");
+  const auto command = studies::describe(list, studies::compare_row);
+  list.give_words(std::span(words).subspan(1));
+  list.take();
   Words points;
   for (const studies::Asked& one : command->study->ask()) points.push_back(one.cells);
   return points;

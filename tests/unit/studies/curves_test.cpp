@@ -23,7 +23,7 @@ const char* const joined_balls =
 
 machines::Machine machine_of(const std::string& name) {
   machines::Machine machine = kinds::load(name);
-  machine.array = {side, side, shell::ample_memory_bits};
+  machine.array = {side, side, session::ample_memory_bits};
   return machine;
 }
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/options.h"
 #include "sim/studies/explore/sample.h"
@@ -32,11 +32,11 @@ std::vector<Cell> sampled(const std::vector<std::size_t>& sizes, std::uint64_t s
 }
 
 /// What the UsageError says that designs end with; empty if there is none.
-std::string design_error(const shell::ModelOptions& base, const std::vector<Dimension>& dimensions,
+std::string design_error(const session::ModelRequest& base, const std::vector<Dimension>& dimensions,
                          const studies::GridChoice& choice = {}) {
   try {
     static_cast<void>(studies::DesignGrid(base, dimensions, choice));
-  } catch (const shell::UsageError& error) {
+  } catch (const session::UsageError& error) {
     return error.what();
   }
   return "";
@@ -54,10 +54,10 @@ Texts numbers_from(unsigned first, std::size_t count) {
 }
 
 std::string option_error(const std::string& key, const std::string& value) {
-  shell::ModelOptions options;
+  session::ModelRequest options;
   try {
     studies::vary(options, key, value);
-  } catch (const shell::UsageError& error) {
+  } catch (const session::UsageError& error) {
     return error.what();
   } catch (const InputError& error) {
     return error.what();
@@ -153,7 +153,7 @@ TEST_CASE("each option of render takes its own values, up to its limits") {
 }
 
 TEST_CASE("each option of render is given its value, and any other key is a figure of the machine") {
-  shell::ModelOptions options;
+  session::ModelRequest options;
   const std::vector<std::pair<std::string, std::string>> values{
       {"size", "9x7"},       {"memory-bits", "70"}, {"z-bits", "11"},    {"fraction-bits", "5"},
       {"colour-bits", "12"}, {"strategy", "bits"},  {"stack-bits", "6"}, {"colouring", "field"},
@@ -195,7 +195,7 @@ TEST_CASE("whoever says nothing else has all designs, or the sample of seed 1") 
   for (const Cell& cell : sampled({27}, 1, 10)) drawn.push_back(std::to_string(4 + cell[0]));
   Texts asked;
   const studies::DesignGrid grid({}, dimensions, ten);
-  for (const shell::ModelOptions& one : grid.designs()) asked.push_back(std::to_string(one.z_bits));
+  for (const session::ModelRequest& one : grid.designs()) asked.push_back(std::to_string(one.z_bits));
   CHECK(asked == drawn);
 }
 
@@ -249,12 +249,12 @@ TEST_CASE("a figure that an option says otherwise is refused, for size and memor
     return std::string("--vary: an option says otherwise than ") + key + "=" + value +
            "; leave out --size, --memory-bits";
   };
-  shell::ModelOptions sized;
+  session::ModelRequest sized;
   sized.size = "64x48";
   CHECK(design_error(sized, {{"array.width", {"64"}}}) == "");
   CHECK(design_error(sized, {{"array.width", {"64", "65"}}}) == error("array.width", "65"));
   CHECK(design_error(sized, {{"array.height", {"47"}}}) == error("array.height", "47"));
-  shell::ModelOptions remembered;
+  session::ModelRequest remembered;
   remembered.memory_bits = 80;
   CHECK(design_error(remembered, {{"array.memory_bits", {"80"}}}) == "");
   CHECK(design_error(remembered, {{"array.memory_bits", {"80", "81"}}}) == error("array.memory_bits", "81"));
@@ -265,10 +265,10 @@ TEST_CASE("a figure that an option says otherwise is refused, for size and memor
 }
 
 TEST_CASE("designs that differ in what their strategy has not are one, and others are two") {
-  const auto count = [](const shell::ModelOptions& base, const Dimension& dimension) {
+  const auto count = [](const session::ModelRequest& base, const Dimension& dimension) {
     return studies::DesignGrid(base, {dimension}, {}).designs().size();
   };
-  shell::ModelOptions base;
+  session::ModelRequest base;
   CHECK(count(base, {"stack-bits", {"3", "4"}}) == 1);
   base.strategy = "bits";
   CHECK(count(base, {"stack-bits", {"3", "4"}}) == 2);
@@ -279,7 +279,7 @@ TEST_CASE("neighbours are asked for in the order of their keys, the value before
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(10, 5)}, {"fraction-bits", numbers_from(2, 5)}};
   const auto told = [](const studies::DesignGrid& grid) {
     std::vector<std::pair<unsigned, unsigned>> all;
-    for (const shell::ModelOptions& one : grid.designs()) all.emplace_back(one.z_bits, one.fraction_bits);
+    for (const session::ModelRequest& one : grid.designs()) all.emplace_back(one.z_bits, one.fraction_bits);
     return all;
   };
   using Pairs = std::vector<std::pair<unsigned, unsigned>>;

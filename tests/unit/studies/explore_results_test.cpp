@@ -11,7 +11,7 @@
 
 #include "hw/process/process.h"
 #include "sim/report/page.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/explore/options.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/studies/explored.h"
@@ -64,7 +64,7 @@ std::string usage_error(const Texts& words) {
   try {
     Explored explored(words);
     explored.ask();
-  } catch (const shell::UsageError& error) {
+  } catch (const session::UsageError& error) {
     return error.what();
   }
   return "";

@@ -17,8 +17,8 @@
 #include "hw/process/price.h"
 #include "hw/process/process.h"
 #include "places.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/run/run_request.h"
 #include "sim/studies/csv.h"
 #include "sim/studies/fitted_program.h"
 #include "tests/support/drawing.h"
@@ -171,11 +171,11 @@ TEST_CASE("a row has the Program's and the run's figures, and wrong pixels, of t
     // The same by render's own way.
     Texts render = words;
     render.insert(render.end(), {"--machine", row.point.machine, "--memory-bits", std::to_string(row.used_bits)});
-    const shell::ModelOptions options = shell::model_options_in(render);
-    machines::Machine machine = shell::machine_of(options);
-    const isa::Program program = shell::compile_model(options, machine).program;
+    const session::ModelRequest options = session::model_request_in(render);
+    machines::Machine machine = session::machine_of(options);
+    const isa::Program program = session::compile_model(options, machine).program;
     machine.clock_hz = process::clock_of(machine, process)->hz;
-    const shell::Drawn drawn = shell::draw(program, machine);
+    const session::Drawn drawn = session::draw(program, machine);
     CHECK(row.halfspaces == 12);  // two cubes
     std::uint64_t instructions = 0;
     for (const isa::Segment& segment : program.segments) instructions += segment.instructions.size();

@@ -13,7 +13,7 @@
 
 #include "hw/base/error.h"
 #include "sim/plots/plot.h"
-#include "sim/shell/usage.h"
+#include "sim/session/options/usage.h"
 #include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/front.h"
 #include "sim/studies/explore/sample.h"
@@ -69,7 +69,7 @@ ExploreRow row(const std::string& model, const std::string& machine, double fps,
 std::string key_wrong(const std::vector<studies::Dimension>& dimensions, const studies::GridChoice& choice = {}) {
   try {
     static_cast<void>(studies::DesignGrid({}, dimensions, choice));
-  } catch (const shell::UsageError& error) {
+  } catch (const session::UsageError& error) {
     return error.what();
   }
   return "";
@@ -196,7 +196,7 @@ TEST_CASE("what is varied is a key with values, of which ranges are several, non
 TEST_CASE("designs are all combinations, in order, and those that draw alike are one") {
   const std::vector<studies::Dimension> dimensions{
       {"alu.bits", {"1", "2"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "4", "5"}}};
-  const std::vector<shell::ModelOptions> all = studies::DesignGrid({}, dimensions, {}).designs();
+  const std::vector<session::ModelRequest> all = studies::DesignGrid({}, dimensions, {}).designs();
   REQUIRE(all.size() == 2 * (1 + 3));
   CHECK(all[0].machine == "pixel-planes-4+alu.bits=1");
   CHECK(all[0].strategy == "stack");
@@ -218,7 +218,7 @@ TEST_CASE("designs that differ in any one option, or in one figure, are two") {
   for (const studies::Dimension& pair : pairs) {
     CAPTURE(pair.key);
     CHECK(std::ranges::count(studies::varied_options(), pair.key) == 1);
-    shell::ModelOptions base;
+    session::ModelRequest base;
     if (pair.key == "stack-bits") base.strategy = "bits";
     CHECK(studies::DesignGrid(base, {pair}, {}).designs().size() == 2);
   }
@@ -232,7 +232,7 @@ TEST_CASE("neighbours of a design differ in one key, by a place in its list, eac
     studies::DesignGrid grid({}, dimensions, {1, seed});
     grid.add_neighbours(first, most);
     std::set<std::string> machines;
-    for (const shell::ModelOptions& one : grid.designs()) machines.insert(one.machine);
+    for (const session::ModelRequest& one : grid.designs()) machines.insert(one.machine);
     CHECK(machines.size() == grid.designs().size());
     return std::pair(grid.designs().front().machine, machines);
   };

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "sim/shell/command_line.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/explore/measure.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/runner.h"
@@ -43,13 +43,13 @@ struct Models {
 
 /// A study that these words of a command line ask for.
 struct Explored {
-  shell::CommandLine line{"csgsim: a study", "csgsim"};
-  std::shared_ptr<studies::StudyCommand> command = studies::describe_for_caller(line, studies::explore_row);
+  session::OptionList list{"explore"};
+  std::shared_ptr<studies::StudyCommand> command = studies::describe_for_caller(list, studies::explore_row);
   std::vector<studies::Asked> asked{};
 
-  explicit Explored(Texts words) {
-    words.insert(words.begin(), "explore");
-    static_cast<void>(line.read(words, {}));
+  explicit Explored(const Texts& words) {
+    list.give_words(words);
+    list.take();
   }
 
   [[nodiscard]] studies::Study& study() const { return *command->study; }

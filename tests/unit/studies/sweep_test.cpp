@@ -12,8 +12,8 @@
 #include "hw/base/hash.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/area.h"
-#include "sim/shell/command_line.h"
-#include "sim/shell/lists.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/option_list.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/runner.h"
@@ -85,30 +85,30 @@ studies::SweepRow measured(const Drawn& one, bool is_drawn) { return studies::me
 }  // namespace
 
 TEST_CASE("numbers are lists and ranges, in the order given, none twice") {
-  CHECK(shell::parse_numbers("7", 3, 9) == Numbers{7});
-  CHECK(shell::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
-  CHECK(shell::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
-  CHECK(shell::parse_numbers("3..5,4..6,3", 3, 9) == Numbers{3, 4, 5, 6});
-  CHECK(shell::parse_numbers("8..8", 3, 9) == Numbers{8});
+  CHECK(session::parse_numbers("7", 3, 9) == Numbers{7});
+  CHECK(session::parse_numbers("3..6", 3, 9) == Numbers{3, 4, 5, 6});
+  CHECK(session::parse_numbers("9,3,5", 3, 9) == Numbers{9, 3, 5});
+  CHECK(session::parse_numbers("3..5,4..6,3", 3, 9) == Numbers{3, 4, 5, 6});
+  CHECK(session::parse_numbers("8..8", 3, 9) == Numbers{8});
 }
 
 TEST_CASE("what is no list of numbers is refused") {
   for (const char* const text :
        {"", ",", "3,", "3..", "..3", "3...5", "a", "3-5", "3..x", "-3", "3 ", "8..3", "2..5", "3..10", "99999999999"}) {
     CAPTURE(text);
-    CHECK_THROWS_AS(shell::parse_numbers(text, 3, 9), InputError);
+    CHECK_THROWS_AS(session::parse_numbers(text, 3, 9), InputError);
   }
 }
 
 TEST_CASE("an unknown name is told with the nearest known one, if any is like it") {
   const Words known{"stack", "list", "bits"};
-  CHECK(shell::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
-  CHECK_THROWS_WITH_AS(shell::parse_names("stack,lst", "strategy", known),
+  CHECK(session::parse_names("list,stack,list", "strategy", known) == Words{"list", "stack"});
+  CHECK_THROWS_WITH_AS(session::parse_names("stack,lst", "strategy", known),
                        "there is no strategy 'lst'; did you mean list? The strategies are stack, list, bits",
                        InputError);
-  CHECK_THROWS_WITH_AS(shell::parse_names("quixotic", "level", known),
+  CHECK_THROWS_WITH_AS(session::parse_names("quixotic", "level", known),
                        "there is no level 'quixotic'; the levels are stack, list, bits", InputError);
-  CHECK_THROWS_AS(shell::parse_names("", "level", known), InputError);
+  CHECK_THROWS_AS(session::parse_names("", "level", known), InputError);
 }
 
 TEST_CASE("the product has a point for each combination, and stack bits only where they matter") {
@@ -223,9 +223,10 @@ TEST_CASE("the page of a sweep of several models tells how many they are, and of
   const auto subject = [](Words words) {
     words.insert(words.begin(), "sweep");
     words.insert(words.end(), {"-o", "out"});
-    shell::CommandLine line("csgsim: a study", "csgsim");
-    const auto command = studies::describe(line, studies::sweep_row);
-    (void)line.read(std::move(words), {});
+    session::OptionList list("sweep");
+    const auto command = studies::describe(list, studies::sweep_row);
+    list.give_words(std::span(words).subspan(1));
+    list.take();
     return command->study->page_subject();
   };
   const std::string one = testing::model_path("thesis_fig_2_3");

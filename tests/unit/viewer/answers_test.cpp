@@ -16,7 +16,7 @@
 #include "hw/kinds/load.h"
 #include "places.h"
 #include "sim/report/codec.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/model_request.h"
 #include "sim/viewer/drawings.h"
 #include "sim/viewer/evaluations.h"
 #include "sim/viewer/knobs.h"
@@ -193,7 +193,7 @@ TEST_CASE("the page begins with the model, its first options, and the available 
   CHECK(about["knobs"] == Json{{"size", "40x30"}});
   CHECK(about["names"].size() == viewer::knobs.size());
   CHECK(about["machines"].size() == 9);
-  CHECK(about["strategies"] == Json(shell::strategy_names()));
+  CHECK(about["strategies"] == Json(session::strategy_names()));
   CHECK(about["evaluation_time"] == 10);
   CHECK(about["usual"] == Json{{"machine", "pixel-planes-4"}, {"strategy", "stack"}, {"z-bits", 20}});
   const auto machines = [](const char* begun_with) {

@@ -19,9 +19,9 @@
 #include "sim/pictures/encode.h"
 #include "sim/report/codec.h"
 #include "sim/report/pictures.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/run/run_request.h"
 #include "tests/support/error_of.h"
 
 using namespace csgsim;
@@ -34,10 +34,10 @@ struct Subject {
 };
 
 Subject subject(const std::string& machine, const std::string& size = "48x40") {
-  const shell::ModelOptions options = shell::model_options_in(std::vector<std::string>{
+  const session::ModelRequest options = session::model_request_in(std::vector<std::string>{
       CSGSIM_SOURCE_DIR "/tests/models/thesis_fig_2_3.csg", "--machine", machine, "--size", size});
-  const machines::Machine built = shell::machine_of(options);
-  return {built, shell::compile_model(options, built).program};
+  const machines::Machine built = session::machine_of(options);
+  return {built, session::compile_model(options, built).program};
 }
 
 std::string as_url(const std::string& png) { return "data:image/png;base64," + report::base64(png); }
@@ -55,7 +55,7 @@ TEST_CASE("after the last instruction the picture is the one that is drawn, on e
   for (const std::string_view name : kinds::built_in_names()) {
     CAPTURE(name);
     const Subject of = subject(std::string(name));
-    const shell::Drawn drawn = shell::draw(of.program, of.machine);
+    const session::Drawn drawn = session::draw(of.program, of.machine);
     viewer::Instants instants(of.program, of.machine);
     const nlohmann::ordered_json last = instants.at({.number = ~std::uint64_t{0}, .field = {}});
     CHECK(last["number"] == last["count"]);

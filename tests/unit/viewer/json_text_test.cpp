@@ -1,4 +1,4 @@
-#include "sim/shell/json_text.h"
+#include "sim/session/options/json_text.h"
 
 #include <doctest/doctest.h>
 
@@ -18,15 +18,15 @@ std::string nested_objects(std::size_t depth) {
   return text;
 }
 
-std::string error_of(const std::string& text, const shell::JsonLimits& limits) {
-  return testing::error_of([&] { static_cast<void>(shell::parsed_json(text, limits)); });
+std::string error_of(const std::string& text, const session::JsonLimits& limits) {
+  return testing::error_of([&] { static_cast<void>(session::parsed_json(text, limits)); });
 }
 
 }  // namespace
 
 TEST_CASE("brackets in brackets are counted, of arrays and of objects") {
   for (const std::size_t depth : {1U, 2U, 5U}) {
-    const shell::JsonLimits limits{.depth = static_cast<int>(depth)};
+    const session::JsonLimits limits{.depth = static_cast<int>(depth)};
     CHECK(error_of(nested(depth), limits) == "");
     CHECK(error_of(nested_objects(depth), limits) == "");
     CHECK(error_of(nested(depth + 1), limits) == "too many brackets in brackets, more than " + std::to_string(depth));
@@ -46,8 +46,8 @@ TEST_CASE("values are counted: keys, values and brackets") {
 }
 
 TEST_CASE("within its limits a text is what it says") {
-  CHECK(shell::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
+  CHECK(session::parsed_json(R"({"b":[1,2.5,"x",null,true],"a":{}})", {}).dump() ==
         R"({"b":[1,2.5,"x",null,true],"a":{}})");
-  CHECK_THROWS_AS(static_cast<void>(shell::parsed_json("{", {})), nlohmann::ordered_json::exception);
-  CHECK_THROWS_AS(static_cast<void>(shell::parsed_json("{}{}", {})), nlohmann::ordered_json::exception);
+  CHECK_THROWS_AS(static_cast<void>(session::parsed_json("{", {})), nlohmann::ordered_json::exception);
+  CHECK_THROWS_AS(static_cast<void>(session::parsed_json("{}{}", {})), nlohmann::ordered_json::exception);
 }

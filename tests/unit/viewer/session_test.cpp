@@ -11,9 +11,9 @@
 #include "sim/report/codec.h"
 #include "sim/report/page.h"
 #include "sim/report/pictures.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
-#include "sim/shell/run_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+#include "sim/session/run/run_request.h"
 #include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;
@@ -29,10 +29,10 @@ viewer::Session session(Json knobs = Json::object()) { return viewer::Session({f
 
 /// What the command line of these words draws.
 Json drawn_by(const std::vector<std::string>& words) {
-  const shell::ModelOptions options = shell::model_options_in(words);
-  const machines::Machine machine = shell::machine_of(options);
-  const shell::CompiledModel compiled = shell::compile_model(options, machine);
-  const shell::Drawn drawn = shell::draw(compiled.program, machine);
+  const session::ModelRequest options = session::model_request_in(words);
+  const machines::Machine machine = session::machine_of(options);
+  const session::CompiledModel compiled = session::compile_model(options, machine);
+  const session::Drawn drawn = session::draw(compiled.program, machine);
   const observe::Report report{compiled.program, machine, "functional", drawn.result, drawn.stats};
   return {{"picture",
            "data:image/png;base64," + report::base64(report::picture_of(drawn.frame, compiled.program, "", "").png)},

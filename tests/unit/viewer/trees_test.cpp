@@ -14,8 +14,8 @@
 
 #include "hw/isa/pieces.h"
 #include "places.h"
-#include "sim/shell/compiled_model.h"
-#include "sim/shell/model_options.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
 
 using namespace csgsim;
 using Json = nlohmann::ordered_json;
@@ -24,13 +24,13 @@ namespace {
 
 struct Compiled {
   explicit Compiled(std::vector<std::string> words)
-      : options(shell::model_options_in(words)),
-        machine(shell::machine_of(options)),
-        model(shell::compile_model(options, machine)) {}
+      : options(session::model_request_in(words)),
+        machine(session::machine_of(options)),
+        model(session::compile_model(options, machine)) {}
 
-  shell::ModelOptions options;
+  session::ModelRequest options;
   machines::Machine machine;
-  shell::CompiledModel model;
+  session::CompiledModel model;
 };
 
 Compiled compiled(const std::string& model, std::vector<std::string> words) {

@@ -1,0 +1,32 @@
+#include "sim/app/study_commands.h"
+
+#include <memory>
+#include <string>
+
+#include "sim/studies/gather_command.h"
+#include "sim/studies/runner.h"
+
+namespace csgsim::app {
+
+void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
+  shell::Command& command = line.add(row.name, row.does, std::string("Example:\n") + row.example);
+  const std::shared_ptr<studies::StudyCommand> asked = studies::describe(command, row);
+  command.prints_summary();
+  command.runs([asked] { run_study(*asked); });
+}
+
+void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
+  const auto request = std::make_shared<studies::GatherRequest>();
+  shell::Command& command = line.add(
+      "gather", "Join the shards of a study: the table, JSON and plots that one process makes",
+      "Example:\n  csgsim sweep carburettor.csg --shard 1/2 -o out\n"
+      "  csgsim sweep carburettor.csg --shard 2/2 -o out\n"
+      "  csgsim gather out\n"
+      "Shards may run at the same time, on any number of machines; what has been measured of one that was killed is\n"
+      "kept, and the same command goes on. docs/cluster.md has scripts for Slurm, GNU Parallel and MPI launchers.");
+  request->add_to(command);
+  command.prints_summary();
+  command.runs([request, studies] { run_gather(studies, *request); });
+}
+
+}  // namespace csgsim::app

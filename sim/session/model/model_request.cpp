@@ -1,0 +1,355 @@
+#include "sim/session/model/model_request.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "host/convex/extent.h"
+#include "host/csg/positive_tree.h"
+#include "host/effects/rows.h"
+#include "host/emit/curves.h"
+#include "host/emit/effect.h"
+#include "host/facet/geometry.h"
+#include "host/lighting/colour_schemes.h"
+#include "host/scene/read.h"
+#include "host/view/projection.h"
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/prints.h"
+#include "hw/base/text.h"
+#include "sim/session/model/fast_curves.h"
+#include "sim/session/model/scad.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/prunings.h"
+#include "sim/session/options/read_by.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
+
+namespace csgsim::session {
+
+namespace {
+
+/// OpenSCAD's words, and their first letters, as it takes them.
+const std::map<std::string, view::Projection> projections{{"ortho", view::Projection::orthographic},
+                                                          {"o", view::Projection::orthographic},
+                                                          {"perspective", view::Projection::perspective},
+                                                          {"p", view::Projection::perspective}};
+
+std::vector<std::string> scheme_names() {
+  std::vector<std::string> names;
+  for (const lighting::ColourScheme& scheme : lighting::colour_schemes()) names.emplace_back(scheme.name);
+  return names;
+}
+
+void apply_scheme(const std::string& name, scene::Scene& scene) {
+  for (const lighting::ColourScheme& scheme : lighting::colour_schemes())
+    if (scheme.name == name) lighting::apply(scheme, scene);
+}
+
+/// Everything that a list of named choices has, by name.
+template <class Choices>
+auto by_name(const Choices& choices) {
+  std::map<std::string, typename Choices::value_type> named;
+  for (const auto choice : choices) named.emplace(emit::name_of(choice), choice);
+  return named;
+}
+
+/// A number, or a number followed by px.
+Tolerance parse_tolerance(const std::string& text) {
+  const bool in_pixels = text.ends_with("px");
+  const std::string number = in_pixels ? text.substr(0, text.size() - 2) : text;
+  const double value = numbers<double>(number, ',', 1, "--tolerance", in_pixels ? "0.5px" : "0.1, or 0.5px")[0];
+  if (!(value > 0 && std::isfinite(value)))
+    throw UsageError("--tolerance", "the faceting tolerance has to be a finite length above 0");
+  return {value, in_pixels};
+}
+
+constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
+
+view::Projection projection_of(const ModelRequest& options) {
+  if (!options.projection.empty()) return projections.at(options.projection);
+  const bool is_perspective = options.scene().camera.is_perspective.value_or(false);
+  return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
+}
+
+/// Eye and centre, or centre, turns and distance.
+view::Camera camera_in(const std::string& text) {
+  const bool is_gimbal = std::ranges::count(text, ',') == 6;
+  const auto v = numbers<double>(text, ',', is_gimbal ? 7 : 6, "--camera", "ex,ey,ez,cx,cy,cz or x,y,z,rx,ry,rz,d");
+  const glm::dvec3 first(v[0], v[1], v[2]);
+  const glm::dvec3 second(v[3], v[4], v[5]);
+  if (is_gimbal && !(v[6] > 0)) throw UsageError("--camera", "the distance, its last number, has to be above 0");
+  const view::Camera camera = is_gimbal ? view::gimbal_camera(first, second, v[6]) : view::Camera{first, second};
+  for_option("--camera", [&] { view::basis(camera); });
+  return camera;
+}
+
+/// As the scene says it; an orthographic view has none.
+std::optional<double> near_of(const ModelRequest& options) {
+  return projection_of(options) == view::Projection::perspective ? options.scene().camera.near : std::nullopt;
+}
+
+/// Whatever the scene or the model calls for.
+void switch_off(const std::vector<std::string>& names, scene::Scene& scene) {
+  for (const scene::Section& section : effects::sections()) {
+    const auto is_named = [&](const std::string& name) { return section.name == "effects." + name; };
+    if (std::none_of(names.begin(), names.end(), is_named)) continue;
+    std::erase_if(scene.effects, [&](const scene::CalledEffect& one) { return one.name == section.name; });
+    scene.effects.push_back({section.name, {}, false});
+  }
+}
+
+}  // namespace
+
+const ModelRequest::LoadedScene& ModelRequest::loaded_scene() const {
+  if (scene_ != nullptr) return *scene_;
+  LoadedScene loaded{scene_file.empty() ? "" : read_file(scene_file, scene_input), {}, {}};
+  try {
+    const std::vector<scene::Section> sections = effects::sections();
+    loaded.scene = scene::read_scene(loaded.text, printable(scene_file), sorted(sets).scene, sections, &loaded.values);
+  } catch (const scene::SetError& error) {
+    throw UsageError(error.what());
+  }
+  switch_off(effects_off_, loaded.scene);
+  apply_scheme(colour_scheme, loaded.scene);
+  scene_ = std::make_shared<const LoadedScene>(std::move(loaded));
+  return *scene_;
+}
+
+ModelRequest ModelRequest::without_effects(const std::vector<std::string>& names) const {
+  ModelRequest fewer = *this;
+  fewer.scene_ = nullptr;
+  fewer.effects_off_ = names;
+  return fewer;
+}
+
+ModelRequest model_request_in(std::span<const std::string> words) {
+  ModelRequest request;
+  OptionList options("view");
+  request.add_to(options);
+  options.give_words(words);
+  options.take();
+  return request;
+}
+
+std::chrono::seconds ModelRequest::openscad_time() const {
+  return openscad_seconds ? std::chrono::seconds(*openscad_seconds) : usual_openscad_time;
+}
+
+std::vector<std::string> strategy_names() {
+  std::vector<std::string> names;
+  names.reserve(std::size(emit::strategies));
+  for (const auto strategy : emit::strategies) names.emplace_back(emit::name_of(strategy));
+  return names;
+}
+
+void ModelRequest::add_to(OptionList& command, const std::string& what) {
+  command.option("MODEL", model, what).required();
+  command
+      .option("--machine", machine,
+              "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: "
+              "NAME+KEY=VALUE")
+      .check(is_read_by(check_machine));
+  command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
+      .between(1U, isa::max_memory_bits);
+  add_view_to(command);
+  command.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
+  command
+      .option("--strategy", strategy,
+              "How classifications are worked out; bits with --stack-bits, auto: the fewest clocks that fit")
+      .one_of(strategy_names());
+  command
+      .option("--stack-bits", stack_bits,
+              "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 tests a "
+              "primitive's depth for each product, 4 sums products, each more keeps the results of one more level")
+      .between(emit::fewest_stack_bits, most_stack_bits);
+  command
+      .option("--colouring", colouring,
+              "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour "
+              "beside Z1)")
+      .one_of(by_name(emit::colourings));
+  command
+      .option("--pruning", pruning,
+              "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
+      .words(pruning_words(), is_read_by(pruning_of));
+}
+
+void ModelRequest::add_view_to(OptionList& command) {
+  command.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  command.option("--camera", camera,
+                 "As OpenSCAD's: eye and centre, ex,ey,ez,cx,cy,cz; or centre, turns and distance, x,y,z,rx,ry,rz,d");
+  command.option("--projection", projection, "ortho (o) or perspective (p); ortho if the scene says nothing either")
+      .one_of(projections);
+  command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
+  command
+      .option("--colour-scheme,--colorscheme", colour_scheme,
+              "Background and usual colours of faces as OpenSCAD's scheme of that name has them")
+      .one_of(scheme_names());
+  command.option(
+      "--set", sets,
+      "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
+      "each");
+  command.option("--imports-from", imports_from,
+                 "Folder in which, or below which, the model's imports may be, and are looked for, besides its own "
+                 "folder");
+  command.option("--openscad-time", openscad_seconds,
+                 "Seconds after which OpenSCAD is ended if it has not evaluated a model's source; 1800 if not given");
+  command.flag("--snap", snap,
+               "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
+               "that should coincide do");
+  command
+      .option("--limit", limit,
+              "Work that reading the model may take, and compiling it again, in millions of steps; what takes more is "
+              "refused, with its place")
+      .between(1U, most_limit);
+  command.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
+  command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
+      .between(0U, view::most_fraction_bits);
+  command.option("--edge-on", edge_on,
+                 "Planes that pass the depth range within this part of a pixel become edge tests");
+  command.read_option(
+      "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
+      "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
+      "of as OpenSCAD does");
+  command
+      .option("--curves", curves,
+              "How spheres, cylinders and cones are drawn: facets; fast (spheres as circles and paraboloids, on any "
+              "machine); exact (without facets, on a machine whose "
+              "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
+      .one_of(by_name(emit::curve_choices), "curve drawing");
+  command.option("--colour-bits", colour_bits, "Bits of a colour")
+      .between(isa::fewest_colour_bits, isa::most_colour_bits);
+}
+
+machines::Machine machine_of(const ModelRequest& options) {
+  machines::Machine machine = load_machine(options.machine, options.sets);
+  if (!options.size.empty()) {
+    const char between = options.size.find(',') == std::string::npos ? 'x' : ',';
+    const auto size = numbers<std::uint32_t>(options.size, between, 2, "--size", "WxH");
+    if (std::ranges::any_of(size, [](std::uint32_t side) { return side < 1 || side > isa::max_array_side; })) {
+      throw UsageError("--size", fmt::format("the picture's sides have to be 1 to {} pixels", isa::max_array_side));
+    }
+    machines::set_picture_size(machine, {size[0], size[1]});
+  }
+  if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
+  return machine;
+}
+
+Work work_of(const ModelRequest& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
+
+emit::Options emit_options_of(const ModelRequest& options) {
+  emit::Options emit;
+  emit.strategy = by_name(emit::strategies).at(options.strategy);
+  emit.stack_bits = options.stack_bits;
+  emit.colouring = by_name(emit::colourings).at(options.colouring);
+  emit.colour_bits = options.colour_bits;
+  emit.scene = options.scene();
+  emit.effects = effects::all();
+  emit.pruning = pruning_of(options.pruning);
+  emit.work = work_of(options);
+  return emit;
+}
+
+namespace {
+
+/// As they are asked for, but for curved surfaces.
+facet::Faceting planar_faceting_of(const ModelRequest& options, const machines::Machine& machine,
+                                   const model::Tree& tree) {
+  if (!options.tolerance) return {};
+  if (!options.tolerance->in_pixels) return {.tolerance = options.tolerance->value};
+  const facet::Geometry scene = facet::make_geometry(tree);
+  const view::Camera camera = camera_of(options, machine, tree, scene);
+  const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
+  const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
+  print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
+                         options.tolerance->value));
+  return {.tolerance = tolerance};
+}
+
+}  // namespace
+
+std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view) {
+  std::vector<bool> unfit(scene.solids.size());
+  bool any = false;
+  for (std::size_t i = 0; i < unfit.size(); ++i) {
+    const std::vector<facet::QuadricSide>& quadrics = scene.solids[i].quadrics;
+    unfit[i] = std::ranges::any_of(quadrics, [&](const facet::QuadricSide& side) {
+      return view.quadrics[side.quadric].kind == view::ScreenQuadricKind::unfit;
+    });
+    any = any || unfit[i];
+  }
+  return any ? unfit : std::vector<bool>{};
+}
+
+facet::Faceting faceting_of(const ModelRequest& options, const machines::Machine& machine, const model::Tree& tree) {
+  facet::Faceting faceting = planar_faceting_of(options, machine, tree);
+  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+  if (curves == emit::Curves::facets) return faceting;
+  if (curves == emit::Curves::automatic && machine.evaluator_degree < 2) return faceting;
+  const emit::Options emit = emit_options_of(options);
+  const view::Camera camera = camera_of(options, machine, tree, facet::make_geometry(tree));
+  const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
+  if (curves == emit::Curves::fast)
+    return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(options, machine), machine, emit, look);
+  const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
+  if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or draw facets by --curves auto");
+  if (reason) return faceting;
+  faceting.exact_curves = true;
+  if (curves == emit::Curves::exact) return faceting;
+  const facet::Geometry scene = facet::make_geometry(tree, faceting);
+  faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(options, machine)));
+  return faceting;
+}
+
+facet::Faceting flat_faceting_of(const ModelRequest& options, const machines::Machine& machine,
+                                 const model::Tree& tree) {
+  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+  if (curves == emit::Curves::exact || curves == emit::Curves::fast)
+    throw UsageError("--curves", "this command takes facets alone; leave it out");
+  return planar_faceting_of(options, machine, tree);
+}
+
+view::Sampling sampling_of(const ModelRequest& options, const machines::Machine& machine) {
+  if (options.near && projection_of(options) != view::Projection::perspective) {
+    throw UsageError("--near", "an orthographic view has no near plane; leave it out");
+  }
+  if (options.near && !(*options.near > 0 && std::isfinite(*options.near)))
+    throw UsageError("--near", "the near plane has to be at a finite distance above 0");
+  if (!(options.edge_on > 0 && options.edge_on <= 1))
+    throw UsageError("--edge-on", "the edge-on fraction has to be above 0 and at most 1 pixel");
+  const machines::Size picture = machine.picture;
+  const std::optional<double> near = options.near ? options.near : near_of(options);
+  return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, near};
+}
+
+view::Camera camera_of(const ModelRequest& options, const machines::Machine& machine, const model::Tree& tree,
+                       const facet::Geometry& scene) {
+  const machines::Size picture = machine.picture;
+  const scene::Camera& seen_by = options.scene().camera;
+  const bool is_given = !options.camera.empty() || (seen_by.eye && seen_by.centre);
+  const bool sees_all = options.view_all || seen_by.view_all.value_or(false);
+  // The same picture, whatever curved surfaces are drawn as.
+  const bool has_quadrics = !scene.quadrics.quadrics().empty();
+  const facet::Box box = is_given && !sees_all ? scene.box
+                         : has_quadrics        ? convex::extent(facet::make_geometry(tree), csg::make_positive(tree))
+                                               : convex::extent(scene, csg::make_positive(tree));
+  view::Camera camera = view::default_camera(box, picture.width, picture.height);
+  camera.eye = seen_by.eye.value_or(camera.eye);
+  camera.centre = seen_by.centre.value_or(camera.centre);
+  if (!options.camera.empty()) camera = camera_in(options.camera);
+  camera.projection = projection_of(options);
+  return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
+}
+
+std::vector<std::filesystem::path> ModelRequest::inputs() const {
+  return input_files(scene_file.empty() ? std::vector{model} : std::vector{model, scene_file}, {machine});
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,24 @@
+#include "sim/session/model/near_faces_warning.h"
+
+#include <fmt/format.h>
+
+#include "host/convex/near_faces.h"
+#include "hw/base/messages.h"
+
+namespace csgsim::session {
+
+void warn_of_near_faces(const CompiledModel& model, const ModelRequest& options) {
+  const convex::NearFaces found = convex::near_faces(model.tree, model.scene);
+  if (found.pairs == 0) return;
+  const std::string others =
+      found.pairs == 1 && !found.are_more
+          ? ""
+          : fmt::format(" ({}{} more such pairs)", found.are_more ? "at least " : "", found.pairs - 1);
+  tell_line(fmt::format(
+      "{}: warning: a face of it and one of {} are nearly in one plane, but not quite{}; specks or a skin may be seen: "
+      "{}let one reach well into the other",
+      model::place_of(model.tree, found.first[0]), model::place_of(model.tree, found.first[1]), others,
+      options.snap ? "" : "use --snap, or "));
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/model_request.h"
+
+namespace csgsim::session {
+
+/// One line on standard error if faces of two nodes are nearly in one plane, though not quite (convex/near_faces.h).
+void warn_of_near_faces(const CompiledModel& model, const ModelRequest& options);
+
+}  // namespace csgsim::session

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "hw/isa/program.h"
+
+namespace csgsim::session {
+
+/// The primitive that an option names: by its index, `3` or `p3`; by its name, `cylinder@9:9`; or by its line in the
+/// model's file, `@9` or `cylinder@9`, if only one stands there. Throws UsageError, which names the nearest.
+std::uint32_t primitive_named(const isa::Program& program, const std::string& text, const std::string& option);
+
+/// A pixel of a picture.
+struct Pixel {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+};
+
+/// The pixel that an option names, `x,y`. Throws UsageError.
+Pixel pixel_named(const isa::Program& program, const std::string& text, const std::string& option);
+
+}  // namespace csgsim::session

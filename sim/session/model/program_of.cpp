@@ -1,0 +1,139 @@
+#include "sim/session/model/program_of.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "hw/base/error.h"
+#include "hw/base/messages.h"
+#include "hw/base/text.h"
+#include "hw/isa/program_file.h"
+#include "hw/machines/kind.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/paths.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
+
+namespace csgsim::session {
+
+isa::Program read_program(const std::string& path) {
+  return with_memory_for("the Program " + path, [&] { return isa::load_program(path); });
+}
+
+namespace {
+
+void refuse_less_memory(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
+  if (program.shape.memory_bits <= machine.array.memory_bits) return;
+  throw InputError(fmt::format(
+      "{}: the Program takes {} bits of memory a pixel, and {} has {}; take a machine with more, or compile "
+      "the model for this one",
+      file, program.shape.memory_bits, machine.name, machine.array.memory_bits));
+}
+
+/// Of a Program that does not name its machine.
+machines::Machine assumed_machine(const isa::Program& program, const std::string& file, const std::string& asked,
+                                  const std::vector<std::string>& sets) {
+  machines::Machine machine = load_machine(asked.empty() ? ModelRequest{}.machine : asked, sets);
+  if (!asked.empty()) {
+    refuse_less_memory(program, file, machine);
+    return machine;
+  }
+  const std::uint32_t bits = program.shape.memory_bits;
+  const std::string memory =
+      bits > machine.array.memory_bits
+          ? fmt::format(", with {} bits of memory a pixel instead of its {}", bits, machine.array.memory_bits)
+          : "";
+  tell_line(
+      fmt::format("{}: warning: the Program does not name the machine that it was compiled for; {} is assumed{}; "
+                  "name one by --machine",
+                  file, machine.name, memory));
+  return machine;
+}
+
+machines::Machine named_machine(const isa::Program& program, const std::string& file,
+                                const std::vector<std::string>& sets) {
+  try {
+    return load_machine(program.machine, sets);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+}
+
+/// Nothing where it is not known any more.
+std::optional<machines::Machine> machine_named(const isa::Program& program, const std::string& file) {
+  try {
+    return load_machine(program.machine, {});
+  } catch (const InputError& error) {
+    tell_line(fmt::format("{}: warning: whether this machine fits cannot be told: {}", file, error.what()));
+    return std::nullopt;
+  }
+}
+
+/// Where it is not the machine that the Program names.
+void check_fits(const isa::Program& program, const std::string& file, const machines::Machine& machine) {
+  const std::optional<machines::Machine> known = machine_named(program, file);
+  if (!known) return refuse_less_memory(program, file, machine);
+  const machines::Machine& own = *known;
+  if (machine.kind != own.kind) {
+    throw InputError(fmt::format(
+        "{}: the Program was compiled for {}, of the kind {}, and {} is of the kind {}; leave --machine out, "
+        "or compile the model for this one",
+        file, own.name, own.kind->name, machine.name, machine.kind->name));
+  }
+  const std::vector<std::string> others = machines::other_figures(machine, own);
+  if (others.empty()) return;
+  refuse_less_memory(program, file, machine);
+  tell_line(fmt::format("{}: warning: the Program was compiled for {}; {} has {}", file, own.name, machine.name,
+                        fmt::join(others, ", ")));
+}
+
+}  // namespace
+
+machines::Machine machine_for(const isa::Program& program, const std::string& file, const std::string& asked,
+                              const std::vector<std::string>& sets) {
+  const std::string shown = printable(shown_name(file));
+  if (program.machine.name.empty()) {
+    machines::Machine machine = assumed_machine(program, shown, asked, sets);
+    machines::adopt(machine, program);
+    return machine;
+  }
+  machines::Machine machine = asked.empty() ? named_machine(program, shown, sets) : load_machine(asked, sets);
+  if (!asked.empty()) check_fits(program, shown, machine);
+  machines::adopt(machine, program);
+  return machine;
+}
+
+void refuse_model_options(const OptionList& command, const std::set<std::string>& own, const std::string& why) {
+  for (const GivenOption& option : command.given()) {
+    if (option.name != "quiet" && !own.contains(option.name))
+      throw UsageError("--" + option.name, "is for models; " + why);
+  }
+}
+
+ProgramOnMachine program_of(const ModelRequest& options, const std::string& asked) {
+  if (is_model(options.model)) {
+    machines::Machine machine = machine_of(options);
+    isa::Program program = compile_model(options, machine).program;
+    return {std::move(machine), std::move(program)};
+  }
+  refuse_scene_sets(options.sets);
+  isa::Program program = read_program(options.model);
+  machines::Machine machine = machine_for(program, options.model, asked, options.sets);
+  return {std::move(machine), std::move(program)};
+}
+
+ProgramOnMachine program_of(const ModelRequest& options, const OptionList& command) {
+  return program_of(options, is_given(command, "machine") ? options.machine : "");
+}
+
+bool is_given(const OptionList& command, std::string_view name) {
+  const std::vector<GivenOption> given = command.given();
+  return std::any_of(given.begin(), given.end(), [&](const GivenOption& one) { return one.name == name; });
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,68 @@
+#include "sim/session/model/subject.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "hw/base/descriptor.h"
+#include "hw/base/error.h"
+#include "hw/base/input_file.h"
+#include "hw/base/standard_streams.h"
+#include "hw/base/text.h"
+#include "hw/isa/program_file.h"
+#include "sim/session/options/paths.h"
+
+namespace csgsim::session {
+
+namespace {
+
+constexpr InputKind model_or_program{"a model or a Program", std::size_t{1} << 30U, "draw a smaller picture"};
+constexpr std::size_t beginning = 16384;  ///< bytes of a file that are looked at
+
+/// Of a regular file as far as it can be read; what is wrong with it is told where it is read.
+std::string beginning_of(const std::filesystem::path& path) {
+  if (path == standard_stream) return read_file(path, model_or_program).substr(0, beginning);
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return "";
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  std::string bytes(beginning, '\0');
+  const ssize_t count = file.is_open() ? ::read(file.number(), bytes.data(), bytes.size()) : 0;
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+  return bytes;
+}
+
+std::optional<Subject> named_subject(const std::filesystem::path& path) {
+  const auto row =
+      std::ranges::find_if(named_subjects, [&](const NamedSubject& one) { return ends_in(path, one.ending); });
+  return row == named_subjects.end() ? std::nullopt : std::optional(row->subject);
+}
+
+}  // namespace
+
+Subject subject_in(const std::filesystem::path& path) {
+  const std::string begin = beginning_of(path);
+  if (isa::begins_as_program(std::as_bytes(std::span(begin)))) return Subject::program;
+  return path == standard_stream ? Subject::csg : named_subject(path).value_or(Subject::csg);
+}
+
+bool is_model(const std::filesystem::path& path) { return !is_program(path); }
+
+bool is_program(const std::filesystem::path& path) { return subject_in(path) == Subject::program; }
+
+bool has_model_name(const std::filesystem::path& path) {
+  return named_subject(path).value_or(Subject::program) != Subject::program;
+}
+
+void refuse_model(const std::filesystem::path& path) {
+  const bool may_be_model = path == standard_stream || has_model_name(path);
+  if (may_be_model && is_model(path))
+    throw InputError(printable(path.native()) + ": that is a model; use csgsim render " + shell_word(path.native()));
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,71 @@
+#include "sim/session/options/lists.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <system_error>
+
+#include "hw/base/error.h"
+#include "hw/base/nearest.h"
+
+namespace csgsim::session {
+
+namespace {
+
+template <class Value>
+void add_once(std::vector<Value>& values, Value value) {
+  if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(std::move(value));
+}
+
+unsigned parse_number(std::string_view text, std::string_view word) {
+  unsigned number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error != std::errc{} || end != text.data() + text.size() || text.empty())
+    throw InputError(fmt::format("'{}' is no number and no range such as 3..8", word));
+  return number;
+}
+
+}  // namespace
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t end = text.find(separator); end != text.npos; end = text.find(separator)) {
+    parts.push_back(text.substr(0, end));
+    text.remove_prefix(end + separator.size());
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+std::vector<std::string> parse_words(std::string_view text) {
+  std::vector<std::string> words;
+  for (const std::string_view word : split(text, ",")) {
+    if (word.empty()) throw InputError(fmt::format("'{}' has nothing at a comma", text));
+    add_once(words, std::string(word));
+  }
+  return words;
+}
+
+std::vector<unsigned> parse_numbers(std::string_view text, unsigned least, unsigned most) {
+  std::vector<unsigned> numbers;
+  for (const std::string& word : parse_words(text)) {
+    const std::string_view view = word;
+    const std::size_t dots = view.find("..");
+    const unsigned first = parse_number(view.substr(0, dots), word);
+    const unsigned last = dots == std::string_view::npos ? first : parse_number(view.substr(dots + 2), word);
+    if (last < first) throw InputError(fmt::format("'{}' runs backwards; take {}..{}", word, last, first));
+    if (first < least || last > most) throw InputError(fmt::format("'{}' is not within {} to {}", word, least, most));
+    for (unsigned number = first; number <= last; ++number) add_once(numbers, number);
+  }
+  return numbers;
+}
+
+std::vector<std::string> parse_names(std::string_view text, std::string_view kind, std::span<const std::string> known) {
+  std::vector<std::string> words = parse_words(text);
+  for (const std::string& word : words)
+    if (std::find(known.begin(), known.end(), word) == known.end()) throw InputError(no_such(kind, word, known));
+  return words;
+}
+
+}  // namespace csgsim::session

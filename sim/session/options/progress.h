@@ -1,0 +1,22 @@
+#pragma once
+
+#include <unistd.h>
+
+#include <string>
+
+#include "hw/base/standard_streams.h"
+#include "sim/session/options/option_list.h"
+
+namespace csgsim::session {
+
+/// Whether to tell on standard error how far things are.
+inline bool shows_progress(const std::string& progress) {
+  return progress == "auto" && !is_silent() && ::isatty(STDERR_FILENO) != 0;
+}
+
+inline void add_progress(OptionList& command, std::string& progress) {
+  command.option("--progress", progress, "auto (when standard error is a terminal) or none")
+      .one_of({"auto", "none"}, "progress setting");
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,177 @@
+#include "sim/session/options/sets.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+
+#include "host/effects/rows.h"
+#include "host/scene/schema.h"
+#include "hw/base/nearest.h"
+#include "hw/base/text.h"
+#include "hw/kinds/load.h"
+#include "hw/kinds/rows.h"
+#include "hw/machines/description.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/usage.h"
+
+namespace csgsim::session {
+
+namespace {
+
+std::string_view key_of(std::string_view set) { return set.substr(0, set.find('=')); }
+
+std::string_view first_word(std::string_view key) { return key.substr(0, key.find('.')); }
+
+bool has_figure(const machines::Kind& kind, std::string_view key) {
+  return std::ranges::any_of(kind.schema, [&](const machines::FigureSchema& figure) { return figure.key == key; });
+}
+
+bool is_figure(std::string_view key) {
+  return std::ranges::any_of(kinds::all(), [&](const machines::Kind* kind) { return has_figure(*kind, key); });
+}
+
+/// The scene's own reader tells what is wrong behind the first word.
+bool is_of_scene(std::string_view key) {
+  const std::string_view word = first_word(key);
+  return word == "effects" || std::ranges::any_of(scene::common_sections(),
+                                                  [&](const scene::Section& section) { return section.name == word; });
+}
+
+/// Every key that may be set; those of a list's tables as of its first.
+std::vector<std::string> vocabulary() {
+  std::set<std::string> words;
+  for (const machines::Kind* kind : kinds::all()) {
+    for (const machines::FigureSchema& figure : kind->schema) words.emplace(figure.key);
+  }
+  const auto add_section = [&](const scene::Section& section) {
+    for (const scene::KeyValue& one : section.blank())
+      words.insert(fmt::format("{}.{}{}", section.name, section.is_list ? "0." : "", one.key.name));
+  };
+  for (const scene::Section& section : scene::common_sections()) add_section(section);
+  for (const scene::Section& section : effects::sections()) {
+    add_section(section);
+    if (!section.is_list) words.insert(fmt::format("{}.on", section.name));
+  }
+  return {words.begin(), words.end()};
+}
+
+[[noreturn]] void fail_unknown(const std::string& set) {
+  const std::vector<std::string> words = vocabulary();
+  const std::vector<std::string_view> known(words.begin(), words.end());
+  throw UsageError("--set " + printable(set),
+                   fmt::format("'{}' is neither a figure of a machine nor a key of a scene; the nearest known is '{}'",
+                               printable(key_of(set)), nearest(key_of(set), known)));
+}
+
+/// The kinds of machines that have the figure.
+std::string kinds_with(std::string_view key) {
+  std::vector<std::string_view> names;
+  for (const machines::Kind* kind : kinds::all()) {
+    if (has_figure(*kind, key)) names.push_back(kind->name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+void refuse_missing(const std::string& set, const machines::Kind& kind, const std::string& name) {
+  const std::string_view key = key_of(set);
+  if (has_figure(kind, key)) return;
+  std::vector<std::string_view> known;
+  for (const machines::FigureSchema& figure : kind.schema) known.push_back(figure.key);
+  throw UsageError("--set " + printable(set),
+                   fmt::format("{} has no such figure, machines of the kind {} have; its nearest is '{}'",
+                               printable(name), kinds_with(key), nearest(key, known)));
+}
+
+}  // namespace
+
+Sets sorted(const std::vector<std::string>& sets) {
+  Sets all;
+  for (const std::string& set : sets) {
+    if (is_figure(key_of(set))) {
+      all.figures.push_back(set);
+    } else if (is_of_scene(key_of(set))) {
+      all.scene.push_back(set);
+    } else {
+      fail_unknown(set);
+    }
+  }
+  return all;
+}
+
+void check_machine(const std::string& name) {
+  const std::vector<std::string_view> known = kinds::built_in_names();
+  if (kinds::file_of(name).empty() && std::ranges::find(known, name) == known.end()) kinds::load(name);
+}
+
+void check_machines(const std::string& names) {
+  for (const std::string& name : parse_words(names)) check_machine(name);
+}
+
+namespace {
+
+template <class Source>
+machines::Machine load_from(const Source& source, const std::string& name, const std::vector<std::string>& sets) {
+  const std::vector<std::string> figures = sorted(sets).figures;
+  machines::Machine plain = kinds::load(source);
+  if (figures.empty()) return plain;
+  for (const std::string& figure : figures) refuse_missing(figure, *plain.kind, name);
+  try {
+    return kinds::load(source, figures);
+  } catch (const machines::ChangeError& error) {
+    throw UsageError("--set", error.what());
+  }
+}
+
+}  // namespace
+
+machines::Machine load_machine(const std::string& name, const std::vector<std::string>& sets) {
+  return load_from(name, name, sets);
+}
+
+machines::Machine load_machine(const isa::MachineRecord& record, const std::vector<std::string>& sets) {
+  return load_from(record, record.name, sets);
+}
+
+std::vector<std::string> with_figures(const std::vector<std::string>& names, const std::vector<std::string>& sets) {
+  const std::vector<std::string> figures = sorted(sets).figures;
+  if (figures.empty()) return names;
+  std::vector<std::string> edited;
+  std::set<std::string> taken;
+  for (const std::string& name : names) {
+    const machines::Machine plain = kinds::load(name);
+    std::vector<std::string> own;
+    for (const std::string& figure : figures) {
+      if (!has_figure(*plain.kind, key_of(figure))) continue;
+      own.push_back(figure);
+      taken.insert(figure);
+    }
+    load_machine(name, own);  // what is wrong with a value is wrong with --set
+    edited.push_back(own.empty() ? name : fmt::format("{}+{}", name, fmt::join(own, "+")));
+  }
+  for (const std::string& figure : figures) {
+    if (!taken.contains(figure))
+      throw UsageError("--set " + printable(figure),
+                       fmt::format("none of {} has that figure; machines of the kind {} "
+                                   "have",
+                                   printable(fmt::format("{}", fmt::join(names, ", "))), kinds_with(key_of(figure))));
+  }
+  return edited;
+}
+
+void add_figure_sets(OptionList& command, std::vector<std::string>& sets, const std::string& which) {
+  command.option("--set", sets, "A figure of " + which + ", as in alu.bits=4; once for each");
+}
+
+void refuse_scene_sets(const std::vector<std::string>& sets, const std::string& option) {
+  const std::vector<std::string> of_scene = sorted(sets).scene;
+  if (!of_scene.empty())
+    throw UsageError(option,
+                     "'" + printable(of_scene.front()) +
+                         "' is for models; a Program has been compiled already, and only figures of its machine "
+                         "can be set");
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace csgsim::session {
+
+/// A request makes no sense; what() says why in one line.
+class UsageError : public std::runtime_error {
+ public:
+  explicit UsageError(const std::string& message) : std::runtime_error(message) {}
+  UsageError(const std::string& option, const std::string& message) : UsageError(option + ": " + message) {}
+};
+
+}  // namespace csgsim::session

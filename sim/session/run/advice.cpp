@@ -1,0 +1,104 @@
+#include "sim/session/run/advice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <optional>
+
+#include "host/emit/compile.h"
+#include "hw/base/error.h"
+#include "hw/host/host.h"
+#include "hw/machines/timing.h"
+#include "sim/engine/engine.h"
+#include "sim/functional/clocks.h"
+
+namespace csgsim::session {
+
+namespace {
+
+constexpr unsigned fewer_bits = 4;
+constexpr unsigned few_colour_bits = 12;
+
+/// The option as on the command line; nothing where it says that already.
+template <class Value>
+std::optional<std::string> turn(const char* option, Value& value, const Value& to) {
+  if (value == to) return std::nullopt;
+  value = to;
+  return fmt::format("{} {}", option, to);
+}
+
+std::optional<std::string> lower(const char* option, unsigned& bits, unsigned fewest) {
+  return turn(option, bits, bits < fewest + fewer_bits ? bits : bits - fewer_bits);
+}
+
+/// An option that is turned by one step.
+struct TriedSetting {
+  /// What it becomes, as on the command line; nothing where it stands at its end.
+  std::optional<std::string> (*turn)(ModelRequest& options);
+  const char* but;  ///< what else changes
+};
+
+constexpr const char* same_picture = "the same picture";
+constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
+
+constexpr auto tried_settings = std::to_array<TriedSetting>({
+    {[](ModelRequest& options) { return turn("--strategy", options.strategy, std::string("auto")); }, same_picture},
+    {[](ModelRequest& options) { return turn("--colouring", options.colouring, std::string("auto")); }, same_picture},
+    {[](ModelRequest& options) { return lower("--z-bits", options.z_bits, view::fewest_z_bits); }, other_picture},
+    {[](ModelRequest& options) { return lower("--fraction-bits", options.fraction_bits, 0); }, other_picture},
+    {[](ModelRequest& options) {
+       return turn("--colour-bits", options.colour_bits, std::min(options.colour_bits, few_colour_bits));
+     },
+     "coarser colours"},
+});
+
+std::uint64_t interval_of(const isa::Program& program, const machines::Machine& machine) {
+  if (!functional::asks_for_run(program, machine)) return host::time_frame(program, machine).interval_clocks;
+  return engine::make_functional_engine(machine)->run(program, {}).interval_clocks;
+}
+
+/// Nothing where the model does not fit the machine so.
+std::optional<std::uint64_t> interval_with(const ModelRequest& options, const CompiledModel& model,
+                                           const machines::Machine& machine) {
+  try {
+    const isa::Program program =
+        emit::compile(model.tree, model.scene, view_of(model, options, machine), machine, emit_options_of(options),
+                      [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
+    return interval_of(program, machine);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& options,
+                                         const machines::Machine& machine, const engine::RunResult& result) {
+  std::vector<observe::Knob> knobs;
+  for (const TriedSetting& setting : tried_settings) {
+    ModelRequest turned = options;
+    const std::optional<std::string> option = setting.turn(turned);
+    if (!option) continue;
+    const std::optional<std::uint64_t> after = interval_with(turned, model, machine);
+    if (!after) continue;
+    observe::Knob knob{"", *option, result.interval_clocks, *after};
+    knob.sentence = fmt::format("{}: {}; {}", *option, observe::worth(knob), setting.but);
+    knobs.push_back(std::move(knob));
+  }
+  return knobs;
+}
+
+std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& program, const machines::Machine& machine,
+                                    const engine::RunResult& result) {
+  if (!advice.is_asked || result.interval_clocks == 0) return {};
+  engine::RunResult told = result;
+  // The cycle level counts, and does not tell what clocks are worked out from.
+  if (told.met.empty()) told.met = functional::record_of_run(program, machine).met;
+  std::vector<observe::Knob> knobs = observe::figure_knobs(program, machine, told, advice.machine);
+  if (advice.settings) std::ranges::move(advice.settings(result), std::back_inserter(knobs));
+  return observe::that_help(std::move(knobs));
+}
+
+}  // namespace csgsim::session

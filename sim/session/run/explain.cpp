@@ -1,0 +1,130 @@
+#include "sim/session/run/explain.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <utility>
+
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/model/primitive_name.h"
+#include "sim/session/model/program_of.h"
+#include "sim/session/model/subject.h"
+#include "sim/session/options/numbers.h"
+#include "sim/session/options/progress.h"
+#include "sim/session/options/sets.h"
+#include "sim/session/options/usage.h"
+#include "sim/session/run/memory.h"
+#include "sim/story/halfspaces.h"
+
+namespace csgsim::session {
+
+void ExplainRequest::add_to(OptionList& command) {
+  model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
+  command.option("--pixel", pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
+  command.option("--point", point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
+      .excludes("--pixel");
+  command
+      .option("--why-not", why_not,
+              "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
+      .check(not_empty);
+}
+
+namespace {
+
+/// Where a point of the model is seen.
+struct Seen {
+  Pixel pixel;
+  double distance = 0;  ///< from the eye along the view axis, model units
+};
+
+/// What is explained: a Program, and the model that it comes from if that is known.
+struct Explained {
+  machines::Machine machine;
+  isa::Program program;
+  std::optional<CompiledModel> model;  ///< but for its Program
+};
+
+bool is_of_program(const ExplainRequest& options, const InPlace& in_place) {
+  if (in_place.program != nullptr) return true;
+  return !in_place.text && !is_model(options.model.model);
+}
+
+ProgramOnMachine program_in_place(const isa::Program& program, const ModelRequest& options, const OptionList& command) {
+  refuse_scene_sets(options.sets);
+  const std::string asked = is_given(command, "machine") ? options.machine : "";
+  return {machine_for(program, options.model, asked, options.sets), program};
+}
+
+Explained explained_by(const ExplainRequest& options, const OptionList& command, const InPlace& in_place) {
+  if (is_of_program(options, in_place)) {
+    ProgramOnMachine found = in_place.program ? program_in_place(*in_place.program, options.model, command)
+                                              : program_of(options.model, command);
+    return {std::move(found.machine), std::move(found.program), {}};
+  }
+  Explained subject{machine_of(options.model), {}, {}};
+  ModelFile file = in_place.text ? read_model_text(options.model, *in_place.text) : read_model_file(options.model);
+  subject.model = compile_model(std::move(file), options.model, subject.machine);
+  subject.program = std::move(subject.model->program);
+  return subject;
+}
+
+Seen seen_at(const std::string& text, const view::View& view) {
+  const auto at = numbers<double>(text, ',', 3, "--point", "X,Y,Z");
+  const view::EyeSpace space = view::eye_space(view.camera, view.sampling);
+  const glm::dvec3 in_eye = space.to_eye({at[0], at[1], at[2]});
+  if (space.perspective && !(in_eye.z > 0))
+    throw UsageError("--point", fmt::format("{} is behind the eye; take another point or camera", text));
+  const glm::dvec3 place = space.to_picture(in_eye);
+  const double column = std::round(place.x);
+  const double row = std::round(place.y);
+  const bool is_inside = column >= 0 && row >= 0 && column < view.sampling.width && row < view.sampling.height;
+  if (!is_inside) {
+    throw UsageError("--point", fmt::format("{} is outside the picture of {} x {}, at column {:.1f} and row {:.1f}; "
+                                            "move the camera, or take --view-all",
+                                            text, view.sampling.width, view.sampling.height, place.x, place.y));
+  }
+  return {{static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row)}, in_eye.z};
+}
+
+void tell_point(const std::string& point, double distance, story::Answer& answer) {
+  answer.text = fmt::format("point {} is {:.6g} model units from the eye\n", point, distance) + answer.text;
+  answer.json["point_distance"] = distance;
+}
+
+std::optional<std::uint32_t> missed_in(const ExplainRequest& options, const isa::Program& program) {
+  if (options.why_not.empty()) return std::nullopt;
+  return primitive_named(program, options.why_not, "--why-not");
+}
+
+story::Answer answer_of(const ExplainRequest& options, const Explained& subject) {
+  const isa::Program& program = subject.program;
+  std::optional<story::HalfspaceFinder> finder;
+  if (subject.model) finder.emplace(halfspaces_of(*subject.model, options.model, subject.machine));
+  const bool is_point = !options.point.empty();
+  const Seen seen =
+      is_point ? seen_at(options.point, finder->view()) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
+  story::Answer answer = story::answer_of({program, finder ? &*finder : nullptr}, subject.machine, seen.pixel.x,
+                                          seen.pixel.y, missed_in(options, program));
+  if (is_point) tell_point(options.point, seen.distance, answer);
+  return answer;
+}
+
+}  // namespace
+
+void refuse_misuse(const ExplainRequest& options, const OptionList& command, const InPlace& in_place) {
+  if (options.pixel.empty() == options.point.empty())
+    throw UsageError("explain", "say which pixel, by --pixel x,y or by --point X,Y,Z");
+  if (!is_of_program(options, in_place)) return;
+  if (!options.point.empty())
+    throw UsageError("--point", "is for models; a Program does not tell its camera: take --pixel");
+  refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
+}
+
+story::Answer explain(const ExplainRequest& options, const OptionList& command, const InPlace& in_place) {
+  const Explained subject = explained_by(options, command, in_place);
+  return with_memory_for_picture(subject.machine.array, [&] { return answer_of(options, subject); });
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hw/machines/machine.h"
+#include "sim/session/run/advice.h"
+#include "sim/session/run/checkpoint_options.h"
+#include "sim/session/run/finished_run.h"
+#include "sim/session/run/in_place.h"
+#include "sim/session/run/run_request.h"
+
+namespace csgsim::session {
+
+/// Options of a run of a Program.
+struct ProgramRequest {
+  std::string program;
+  std::string machine;            ///< empty: the one that the Program names
+  std::vector<std::string> sets;  ///< KEY=VALUE of a figure
+  RunRequest run;
+  CheckpointOptions checkpoints;
+
+  void add_to(OptionList& command);
+
+  /// The Program's file, and the machine's if it is one.
+  [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
+  /// These, and the checkpoint that is resumed.
+  [[nodiscard]] std::vector<std::filesystem::path> files_read() const;
+};
+
+/// A Program, and the machine that runs it.
+struct Loaded {
+  machines::Machine machine;
+  isa::Program program;
+  std::vector<std::filesystem::path> inputs;
+  std::string hash{};  ///< of a Program in the file's place
+  bool is_in_place = false;
+
+  [[nodiscard]] RunSubject subject() const {
+    return {.machine = machine, .program = program, .inputs = inputs, .hash = hash, .is_in_place = is_in_place};
+  }
+};
+
+/// Throws UsageError for what makes no sense, InputError for a checkpoint that cannot be written.
+void refuse_misuse(const ProgramRequest& options);
+
+/// Reads the Program, or takes the one in its place. Throws InputError, UsageError.
+Loaded load(const ProgramRequest& options, const InPlace& in_place = {});
+
+Advice advice_of(const ProgramRequest& options, const machines::Machine& machine);
+
+}  // namespace csgsim::session

@@ -1,0 +1,66 @@
+#include "sim/session/run/run_outputs.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+#include "sim/observe/pictures.h"
+#include "sim/report/page.h"
+#include "sim/session/options/paths.h"
+
+namespace csgsim::session {
+
+namespace {
+
+/// The file beside an owner picture that tells its colours; none if it holds indices.
+std::string legend_of(const std::filesystem::path& owner_picture) {
+  return observe::has_legend(owner_picture) && !is_unnamed_stream(owner_picture)
+             ? std::filesystem::path(owner_picture).replace_extension(".json").native()
+             : "";
+}
+
+}  // namespace
+
+RunOutputs::RunOutputs(const RunRequest& options, std::span<const std::filesystem::path> inputs)
+    : of_opaque_(options.surface == "opaque") {
+  const std::array<std::filesystem::path, page + 1> names{options.picture,          options.depth, options.owner,
+                                                          legend_of(options.owner), options.stats, options.report.file};
+  refuse_clashes(inputs, names);
+  refuse_terminal("--output", options.picture);
+  refuse_terminal("--depth", options.depth);
+  refuse_terminal("--owner", options.owner);
+  refuse_other_format("--output", options.picture);
+  if (!options.depth.empty()) observe::check_depth_format(options.depth);
+  refuse_other_format("--owner", options.owner);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (!names[i].empty()) files_[i].emplace(names[i]);
+}
+
+void RunOutputs::write_pictures(const observe::Frame& frame, const isa::Program& program) {
+  if (files_[picture]) observe::write_picture(*files_[picture], frame, program);
+  if (!files_[depth] && !files_[owner]) return;
+  const observe::Frame surfaces = of_opaque_ ? observe::of_opaque(frame) : frame;
+  if (files_[depth]) observe::write_depth(*files_[depth], surfaces, program);
+  if (!files_[owner]) return;
+  const observe::Frame of_primitives = observe::of_primitives(surfaces, program.facts);
+  observe::write_owner(*files_[owner], of_primitives);
+  if (files_[legend]) observe::write_legend(*files_[legend], of_primitives, program);
+}
+
+void RunOutputs::write_stats(std::string_view json) {
+  if (files_[stats]) files_[stats]->write(json);
+}
+
+void RunOutputs::write_report(const report::Page& written) {
+  if (files_[page]) files_[page]->write(report::to_html(written));
+}
+
+void RunOutputs::commit() {
+  std::vector<OutputFile*> files;
+  for (std::optional<OutputFile>& file : files_)
+    if (file) files.push_back(&*file);
+  commit_all(files);
+}
+
+}  // namespace csgsim::session

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hw/base/output_file.h"
+#include "sim/session/run/run_request.h"
+
+namespace csgsim::session {
+
+/// The files that a run is to write: opened before it, so that nothing is simulated in vain, and put in their places
+/// together at its end.
+class RunOutputs {
+ public:
+  /// Throws UsageError for one that is another or an input, InputError for one that cannot be written.
+  RunOutputs(const RunRequest& options, std::span<const std::filesystem::path> inputs);
+
+  void write_pictures(const observe::Frame& frame, const isa::Program& program);
+  void write_stats(std::string_view json);
+  void write_report(const report::Page& page);
+  void commit();
+
+ private:
+  enum Output : std::uint8_t { picture, depth, owner, legend, stats, page };  ///< the legend is of the owner picture
+
+  bool of_opaque_;  ///< depth and owner are of opaque surfaces
+  std::array<std::optional<OutputFile>, page + 1> files_;
+};
+
+}  // namespace csgsim::session

@@ -1,0 +1,19 @@
+#include "sim/shell/run_program.h"
+
+#include <fmt/format.h>
+
+#include "sim/shell/summary.h"
+
+namespace csgsim::shell {
+
+void run_program(const OptionList& asked, const RunSubject& subject, const RunRequest& request, RunOutputs& outputs,
+                 const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints) {
+  const FinishedRun run = finish_run(asked, subject, request, outputs, advice, judge, checkpoints);
+  const observe::Report report = run.report(subject);
+  print_summary(report);
+  fmt::print("{}", run.verdict);
+  print_words(report, run.picture, advice);
+  if (asked.watch.after) asked.watch.after(run.stats_file);
+}
+
+}  // namespace csgsim::shell

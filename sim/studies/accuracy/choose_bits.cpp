@@ -1,0 +1,31 @@
+#include "sim/studies/accuracy/choose_bits.h"
+
+#include <fmt/format.h>
+
+#include "hw/base/error.h"
+#include "hw/base/prints.h"
+#include "sim/session/model/see_through.h"
+#include "sim/studies/accuracy/measure.h"
+
+namespace csgsim::studies {
+
+void choose_bits(session::RenderRequest& request, const machines::Machine& machine, const model::Tree& tree) {
+  const facet::Faceting faceting = session::faceting_of(request.model, machine, tree);
+  const view::Camera camera = session::camera_of(request.model, machine, tree, facet::make_geometry(tree, faceting));
+  session::refuse_see_through(request.model, tree, camera);
+  Meter meter(tree, {camera}, machine, session::emit_options_of(request.model));
+  const auto chosen =
+      cheapest(meter, grid(session::sampling_of(request.model, machine), faceting), *request.max_wrong_pixels);
+  if (!chosen) {
+    throw InputError(
+        fmt::format("no choice of --z-bits and --fraction-bits that fits the machine has at most {} wrong pixels; "
+                    "allow more, or see csgsim accuracy",
+                    *request.max_wrong_pixels));
+  }
+  request.model.z_bits = chosen->sampling.z_bits;
+  request.model.fraction_bits = chosen->sampling.fraction_bits;
+  print_text(fmt::format("{:<18}--z-bits {} --fraction-bits {}: the cheapest with at most {} wrong pixels\n", "chosen",
+                         request.model.z_bits, request.model.fraction_bits, *request.max_wrong_pixels));
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,195 @@
+#include "sim/session/run/render.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "hw/base/messages.h"
+#include "places.h"
+#include "sim/session/model/compiled_model.h"
+#include "sim/session/run/run_request.h"
+#include "sim/studies/accuracy/choose_bits.h"
+#include "tests/support/captured.h"
+#include "tests/support/error_of.h"
+#include "tests/unit/session/parsed.h"
+
+using namespace csgsim;
+using session::RenderRequest;
+using testing::Parsed;
+using testing::Texts;
+
+namespace {
+
+const std::string house = CSGSIM_SOURCE_DIR "/tests/models/rietveld_house.csg";
+
+Texts house_words(const Texts& more) {
+  Texts words{house, "--size", "40x32", "--camera", "3430,-2900,1950,590,230,220"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+/// What the judge says of the picture that the options draw.
+nlohmann::ordered_json judged(const RenderRequest& options, const session::Compiled& compiled) {
+  nlohmann::ordered_json json;
+  const session::Judge judge = session::judge_of(options, compiled);
+  REQUIRE(judge);
+  CHECK_FALSE(judge(session::draw(compiled.model.program, compiled.machine).frame, json).empty());
+  return json;
+}
+
+}  // namespace
+
+TEST_CASE("render takes the options of models, runs and pages, and two more") {
+  const Parsed<RenderRequest> plain({"a.csg"});
+  CHECK(plain.options.model.model == "a.csg");
+  CHECK_FALSE(plain.options.check);
+  CHECK_FALSE(RenderRequest{}.check);
+  CHECK_FALSE(plain.options.max_wrong_pixels);
+  const Parsed<RenderRequest> all(
+      {"a.csg", "--check", "--max-wrong-pixels", "3", "--z-bits", "9", "--stats", "s.json", "--report", "p.html"});
+  CHECK(all.options.check);
+  CHECK(all.options.max_wrong_pixels == 3);
+  CHECK(all.options.model.z_bits == 9);
+  CHECK(all.options.run.stats == "s.json");
+  const std::vector<session::GivenOption> given = all.list.given();
+  CHECK(std::ranges::count(given, std::string("p.html"), &session::GivenOption::value) == 1);
+  for (const char* const wrong : {"-1", "1.5", "x"})
+    CHECK(testing::option_error<RenderRequest>({"a.csg", "--max-wrong-pixels", wrong}) != "");
+}
+
+TEST_CASE("a model is compiled with what was read of it: the file and what it imports, or a text in its place") {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("csgsim-render-" + std::to_string(::getpid()));
+  std::filesystem::create_directory(folder);
+  const std::string model = folder / "m.csg";
+  std::ofstream stl(folder / "t.stl");
+  stl << "solid t\n";
+  for (const char* const corners :
+       {"0 0 0,0 1 0,1 0 0", "0 0 0,1 0 0,0 0 1", "0 0 0,0 0 1,0 1 0", "1 0 0,0 1 0,0 0 1"}) {
+    std::istringstream each(corners);
+    stl << "facet normal 0 0 0\nouter loop\n";
+    for (std::string corner; std::getline(each, corner, ',');) stl << "vertex " << corner << "\n";
+    stl << "endloop\nendfacet\n";
+  }
+  stl << "endsolid t\n";
+  stl.close();
+  std::ofstream(model) << "cube(size=[8,6,4],center=true);\nimport(file=\"t.stl\");\n";
+  Parsed<RenderRequest> asked({model, "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
+  {
+    const session::Compiled compiled = session::compile(asked.options, studies::choose_bits);
+    REQUIRE(compiled.inputs.size() == 2);
+    CHECK(compiled.inputs[0] == model);
+    CHECK(compiled.inputs[1].filename() == "t.stl");
+    CHECK_FALSE(compiled.is_text);
+    const session::RunSubject subject = compiled.subject(asked.options);
+    CHECK_FALSE(subject.is_in_place);
+    CHECK(&subject.program == &compiled.model.program);
+    CHECK(&subject.machine == &compiled.machine);
+    CHECK(subject.hash == compiled.model.hash);
+    CHECK(subject.camera == &compiled.model.camera);
+  }
+  const session::Compiled of_text = session::compile(asked.options, studies::choose_bits, {.text = "sphere(r=3);"});
+  CHECK(of_text.is_text);
+  CHECK(of_text.subject(asked.options).is_in_place);
+  CHECK(of_text.inputs == std::vector<std::filesystem::path>{model});
+  CHECK(of_text.model.program.facts.primitives.size() == 1);
+  CHECK(of_text.machine.picture.width == 24);
+  CHECK(of_text.machine.picture.height == 20);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a picture is held against the exact one where that is asked for, and what is see-through is refused then") {
+  Parsed<RenderRequest> plain(house_words({}));
+  const session::Compiled compiled = session::compile(plain.options, studies::choose_bits);
+  CHECK_FALSE(session::judge_of(plain.options, compiled));
+  Parsed<RenderRequest> checked(house_words({"--check", "--z-bits", "6"}));
+  const nlohmann::ordered_json coarse =
+      judged(checked.options, session::compile(checked.options, studies::choose_bits));
+  Parsed<RenderRequest> fine(house_words({"--check"}));
+  const nlohmann::ordered_json usual = judged(fine.options, session::compile(fine.options));
+  CHECK(coarse["wrong"].get<std::uint64_t>() > usual["wrong"].get<std::uint64_t>());
+  const session::InPlace glass{.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"};
+  for (const bool is_checked : {true, false}) {
+    Parsed<RenderRequest> asked({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
+    asked.options.check = is_checked;
+    const session::Compiled seen_through = session::compile(asked.options, glass);
+    const std::string error =
+        testing::error_of([&] { static_cast<void>(session::judge_of(asked.options, seen_through)); });
+    CHECK((error.find("knows opaque solids alone") != std::string::npos) == is_checked);
+  }
+}
+
+TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that keep it, and nothing is chosen else") {
+  const auto wrong_of = [](unsigned z_bits, unsigned fraction_bits) {
+    Parsed<RenderRequest> asked(
+        house_words({"--check", "--z-bits", std::to_string(z_bits), "--fraction-bits", std::to_string(fraction_bits)}));
+    return judged(asked.options, session::compile(asked.options, studies::choose_bits))["wrong"].get<std::uint64_t>();
+  };
+  unsigned last = 31;
+  for (const char* const most : {"0", "10", "1280"}) {
+    CAPTURE(most);
+    Parsed<RenderRequest> asked(house_words({"--max-wrong-pixels", most}));
+    const testing::Captured output(STDOUT_FILENO);
+    const session::Compiled compiled = session::compile(asked.options, studies::choose_bits);
+    const std::string bits = "--z-bits " + std::to_string(asked.options.model.z_bits) + " --fraction-bits " +
+                             std::to_string(asked.options.model.fraction_bits);
+    CHECK(output.text() == "chosen            " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
+    CHECK(wrong_of(asked.options.model.z_bits, asked.options.model.fraction_bits) <= std::stoul(most));
+    // What is compiled has them: the depth fields are as wide.
+    for (const isa::NamedField& field : compiled.model.program.facts.fields) {
+      if (field.name == "Z1") CHECK(field.field.width == asked.options.model.z_bits);
+    }
+    // The more may be wrong, the fewer bits it takes.
+    CHECK(asked.options.model.z_bits <= last);
+    last = asked.options.model.z_bits;
+  }
+  CHECK(last < 12);
+  Parsed<RenderRequest> usual(house_words({}));
+  static_cast<void>(session::compile(usual.options));
+  CHECK(usual.options.model.z_bits == 20);
+  CHECK(usual.options.model.fraction_bits == 12);
+  // Nothing fits 20 bits of memory.
+  Parsed<RenderRequest> small(house_words({"--max-wrong-pixels", "5", "--memory-bits", "20"}));
+  CHECK(testing::error_of([&] { static_cast<void>(session::compile(small.options)); }) ==
+        "no choice of --z-bits and --fraction-bits that fits the machine has at most 5 wrong pixels; allow more, or "
+        "see csgsim accuracy");
+  Parsed<RenderRequest> glass({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0", "--max-wrong-pixels", "5"});
+  CHECK(testing::error_of([&] {
+          static_cast<void>(
+              session::compile(glass.options, {.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"}));
+        }).find("knows opaque solids alone") != std::string::npos);
+}
+
+TEST_CASE("advice is of the machine that was asked for, tries settings, and is given where it is asked for") {
+  for (const bool is_asked : {false, true}) {
+    Parsed<RenderRequest> asked(house_words({"--machine", "pixel-planes-4+alu.bits=2"}));
+    asked.options.run.advice = is_asked;
+    const session::Compiled compiled = session::compile(asked.options, studies::choose_bits);
+    const session::Advice advice = session::advice_of(asked.options, compiled);
+    CHECK(advice.machine == "pixel-planes-4+alu.bits=2");
+    CHECK(advice.is_asked == is_asked);
+    CHECK(advice.ask.starts_with("csgsim render with --advice "));
+    REQUIRE(advice.commands.size() == 1);
+    if (!is_asked) continue;
+    const session::Drawn drawn = session::draw(compiled.model.program, compiled.machine);
+    CHECK(advice.settings(drawn.result).size() > 0);
+  }
+}
+
+TEST_CASE("faces nearly in one plane are warned of") {
+  const auto warnings = [](const char* text) {
+    const KeptLines told;
+    Parsed<RenderRequest> asked({"m.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
+    static_cast<void>(session::compile(asked.options, studies::choose_bits, {.text = text}));
+    return told.lines().size();
+  };
+  CHECK(warnings("cube(size=[8,6,4]);cube(size=[6,3,4.00000001]);") == 1);
+  CHECK(warnings("cube(size=[8,6,4]);cube(size=[6,3,5]);") == 0);
+}
