@@ -333,7 +333,7 @@ std::vector<glm::dvec2> sample_offsets(std::size_t count) {
   return offsets;
 }
 
-const emit::EffectRow antialias{
+extern const emit::EffectRow antialias{
     .section =
         scene::effect_section<SampleSettings>("effects.antialias", "smooth edges: the mean of several samples a pixel"),
     .technique =

@@ -116,7 +116,7 @@ class Cuts final : public emit::EffectOf<std::vector<Cut>> {
 
 }  // namespace
 
-const emit::EffectRow cuts{
+extern const emit::EffectRow cuts{
     .section = scene::effect_section<std::vector<Cut>>(
         "effects.cuts", "cutting planes: what is before them is taken away, what they cut is capped"),
     .technique =

@@ -150,7 +150,7 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
 
 }  // namespace
 
-const emit::EffectRow depth_cue{
+extern const emit::EffectRow depth_cue{
     .section = scene::effect_section<CueSettings>(
         "effects.depth_cue", "colours fade with depth: linear in distance, in its reciprocal in a perspective view"),
     .technique =

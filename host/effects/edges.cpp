@@ -167,7 +167,7 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
 
 }  // namespace
 
-const emit::EffectRow edges{
+extern const emit::EffectRow edges{
     .section = scene::effect_section<EdgeSettings>("effects.edges",
                                                    "lines where facets or primitives meet, as in a technical drawing"),
     .technique =

@@ -210,7 +210,7 @@ class Equalise final : public emit::EffectOf<Settings> {
 
 }  // namespace
 
-const emit::EffectRow equalise{
+extern const emit::EffectRow equalise{
     .section = scene::effect_section<Settings>(
         "effects.equalise",
         "where something is seen, each channel's level becomes its rank among those of a lattice of pixels"),

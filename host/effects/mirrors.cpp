@@ -293,7 +293,7 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
 
 }  // namespace
 
-const emit::EffectRow mirrors{
+extern const emit::EffectRow mirrors{
     .section = scene::effect_section<Settings>(
         "effects.mirrors",
         "flat faces of materials with mirror above 0 (those of cubes and polyhedra, the ends of cylinders; no "

@@ -11,17 +11,6 @@
 /// The effects: a file each, which defines its row.
 namespace csgsim::effects {
 
-extern const emit::EffectRow smooth;
-extern const emit::EffectRow textures;
-extern const emit::EffectRow cuts;
-extern const emit::EffectRow shadows;
-extern const emit::EffectRow mirrors;
-extern const emit::EffectRow transparency;
-extern const emit::EffectRow antialias;
-extern const emit::EffectRow depth_cue;
-extern const emit::EffectRow edges;
-extern const emit::EffectRow equalise;
-
 /// In the order in which they are worked out, flat shading first.
 std::span<const emit::EffectRow* const> all();
 

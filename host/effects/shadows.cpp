@@ -115,7 +115,7 @@ class ThrownShadows final : public emit::EffectOf<Settings, Prepared> {
 
 }  // namespace
 
-const emit::EffectRow shadows{
+extern const emit::EffectRow shadows{
     .section = scene::effect_section<Settings>("effects.shadows", "solids take the light from one another"),
     .technique =
         "shadow volumes (Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977), of each convex piece of the "

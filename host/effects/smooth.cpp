@@ -203,7 +203,7 @@ class Smooth final : public emit::EffectOf<Settings> {
 
 }  // namespace
 
-const emit::EffectRow smooth{
+extern const emit::EffectRow smooth{
     .section = scene::effect_section<Settings>("effects.smooth", "curved solids look round, however few their facets"),
     .technique =
         "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is worked "

@@ -255,7 +255,7 @@ class Textures final : public emit::EffectOf<Settings> {
 
 }  // namespace
 
-const emit::EffectRow textures{
+extern const emit::EffectRow textures{
     .section = scene::effect_section<Settings>("effects.textures",
                                                "patterns on flat facets, a table for those of some primitives"),
     .technique =

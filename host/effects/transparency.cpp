@@ -13,6 +13,8 @@
 
 namespace csgsim::effects {
 
+extern const emit::EffectRow transparency;
+
 namespace {
 
 enum class Method : std::uint8_t { layers, screen_door };
@@ -94,7 +96,7 @@ std::optional<scene::Scene> by_screen_door(scene::Scene scene) {
   return scene;
 }
 
-const emit::EffectRow transparency{
+extern const emit::EffectRow transparency{
     .section = scene::effect_section<Settings>(
         "effects.transparency",
         "primitives whose opacity is below 1 let through what is behind them; of coincident surfaces the first "

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -55,26 +54,20 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   return 0;
 }
 
-/// Commands that ask for other commands.
-constexpr std::array<std::string_view, 3> asking{"rerun", "manual", "gather"};
-
-/// Whether nothing of the command line but this command can matter. To describe all of them takes longer than to
+/// Whether nothing of the command line but the first command can matter. To describe all of them takes longer than to
 /// convert a small model.
-bool is_alone(std::string_view name, std::span<char* const> arguments) {
+bool is_alone(std::span<char* const> arguments) {
   const auto names_settings = [](std::string_view word) { return word.starts_with("--config"); };
-  return std::ranges::find(asking, name) == asking.end() && std::ranges::none_of(arguments, names_settings);
+  return std::ranges::none_of(arguments, names_settings);
 }
 
-/// The command of that name, if there is one that is alone.
-bool add_command(csgsim::shell::CommandLine& line, std::string_view asked, std::span<char* const> arguments) {
-  if (!is_alone(asked, arguments)) return false;
-#define CSGSIM_ADD_ASKED(name)     \
-  if (asked == #name) {            \
-    csgsim::app::add_##name(line); \
-    return true;                   \
+/// The command of that name, if there is one that asks for no other.
+bool add_command(csgsim::shell::CommandLine& line, std::string_view asked) {
+  for (const csgsim::app::CommandRow* const row : csgsim::app::commands()) {
+    if (row->name != asked || row->asks_others) continue;
+    row->add(line);
+    return true;
   }
-  CSGSIM_COMMANDS(CSGSIM_ADD_ASKED)
-#undef CSGSIM_ADD_ASKED
   const auto studies = csgsim::studies::all();
   const auto found = std::ranges::find_if(studies, [&](const auto* row) { return row->name == asked; });
   if (found == studies.end()) return false;
@@ -83,10 +76,8 @@ bool add_command(csgsim::shell::CommandLine& line, std::string_view asked, std::
 }
 
 void add_commands(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
-  if (arguments.size() > 1 && add_command(line, arguments[1], arguments)) return;
-#define CSGSIM_ADD_COMMAND(name) csgsim::app::add_##name(line);
-  CSGSIM_COMMANDS(CSGSIM_ADD_COMMAND)
-#undef CSGSIM_ADD_COMMAND
+  if (arguments.size() > 1 && is_alone(arguments) && add_command(line, arguments[1])) return;
+  for (const csgsim::app::CommandRow* const row : csgsim::app::commands()) row->add(line);
   for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) csgsim::app::add_study(line, *row);
   csgsim::app::add_gather(line, csgsim::studies::all());
 }

@@ -3,13 +3,14 @@
 #include <memory>
 #include <string>
 
+#include "sim/app/commands/commands.h"
 #include "sim/studies/gather_command.h"
 #include "sim/studies/runner.h"
 
 namespace csgsim::app {
 
 void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
-  shell::Command& command = line.add(row.name, row.does, std::string("Example:\n") + row.example);
+  shell::Command& command = line.add(row.name, studying, row.does, std::string("Example:\n") + row.example);
   const std::shared_ptr<studies::StudyCommand> asked = studies::describe(command, row);
   command.prints_summary();
   command.runs([asked] { run_study(*asked); });
@@ -18,7 +19,7 @@ void add_study(shell::CommandLine& line, const studies::StudyRow& row) {
 void add_gather(shell::CommandLine& line, std::span<const studies::StudyRow* const> studies) {
   const auto request = std::make_shared<studies::GatherRequest>();
   shell::Command& command = line.add(
-      "gather", "Join the shards of a study: the table, JSON and plots that one process makes",
+      "gather", studying, "Join the shards of a study: the table, JSON and plots that one process makes",
       "Example:\n  csgsim sweep carburettor.csg --shard 1/2 -o out\n"
       "  csgsim sweep carburettor.csg --shard 2/2 -o out\n"
       "  csgsim gather out\n"

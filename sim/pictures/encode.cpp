@@ -6,9 +6,9 @@
 #include <string_view>
 
 #include "hw/base/error.h"
-#include "hw/base/memory_file.h"
 #include "sim/pictures/module_loader.h"
 #include "sim/pictures/png.h"
+#include "sim/system/memory_file.h"
 
 namespace csgsim::pictures {
 
@@ -42,7 +42,7 @@ std::string encode_by_module(const std::filesystem::path& path, const Raster& ra
   if (target == Target::memory) {
     encoded = module.encode(path.c_str(), nullptr, raster);
   } else {
-    const MemoryFile file(path);
+    const system::MemoryFile file(path);
     encoded = module.encode(path.c_str(), file.path().c_str(), raster);
     if (encoded.error.empty()) encoded.bytes = file.content();
   }

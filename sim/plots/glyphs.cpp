@@ -9,11 +9,11 @@
 #include <sstream>
 #include <vector>
 
-#include "hw/base/child_process.h"
-#include "hw/base/memory_file.h"
 #include "hw/base/text.h"
 #include "sim/plots/characters.h"
 #include "sim/plots/program_limits.h"
+#include "sim/system/child_process.h"
+#include "sim/system/memory_file.h"
 
 namespace csgsim::plots {
 
@@ -66,8 +66,8 @@ std::vector<CharacterRange> joined(std::vector<CharacterRange> ranges) {
 /// The characters of all fonts that are installed.
 std::vector<CharacterRange> installed() {
   const std::array<std::string, 3> words{"fc-list", "-f", "%{fontformat} %{charset}\\n"};
-  const std::optional<ChildEnd> ended = run_child(words, MemoryFile("fc-list"), program_limits);
-  if (!ended || !is_done(*ended)) return {every_character};
+  const std::optional<system::ChildEnd> ended = system::run_child(words, system::MemoryFile("fc-list"), program_limits);
+  if (!ended || !system::is_done(*ended)) return {every_character};
   return joined(ranges_of(ended->output));
 }
 

@@ -10,13 +10,13 @@
 #include <optional>
 #include <utility>
 
-#include "hw/base/child_process.h"
 #include "hw/base/error.h"
-#include "hw/base/memory_file.h"
 #include "hw/base/text.h"
 #include "sim/plots/glyphs.h"
 #include "sim/plots/program_limits.h"
 #include "sim/plots/text_size.h"
+#include "sim/system/child_process.h"
+#include "sim/system/memory_file.h"
 
 namespace csgsim::plots {
 
@@ -84,8 +84,9 @@ std::string message_of(const std::string& said) {
   return "";
 }
 
-std::string why(const ChildEnd& end) {
-  if (end.exceeded != Exceeded::nothing || WIFSIGNALED(end.status)) return why_failed(end, program_limits);
+std::string why(const system::ChildEnd& end) {
+  if (end.exceeded != system::Exceeded::nothing || WIFSIGNALED(end.status))
+    return system::why_failed(end, program_limits);
   const std::string message = message_of(end.errors);
   if (!message.empty()) return "it says: " + message;
   return end.status == 0 ? "its picture is not whole" : fmt::format("it ended with {}", WEXITSTATUS(end.status));
@@ -131,15 +132,15 @@ std::string script_of(const Drawing& drawing) {
 }
 
 Drawn drawn_for(const std::filesystem::path& file, const Drawing& drawing) {
-  MemoryFile input(file);
+  system::MemoryFile input(file);
   input.write(fmt::format("set encoding utf8\nset terminal pngcairo size {:.0f},{:.0f} font 'sans,{}'\nset output\n{}",
                           drawing.width, drawing.height, font_size * points_a_pixel, script_of(with_letters(drawing))));
   const std::array<std::string, 2> words{"gnuplot", "-d"};  // no settings of its user's
-  std::optional<ChildEnd> ended = run_child(words, input, program_limits);
+  std::optional<system::ChildEnd> ended = system::run_child(words, input, program_limits);
   if (!ended)
     throw InputError(file.native() +
                      ": gnuplot cannot be run; install it (package gnuplot-nox) or do without plots with --no-plots");
-  if (!is_done(*ended) || !is_whole(ended->output)) {
+  if (!system::is_done(*ended) || !is_whole(ended->output)) {
     throw InputError(
         fmt::format("{}: gnuplot did not draw; {} (package gnuplot-nox draws this; --no-plots does without)",
                     file.native(), why(*ended)));

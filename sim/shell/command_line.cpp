@@ -31,7 +31,7 @@ struct Tokens {
   std::vector<std::string> texts;
 };
 
-/// The library only takes the words apart: what they may be is the option's own (sim/session/option_list.h).
+/// The library only takes the words apart: what they may be is the option's own (sim/session/options/option_list.h).
 void add_to(CLI::App& app, Tokens& tokens) {
   const std::string names = fmt::format("{}", fmt::join(tokens.option->names, ","));
   if (tokens.option->takes == Takes::flag) {
@@ -106,8 +106,10 @@ struct CommandLine::Read {
 CommandLine::CommandLine(std::string description, std::string program)
     : description_(std::move(description)), program_(std::move(program)) {}
 
-Command& CommandLine::add(const std::string& name, const std::string& description, const std::string& footer) {
+Command& CommandLine::add(const std::string& name, std::string_view subject, const std::string& description,
+                          const std::string& footer) {
   Command& command = commands_.emplace_back(name);
+  command.subject = subject;
   command.description = description;
   command.footer = footer;
   return command;

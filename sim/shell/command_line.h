@@ -26,6 +26,7 @@ class Command : public OptionList {
 
   void run() const;
 
+  std::string subject;  ///< under which help has it
   std::string description;
   std::string footer;  ///< of its help: examples, and remarks
 
@@ -42,7 +43,8 @@ class CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
 
   /// The command stays where it is.
-  Command& add(const std::string& name, const std::string& description, const std::string& footer);
+  Command& add(const std::string& name, std::string_view subject, const std::string& description,
+               const std::string& footer);
 
   /// Adds --version, and --describe FOLDER, which writes manual pages and shells' completion there.
   void add_own_options() { has_own_options_ = true; }

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "hw/base/folder_lock.h"
 #include "sim/session/options/option_list.h"
+#include "sim/system/folder_lock.h"
 
 namespace csgsim::studies {
 
@@ -25,7 +25,7 @@ class StudyFolder {
 
  private:
   std::filesystem::path path_;
-  FolderLock lock_;
+  system::FolderLock lock_;
 };
 
 /// `csgsim STUDY` with the options that are not as they are by default, but for those named and those that change no

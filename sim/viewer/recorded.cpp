@@ -28,18 +28,18 @@ std::string recorded(const isa::Program& program, std::span<const std::string> o
 }
 
 std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
-                        const ChildLimits& limits) {
+                        const system::ChildLimits& limits) {
   std::vector<std::string> words{csgsim, "wave", "/dev/stdin"};
   words.insert(words.end(), options.begin(), options.end());
   words.insert(words.end(), {"--output", "-"});
   const std::vector<std::byte> bytes = isa::encode(program);
-  MemoryFile input("the Program of a wave");
+  system::MemoryFile input("the Program of a wave");
   input.write(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
-  std::optional<ChildEnd> end = run_child(words, input, limits);
+  std::optional<system::ChildEnd> end = system::run_child(words, input, limits);
   if (!end) throw InputError("csgsim wave cannot be run: its program has been moved");
-  if (is_done(*end)) return std::move(end->output);
-  const std::string why = why_failed(*end, limits);
-  if (end->exceeded == Exceeded::nothing) throw InputError(why);
+  if (system::is_done(*end)) return std::move(end->output);
+  const std::string why = system::why_failed(*end, limits);
+  if (end->exceeded == system::Exceeded::nothing) throw InputError(why);
   throw InputError("csgsim wave: " + why + "; make the picture smaller, or record it with csgsim wave and a --window");
 }
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <string>
 
-#include "hw/base/child_process.h"
 #include "hw/isa/program.h"
+#include "sim/system/child_process.h"
 
 namespace csgsim::viewer {
 
@@ -16,11 +16,11 @@ namespace csgsim::viewer {
 std::string recorded(const isa::Program& program, std::span<const std::string> options);
 
 /// The limits of that run of csgsim wave.
-inline constexpr ChildLimits wave_limits{
+inline constexpr system::ChildLimits wave_limits{
     .time = std::chrono::minutes(3), .output = std::size_t{512} << 20U, .errors = 1U << 16U};
 
 /// The same by the program of that name.
 std::string recorded_by(const std::string& csgsim, const isa::Program& program, std::span<const std::string> options,
-                        const ChildLimits& limits = wave_limits);
+                        const system::ChildLimits& limits = wave_limits);
 
 }  // namespace csgsim::viewer

@@ -13,18 +13,18 @@
 #include <system_error>
 
 #include "hw/base/blocked_signals.h"
-#include "hw/base/child_process.h"
 #include "hw/base/error.h"
+#include "sim/system/child_process.h"
 
 namespace csgsim::waves {
 
 namespace {
 
 /// Of vcd2fst, which packs as much as it is given.
-constexpr ChildLimits limits{.time = std::chrono::hours(1),
-                             .output = std::size_t{1} << 20U,
-                             .errors = std::size_t{1} << 20U,
-                             .memory = std::size_t{8} << 30U};
+constexpr system::ChildLimits limits{.time = std::chrono::hours(1),
+                                     .output = std::size_t{1} << 20U,
+                                     .errors = std::size_t{1} << 20U,
+                                     .memory = std::size_t{8} << 30U};
 
 /// vcd2fst writes files of its own beside the one it is told.
 class TemporaryFolder {
@@ -69,16 +69,16 @@ void WaveFile::finish() {
   const TemporaryFolder folder(file_.asked());
   const std::string made = (folder.path() / "wave.fst").native();
   const std::array<std::string, 3> words{"vcd2fst", "-", made};
-  const std::optional<ChildEnd> ended = run_child(words, *dump_, limits);
+  const std::optional<system::ChildEnd> ended = system::run_child(words, *dump_, limits);
   if (!ended) {
     throw InputError(file_.asked().native() +
                      ": vcd2fst cannot be run; install it (package gtkwave) or choose a name that ends in .vcd");
   }
   std::ifstream fst(made, std::ios::binary);
   const std::string content((std::istreambuf_iterator<char>(fst)), std::istreambuf_iterator<char>());
-  if (!is_done(*ended) || content.empty()) {
+  if (!system::is_done(*ended) || content.empty()) {
     throw InputError(fmt::format("{}: vcd2fst did not make it ({}); choose a name that ends in .vcd",
-                                 file_.asked().native(), why_failed(*ended, limits)));
+                                 file_.asked().native(), system::why_failed(*ended, limits)));
   }
   file_.write(content);
 }

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string_view>
 
-#include "hw/base/memory_file.h"
 #include "hw/base/output_file.h"
+#include "sim/system/memory_file.h"
 
 namespace csgsim::waves {
 
@@ -21,7 +21,7 @@ class WaveFile {
 
  private:
   OutputFile& file_;
-  std::optional<MemoryFile> dump_;  ///< for vcd2fst
+  std::optional<system::MemoryFile> dump_;  ///< for vcd2fst
 };
 
 }  // namespace csgsim::waves

@@ -22,8 +22,7 @@ JSON_ROOMS = "debug story plots report session viewer".split()
 
 # What asks for files, processes, shared libraries, or takes a library that is not headers alone.
 LEFT_OUT = {
-    "base": """child_guard child_process descriptor file_roles folder_lock input_file inputs_kept memory_file module
-        output_file partial_files standard_streams""",
+    "base": """descriptor file_roles input_file inputs_kept module output_file partial_files standard_streams""",
     "flat": "svg page shapes",
     "solids": "height_picture read_xml unzip",
     "plots": "files gnuplot",

@@ -33,6 +33,20 @@ def embedded(folder, names):
                    for name in names)
 
 
+def make_rows(cmake, folder):
+    """What csgsim_rows makes for each of its calls in a CMakeLists.txt."""
+    calls = re.findall(r'^csgsim_rows\((\S+) "?([^" ]+)"? (\S+) (\S+) (\S+)\s+([^)]*)\)', (TOP / cmake).read_text(), re.MULTILINE)
+    for output, headers, namespace, kind, function, names in calls:
+        names = names.split()
+        text = (TOP / "cmake/rows.cpp.in").read_text()
+        for name, value in {"includes": "".join(f'#include "{header}"\n' for header in headers.split(";")),
+                            "declarations": "".join(f"extern const {kind} {name};\n" for name in names if "::" not in name),
+                            "rows": "".join(f"    &{name},\n" for name in names),
+                            "namespace": namespace, "type": kind, "function": function}.items():
+            text = text.replace(f"@{name}@", value)
+        write(folder / output, text)
+
+
 def make_sources(made):
     """Into made/ROOM/, what CMake writes into the build folder."""
     kinds, machines, costly = (words_of("hw/kinds/CMakeLists.txt", name)
@@ -46,6 +60,7 @@ def make_sources(made):
     write(made / "processors/built_in.cpp", filled("hw/processors/built_in.cpp.in", {
         "CSGSIM_BUILT_IN_PROCESSORS": embedded("hw/processors", processors)}))
     scripts = words_of("sim/report/CMakeLists.txt", "page_scripts")
+    make_rows("host/effects/CMakeLists.txt", made / "effects")
     texts = {"CSGSIM_" + script.replace(".", "_"): (TOP / "sim/report" / script).read_text() for script in scripts}
     write(made / "report/text.cpp", filled("sim/report/text.cpp.in", {
         "CSGSIM_PAGE_STYLE": (TOP / "sim/report/page.css").read_text(), **texts}))

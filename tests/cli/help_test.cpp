@@ -89,7 +89,7 @@ TEST_CASE("help has the options by subject, and none is left for the last resort
   }
   for (const std::string& command : commands()) {
     CAPTURE(command);
-    INFO("each option's subject is in sim/shell/option_table.cpp");
+    INFO("each option's subject is in sim/session/options/option_table.cpp");
     CHECK(run(command + " --help").out.find("Further options:") == std::string::npos);
   }
 }

@@ -158,7 +158,7 @@ def words():
     described = set(re.findall(r"\w+", pages))
     yield from (f"the key {key} of stats is neither a word of docs/developing.md nor in docs/stats.md" for key in sorted(stats)
                 if re.fullmatch(r"\w+", key) and key not in columns | described)
-    sources = (path.read_text(encoding="utf-8") for room in ("app", "shell", "studies") for path in (ROOT / "sim" / room).rglob("*.cpp"))
+    sources = (path.read_text(encoding="utf-8") for room in ("app", "session", "shell", "studies") for path in (ROOT / "sim" / room).rglob("*.cpp"))
     options = {name for text in sources for name in re.findall(r'option\(\s*"--([a-z-]+[a-z])', text)}
     spelt = {re.sub("[-_]", "", word).removesuffix("s"): word for word in columns}
     for name in sorted(stats | options):

@@ -65,6 +65,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/viewer/server": ["viewer"],
     "sim/web/lacking": ["web"],
     "sim/web/wasm": ["web"],
+    "sim/system": ["system", "cli"],
     "sim/session": ["session", "cli"],
     "sim/session/model": ["session", "cli"],
     "sim/session/options": ["session", "cli"],

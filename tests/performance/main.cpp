@@ -113,7 +113,7 @@ void run(const Options& options) {
 void describe_measure(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command command =
-      line.add("measure", "Measure csgsim's own speed, in ratios: on this computer, of this build",
+      line.add("measure", "Measures", "Measure csgsim's own speed, in ratios: on this computer, of this build",
                "Example:\n  csgsim_bench measure carburettor.csg -o figures\n"
                "  csgsim_bench measure --machines pixel-planes-4 --parts speed,dense --rounds 9\n"
                "  xvfb-run -a csgsim_bench measure carburettor.csg --parts rivals\n"
@@ -168,7 +168,7 @@ void count(const CountOptions& options) {
 void describe_count(CommandLine& line) {
   const auto options = std::make_shared<CountOptions>();
   Command& command = line.add(
-      "count", "Count what a Program takes at the functional level: the same on every computer",
+      "count", "Measures", "Count what a Program takes at the functional level: the same on every computer",
       "Example:\n  csgsim_bench count traces/carburettor.csgt\n"
       "Segments and tiles of the picture; stretches, at whose ends threads meet; instructions carried out at tiles, of "
       "these linear ones, and open ones, which looked at words or lanes; how many of these; bit steps; longest and "

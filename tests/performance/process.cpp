@@ -8,10 +8,10 @@
 #include <filesystem>
 #include <utility>
 
-#include "hw/base/child_process.h"
 #include "hw/base/error.h"
-#include "hw/base/memory_file.h"
 #include "hw/base/text.h"
+#include "sim/system/child_process.h"
+#include "sim/system/memory_file.h"
 
 namespace csgsim::bench {
 
@@ -29,21 +29,21 @@ double children_seconds() {
 }
 
 /// Of programs that are measured: csgsim and its rivals. What they draw goes to files.
-ChildLimits limits_of(std::chrono::seconds longest) {
+system::ChildLimits limits_of(std::chrono::seconds longest) {
   return {.time = longest, .output = std::size_t{64} << 20U, .errors = std::size_t{64} << 20U};
 }
 
-std::optional<Took> run(std::span<const std::string> words, const ChildLimits& limits) {
+std::optional<Took> run(std::span<const std::string> words, const system::ChildLimits& limits) {
   const std::string& program = words.front();
-  const MemoryFile input(program);
+  const system::MemoryFile input(program);
   const double before = children_seconds();
   const auto begin = std::chrono::steady_clock::now();
-  std::optional<ChildEnd> ended = run_child(words, input, limits);
+  std::optional<system::ChildEnd> ended = system::run_child(words, input, limits);
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
   if (!ended) return std::nullopt;
-  if (ended->exceeded == Exceeded::time)
+  if (ended->exceeded == system::Exceeded::time)
     throw InputError(fmt::format("{}: takes more than {} s", program, limits.time.count()));
-  if (!is_done(*ended)) throw InputError(program + ": fails: " + printable(why_failed(*ended, limits)));
+  if (!system::is_done(*ended)) throw InputError(program + ": fails: " + printable(system::why_failed(*ended, limits)));
   return Took{wall.count(), children_seconds() - before, static_cast<double>(ended->memory), std::move(ended->output)};
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <string_view>
+
 #include "sim/shell/command_line.h"
 
 namespace csgsim::app {
@@ -7,27 +10,21 @@ namespace csgsim::app {
 using namespace session;  // whose requests commands read,
 using namespace shell;    // and show
 
-/// Every command but studies, in the order of help: NAME.cpp describes the command NAME in add_NAME. Its subject in
-/// help is in sim/shell/option_table.cpp.
-#define CSGSIM_COMMANDS(COMMAND) \
-  COMMAND(render)                \
-  COMMAND(compile)               \
-  COMMAND(run)                   \
-  COMMAND(rerun)                 \
-  COMMAND(disasm)                \
-  COMMAND(convert)               \
-  COMMAND(debug)                 \
-  COMMAND(diff)                  \
-  COMMAND(view)                  \
-  COMMAND(explain)               \
-  COMMAND(wave)                  \
-  COMMAND(rtl)                   \
-  COMMAND(effects)               \
-  COMMAND(levels)                \
-  COMMAND(manual)
+/// A row of the table of commands but studies, each of which has a file of its own.
+struct CommandRow {
+  std::string_view name;
+  void (*add)(CommandLine& line) = nullptr;  ///< describes the command on the line
+  bool asks_others = false;                  ///< it runs other commands, or tells of them
+};
 
-#define CSGSIM_COMMAND_DECLARATION(name) void add_##name(CommandLine& line);
-CSGSIM_COMMANDS(CSGSIM_COMMAND_DECLARATION)
-#undef CSGSIM_COMMAND_DECLARATION
+/// In the order of help.
+std::span<const CommandRow* const> commands();
+
+/// Subjects of commands in help, in its order.
+inline constexpr std::string_view drawing = "Models and Programs";
+inline constexpr std::string_view looking = "Looking into a run";
+inline constexpr std::string_view hardware = "Hardware";
+inline constexpr std::string_view studying = "Studies";
+inline constexpr std::string_view manuals = "Manual";
 
 }  // namespace csgsim::app

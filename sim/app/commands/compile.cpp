@@ -20,6 +20,8 @@
 
 namespace csgsim::app {
 
+namespace {
+
 void add_compile(CommandLine& line) {
   struct Options {
     ModelRequest model;
@@ -27,7 +29,7 @@ void add_compile(CommandLine& line) {
   };
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("compile", "Compile a CSG model into a Program file, to be run without the model",
+      line.add("compile", drawing, "Compile a CSG model into a Program file, to be run without the model",
                "Example:\n  csgsim compile carburettor.csg -o carburettor.csgt\n  csgsim run carburettor.csgt -o "
                "carburettor.png");
   options->model.add_to(command);
@@ -47,5 +49,9 @@ void add_compile(CommandLine& line) {
                counted(isa::instructions_in(program), "instruction"), program.shape.width, program.shape.height);
   });
 }
+
+}  // namespace
+
+extern const CommandRow compile_row{.name = "compile", .add = add_compile};
 
 }  // namespace csgsim::app

@@ -200,15 +200,13 @@ void run(const Options& options) {
   }
 }
 
-}  // namespace
-
 void add_convert(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command =
-      line.add("convert", "Convert a model into a mesh, the closed boundary of what its tree leaves, or into blocks",
-               "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
-               "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"
-               "Curved solids are converted in facets. What is written how: docs/convert.md.");
+  Command& command = line.add(
+      "convert", drawing, "Convert a model into a mesh, the closed boundary of what its tree leaves, or into blocks",
+      "Example:\n  csgsim convert carburettor.csg -o carburettor.stl\n"
+      "  csgsim convert carburettor.csg -o carburettor.bintree --resolution 128\n"
+      "Curved solids are converted in facets. What is written how: docs/convert.md.");
   options->model.add_to(command);
   for (const char* const of_pictures :
        {"--machine", "--memory-bits", "--z-bits", "--strategy", "--stack-bits", "--colouring", "--pruning", "--size",
@@ -235,5 +233,9 @@ void add_convert(CommandLine& line) {
   command.prints_summary();
   command.runs([options] { run(*options); });
 }
+
+}  // namespace
+
+extern const CommandRow convert_row{.name = "convert", .add = add_convert};
 
 }  // namespace csgsim::app

@@ -92,12 +92,10 @@ void look_into(const Options& options, const isa::Program& program, const machin
   }
 }
 
-}  // namespace
-
 void add_debug(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("debug", "Step through a Program: stop, look at pixels, go back",
+      line.add("debug", looking, "Step through a Program: stop, look at pixels, go back",
                "Commands come from a file, from standard input, or from the keyboard; `help` lists them.\n"
                "Example:\n  csgsim debug traces/thesis_fig_2_3.csgt -x commands.txt\n  echo 'until Z2[200,200] < "
                "1000000' | csgsim debug traces/thesis_fig_2_3.csgt");
@@ -114,5 +112,9 @@ void add_debug(CommandLine& line) {
     with_memory_for_run({&program, 1}, program.shape, [&] { look_into(*options, program, subject.machine); });
   });
 }
+
+}  // namespace
+
+extern const CommandRow debug_row{.name = "debug", .add = add_debug};
 
 }  // namespace csgsim::app

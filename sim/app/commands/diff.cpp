@@ -273,12 +273,10 @@ void add_side(Command& command, SideOptions& side, const std::string& letter) {
                  "A figure of the machine of " + name + ", or a key of its scene; once for each");
 }
 
-}  // namespace
-
 void add_diff(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "diff", "Run two Programs, machines, levels or settings side by side and tell where they first differ",
+      "diff", looking, "Run two Programs, machines, levels or settings side by side and tell where they first differ",
       "Example:\n  csgsim diff old.csgt new.csgt\n  csgsim diff tests/models/carburettor.csg --size 64x64 --level-b "
       "cycle\n  csgsim diff part.csg --strategy-b list\nThe exit code is 1 if states, pictures or clocks "
       "differ.");
@@ -296,5 +294,9 @@ void add_diff(CommandLine& line) {
     diff(*options, command);
   });
 }
+
+}  // namespace
+
+extern const CommandRow diff_row{.name = "diff", .add = add_diff};
 
 }  // namespace csgsim::app

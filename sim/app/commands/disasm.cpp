@@ -28,8 +28,6 @@ void print_rows(std::ostream& out, const isa::Program& program, const std::strin
   bit_serial_memory::print_row_commands(out, program, machine);
 }
 
-}  // namespace
-
 void add_disasm(CommandLine& line) {
   struct Options {
     std::string program;
@@ -37,7 +35,7 @@ void add_disasm(CommandLine& line) {
     bool row_commands = false;
   };
   const auto options = std::make_shared<Options>();
-  Command& command = line.add("disasm", "Show a Program as text, which csgsim run reads too",
+  Command& command = line.add("disasm", drawing, "Show a Program as text, which csgsim run reads too",
                               "Example:\n  csgsim disasm traces/carburettor.csgt | head -40");
   command.option("PROGRAM", options->program, "The Program, .csgt or its text form").required();
   command.option("-o,--output", options->output, "The text file; standard output if not given").check(not_empty);
@@ -61,5 +59,9 @@ void add_disasm(CommandLine& line) {
     write_file(options->output, text.view());
   });
 }
+
+}  // namespace
+
+extern const CommandRow disasm_row{.name = "disasm", .add = add_disasm};
 
 }  // namespace csgsim::app

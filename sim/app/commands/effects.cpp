@@ -203,19 +203,21 @@ void run(const Options& options) {
   fmt::print("{}: all.png, none.png, a picture without each effect, effects.json\n", printable(options.folder));
 }
 
-}  // namespace
-
 void add_effects(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command =
-      line.add("effects", "Show what each effect of a scene costs, alone and together, and the picture without it",
-               "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
-               "The effects that there are, and their settings: docs/effects.md.");
+  Command& command = line.add(
+      "effects", studying, "Show what each effect of a scene costs, alone and together, and the picture without it",
+      "Example:\n  csgsim effects carburettor.csg --scene shadows.toml --memory-bits 128 -o bill\n"
+      "The effects that there are, and their settings: docs/effects.md.");
   options->model.add_to(command);
   command.option("-o,--output", options->folder, "Folder for the pictures and the bill, effects.json").folder();
   options->report.add_to(command);
   command.prints_summary();
   command.runs([options] { run(*options); });
 }
+
+}  // namespace
+
+extern const CommandRow effects_row{.name = "effects", .add = add_effects};
 
 }  // namespace csgsim::app

@@ -56,14 +56,12 @@ void compare_levels(const Options& options) {
   }
 }
 
-}  // namespace
-
 void add_levels(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command =
-      line.add("levels", "Run a model at every level: what fidelity costs in time, and that the results are equal",
-               "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256\n"
-               "  csgsim levels carburettor.csg --levels functional,cycle");
+  Command& command = line.add("levels", studying,
+                              "Run a model at every level: what fidelity costs in time, and that the results are equal",
+                              "Example:\n  csgsim levels thesis_fig_2_3.csg --size 256x256\n"
+                              "  csgsim levels carburettor.csg --levels functional,cycle");
   options->model.add_to(command);
   command
       .option("--levels", options->levels,
@@ -73,5 +71,9 @@ void add_levels(CommandLine& line) {
   command.prints_summary();
   command.runs([options] { compare_levels(*options); });
 }
+
+}  // namespace
+
+extern const CommandRow levels_row{.name = "levels", .add = add_levels};
 
 }  // namespace csgsim::app

@@ -151,14 +151,13 @@ void run(const Options& options) {
   topic->print(options);
 }
 
-}  // namespace
-
 void add_manual(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command = line.add("manual", "Tell of the machines, methods of software, the instruction set, scene files",
-                              "Example:\n  csgsim manual machines\n  csgsim manual machines pixel-planes-4 --set "
-                              "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
-                              "Without a topic it lists them.");
+  Command& command =
+      line.add("manual", manuals, "Tell of the machines, methods of software, the instruction set, scene files",
+               "Example:\n  csgsim manual machines\n  csgsim manual machines pixel-planes-4 --set "
+               "alu.bits=4\n  csgsim manual instructions > docs/instruction-set.md\n"
+               "Without a topic it lists them.");
   std::vector<std::string> names;
   names.reserve(topics.size());
   for (const Topic& topic : topics) names.emplace_back(topic.name);
@@ -168,5 +167,9 @@ void add_manual(CommandLine& line) {
   add_figure_sets(command, options->sets, "the machine, or of those that have it");
   command.runs([options] { run(*options); });
 }
+
+}  // namespace
+
+extern const CommandRow manual_row{.name = "manual", .add = add_manual, .asks_others = true};
 
 }  // namespace csgsim::app

@@ -36,12 +36,10 @@ void run(Options& options, const OptionList& command) {
               judge_of(options, compiled));
 }
 
-}  // namespace
-
 void add_render(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command =
-      line.add("render", "Draw a CSG model on a machine and count what it takes",
+      line.add("render", drawing, "Draw a CSG model on a machine and count what it takes",
                "Example:\n  csgsim render carburettor.csg -o carburettor.png --camera 220,-255,135,2,0,5 --stats "
                "carburettor.json\n"
                "  csgsim render carburettor.csg -o carburettor.png --projection perspective --level cycle");
@@ -55,5 +53,9 @@ void add_render(CommandLine& line) {
   command.prints_summary();
   command.runs([options, &command] { run(*options, command); });
 }
+
+}  // namespace
+
+extern const CommandRow render_row{.name = "render", .add = add_render};
 
 }  // namespace csgsim::app

@@ -88,12 +88,10 @@ void rerun(CommandLine& line, const Options& options) {
   fmt::print("{:<18}the picture and all counts are those of {}\n", "rerun", run.file);
 }
 
-}  // namespace
-
 void add_rerun(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "rerun", "Run again what a stats file tells of, and see that picture and counts are the same",
+      "rerun", drawing, "Run again what a stats file tells of, and see that picture and counts are the same",
       "Example:\n  csgsim render carburettor.csg -o carburettor.png --stats carburettor.json\n  csgsim rerun "
       "carburettor.json -o again.png\nWhat was written then is not written again, but where an option here says so.");
   command.option("FILE", options->file, "The stats file, .json, of csgsim render or run").required();
@@ -105,5 +103,9 @@ void add_rerun(CommandLine& line) {
   command.prints_summary();
   command.runs([&line, options] { rerun(line, *options); });
 }
+
+}  // namespace
+
+extern const CommandRow rerun_row{.name = "rerun", .add = add_rerun, .asks_others = true};
 
 }  // namespace csgsim::app

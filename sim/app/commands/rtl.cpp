@@ -97,14 +97,13 @@ void write_design(const Options& options, const OptionList& command) {
                              : "make -C " + shell_word(options.output) + " ice40 places and routes it");
 }
 
-}  // namespace
-
 void add_rtl(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command = line.add(
-      "rtl", "Write a machine as Verilog: a design to simulate and to put on an FPGA, with a Program in its memory",
-      "Example:\n  csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o design\n"
-      "  make -C design icarus ice40\nWhat is in the folder, and what fits on which FPGA: docs/hardware.md.");
+  Command& command =
+      line.add("rtl", hardware,
+               "Write a machine as Verilog: a design to simulate and to put on an FPGA, with a Program in its memory",
+               "Example:\n  csgsim rtl pixel-planes-4 tests/models/thesis_fig_2_3.csg --size 16x16 -o design\n"
+               "  make -C design icarus ice40\nWhat is in the folder, and what fits on which FPGA: docs/hardware.md.");
   command
       .option("MACHINE", options->model.machine,
               "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: NAME+KEY=VALUE")
@@ -126,5 +125,9 @@ void add_rtl(CommandLine& line) {
   command.prints_summary();
   command.runs([options, &command] { write_design(*options, command); });
 }
+
+}  // namespace
+
+extern const CommandRow rtl_row{.name = "rtl", .add = add_rtl};
 
 }  // namespace csgsim::app

@@ -8,10 +8,12 @@
 
 namespace csgsim::app {
 
+namespace {
+
 void add_run(CommandLine& line) {
   const auto options = std::make_shared<ProgramRequest>();
   Command& command =
-      line.add("run", "Run a Program file; the picture and the counts are those of its render",
+      line.add("run", drawing, "Run a Program file; the picture and the counts are those of its render",
                "Example:\n  csgsim run traces/carburettor.csgt -o carburettor.png --stats carburettor.json\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --checkpoint run.csgs --checkpoint-every 500\n"
                "  csgsim run traces/carburettor.csgt -o carburettor.png --resume run.csgs");
@@ -26,5 +28,9 @@ void add_run(CommandLine& line) {
                 options->checkpoints);
   });
 }
+
+}  // namespace
+
+extern const CommandRow run_row{.name = "run", .add = add_run};
 
 }  // namespace csgsim::app

@@ -95,13 +95,12 @@ void run(const Options& options, const OptionList& command) {
                  .ending = [&] { session.close(); }});
 }
 
-}  // namespace
-
 void add_view(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command& command = line.add("view", "Show a model in a browser, drawn by the machine while it is turned and edited",
-                              "Example:\n  csgsim view carburettor.csg\n"
-                              "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
+  Command& command =
+      line.add("view", looking, "Show a model in a browser, drawn by the machine while it is turned and edited",
+               "Example:\n  csgsim view carburettor.csg\n"
+               "  csgsim view carburettor.scad --machine pixel-planes-5 --port 8080");
   options->model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan");
   command.option("--port", options->port, "Port of 127.0.0.1 for the page; 0 takes a free one").between(0U, 65'535U);
   command
@@ -114,5 +113,9 @@ void add_view(CommandLine& line) {
       .between(1U, 86'400U);
   command.runs([options, &command] { run(*options, command); });
 }
+
+}  // namespace
+
+extern const CommandRow view_row{.name = "view", .add = add_view};
 
 }  // namespace csgsim::app

@@ -239,12 +239,10 @@ void record(const Options& options, const OptionList& command) {
   if (options.timing) print_timing(functional_seconds, recording_seconds, recording.writing_seconds);
 }
 
-}  // namespace
-
 void add_wave(CommandLine& line) {
   const auto options = std::make_shared<Options>();
   Command& command = line.add(
-      "wave", "Record what a machine's parts and some pixels do over a window of clocks",
+      "wave", looking, "Record what a machine's parts and some pixels do over a window of clocks",
       "Example:\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --at owner -o last_write.vcd\n"
       "  csgsim wave traces/thesis_fig_2_3.csgt --pixel 200,300 --probe tree.x:3 --window i10:i14 -o trees.vcd\n"
@@ -277,5 +275,9 @@ void add_wave(CommandLine& line) {
   command.prints_summary();
   command.runs([options, &command] { record(*options, command); });
 }
+
+}  // namespace
+
+extern const CommandRow wave_row{.name = "wave", .add = add_wave};
 
 }  // namespace csgsim::app

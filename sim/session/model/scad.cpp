@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "host/read/limits.h"
-#include "hw/base/child_process.h"
 #include "hw/base/error.h"
 #include "hw/base/inputs_kept.h"
-#include "hw/base/memory_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/text.h"
+#include "sim/system/child_process.h"
+#include "sim/system/memory_file.h"
 
 namespace csgsim::session {
 
@@ -39,36 +39,37 @@ void tell_warnings(const std::string& said, const std::string& file) {
   }
 }
 
-std::string_view mend_of(Exceeded exceeded) {
+std::string_view mend_of(system::Exceeded exceeded) {
   switch (exceeded) {
-    case Exceeded::nothing: return "";
-    case Exceeded::time: return "make the model simpler, or give it more time with --openscad-time SECONDS";
-    case Exceeded::output: return "split the model";
-    case Exceeded::errors: return "take its echo() out of loops";
+    case system::Exceeded::nothing: return "";
+    case system::Exceeded::time: return "make the model simpler, or give it more time with --openscad-time SECONDS";
+    case system::Exceeded::output: return "split the model";
+    case system::Exceeded::errors: return "take its echo() out of loops";
   }
   return "";
 }
 
-std::string reason_of(const ChildEnd& end, const ChildLimits& limits) {
-  const std::string why = printable(why_failed(end, limits));
-  return end.exceeded == Exceeded::nothing ? why
-                                           : "OpenSCAD was ended: " + why + "; " + std::string(mend_of(end.exceeded));
+std::string reason_of(const system::ChildEnd& end, const system::ChildLimits& limits) {
+  const std::string why = printable(system::why_failed(end, limits));
+  return end.exceeded == system::Exceeded::nothing
+             ? why
+             : "OpenSCAD was ended: " + why + "; " + std::string(mend_of(end.exceeded));
 }
 
 /// Of the words of a command line of OpenSCAD.
-std::string evaluated(std::span<const std::string> words, const MemoryFile& input, const std::string& file,
+std::string evaluated(std::span<const std::string> words, const system::MemoryFile& input, const std::string& file,
                       std::chrono::seconds longest) {
-  const ChildLimits limits{.time = longest,
-                           .output = read::max_file_bytes,
-                           .errors = std::size_t{16} << 20U,
-                           .memory = std::size_t{8} << 30U};
-  std::optional<ChildEnd> ended = run_child(words, input, limits);
+  const system::ChildLimits limits{.time = longest,
+                                   .output = read::max_file_bytes,
+                                   .errors = std::size_t{16} << 20U,
+                                   .memory = std::size_t{8} << 30U};
+  std::optional<system::ChildEnd> ended = system::run_child(words, input, limits);
   if (!ended) {
     throw InputError(printable(file) +
                      ": OpenSCAD's source has to be evaluated by OpenSCAD, which is not on the PATH; install it "
                      "(Debian: openscad), or export the model elsewhere: openscad -o model.csg model.scad");
   }
-  if (!is_done(*ended)) throw InputError(printable(file) + ": " + reason_of(*ended, limits));
+  if (!system::is_done(*ended)) throw InputError(printable(file) + ": " + reason_of(*ended, limits));
   tell_warnings(ended->errors, file);
   std::string csg = std::move(ended->output);
   if (csg.find_first_not_of(" \n\r\t") == csg.npos)
@@ -82,14 +83,14 @@ std::string evaluated(std::span<const std::string> words, const MemoryFile& inpu
 std::string csg_of_scad(const std::string& file, std::chrono::seconds longest) {
   const std::string path = file.starts_with('-') ? "./" + file : file;
   keep_input(file);
-  return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path}, MemoryFile(file),
-                   file, longest);
+  return evaluated(std::array<std::string, 6>{"openscad", "-o", "-", "--export-format", "csg", path},
+                   system::MemoryFile(file), file, longest);
 }
 
 std::string csg_of_scad(const std::string& file, std::string_view text, std::chrono::seconds longest) {
   std::string folder = std::filesystem::path(file).parent_path().native();
   if (folder.empty()) folder = ".";
-  MemoryFile input(file);
+  system::MemoryFile input(file);
   input.write(text);
   return evaluated(
       std::array<std::string, 8>{"env", "--chdir=" + folder, "openscad", "-o", "-", "--export-format", "csg", "-"},

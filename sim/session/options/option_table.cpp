@@ -152,34 +152,6 @@ constexpr auto options = std::to_array<KnownOption>({
 
 constexpr KnownOption other{further};
 
-struct CommandSubject {
-  std::string_view subject;
-  std::string_view command;
-};
-
-constexpr std::string_view drawing = "Models and Programs";
-constexpr std::string_view looking = "Looking into a run";
-constexpr std::string_view hardware = "Hardware";
-constexpr std::string_view studies = "Studies";
-constexpr std::string_view manuals = "Manual";
-
-/// All other commands are studies.
-constexpr auto commands = std::to_array<CommandSubject>({
-    {drawing, "render"},
-    {drawing, "compile"},
-    {drawing, "run"},
-    {drawing, "rerun"},
-    {drawing, "disasm"},
-    {drawing, "convert"},
-    {looking, "debug"},
-    {looking, "diff"},
-    {looking, "view"},
-    {looking, "explain"},
-    {looking, "wave"},
-    {hardware, "rtl"},
-    {manuals, "manual"},
-});
-
 std::string file_in(std::string_view name, const std::string& folder) {
   const bool stays = name.empty() || name == "-" || folder.empty();
   return stays ? std::string(name) : (std::filesystem::path(folder) / name).native();
@@ -196,11 +168,6 @@ const KnownOption& known_option(std::string_view option) {
 
 int place_of_subject(std::string_view subject) {
   return static_cast<int>(std::ranges::find(subjects, subject) - subjects.begin());
-}
-
-std::string_view subject_of_command(std::string_view command) {
-  const auto found = std::ranges::find(std::span(commands), command, &CommandSubject::command);
-  return found == std::span(commands).end() ? studies : found->subject;
 }
 
 std::string in_folder(std::string_view option, const std::string& value, const std::string& folder) {

@@ -31,9 +31,6 @@ const KnownOption& known_option(std::string_view option);
 /// The place of a subject in help.
 int place_of_subject(std::string_view subject);
 
-/// Under which help has a command.
-std::string_view subject_of_command(std::string_view command);
-
 /// The option's value as it is where relative names of files are relative to that folder; standard streams, `-`, and
 /// what names no file stay as they are.
 std::string in_folder(std::string_view option, const std::string& value, const std::string& folder);

@@ -60,7 +60,7 @@ OptionHelp help_of_help() { return help_of_own({"-h", "--help"}, "", "Print this
 }  // namespace
 
 CommandHelp help_of_command(const Command& command) {
-  CommandHelp help{command.name(), command.description, command.footer, {}, {help_of_help()}};
+  CommandHelp help{command.name(), command.subject, command.description, command.footer, {}, {help_of_help()}};
   for (const Option& option : command.all())
     (option.is_operand ? help.operands : help.options).push_back(help_of_option(option));
   if (command.all().empty()) return help;

@@ -181,13 +181,12 @@ std::string help_of_all(const std::string& meaning, std::span<const CommandHelp>
   std::string text = wrapped(meaning, 0, 0) + "\nUsage: csgsim COMMAND [OPTIONS]\n";
   std::vector<std::string_view> subjects;
   for (const CommandHelp& command : commands) {
-    const std::string_view subject = session::subject_of_command(command.name);
-    if (std::ranges::find(subjects, subject) == subjects.end()) subjects.push_back(subject);
+    if (std::ranges::find(subjects, command.subject) == subjects.end()) subjects.push_back(command.subject);
   }
   for (const std::string_view subject : subjects) {
     text += fmt::format("\n{}:\n", subject);
     for (const CommandHelp& command : commands)
-      if (session::subject_of_command(command.name) == subject) text += line_of(command.name, command.meaning);
+      if (command.subject == subject) text += line_of(command.name, command.meaning);
   }
   return text + "\n" +
          wrapped(

@@ -29,6 +29,7 @@ struct OptionHelp {
 /// A command as help tells of it.
 struct CommandHelp {
   std::string name;
+  std::string subject;
   std::string meaning;
   std::string footer;  ///< examples, which begin with two blanks, and remarks
   std::vector<OptionHelp> operands;

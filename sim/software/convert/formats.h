@@ -22,10 +22,6 @@ struct Format {
   std::string (*write)(const Surface& surface, const Writing& writing);
 };
 
-extern const Format stl_format;
-extern const Format off_format;
-extern const Format three_mf_format;
-
 std::span<const Format* const> formats();
 
 /// The format of a name that ends so, in small letters or capitals; null if there is none.

@@ -24,6 +24,7 @@ std::string write(const Surface& surface, const Writing&) {
 
 }  // namespace
 
-const Format off_format{".off", "Object File Format, polygons of double precision that share points", false, write};
+extern const Format off_format{".off", "Object File Format, polygons of double precision that share points", false,
+                               write};
 
 }  // namespace csgsim::software::convert

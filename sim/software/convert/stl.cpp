@@ -107,7 +107,7 @@ std::string write(const Surface& surface, const Writing& writing) {
 
 }  // namespace
 
-const Format stl_format{".stl", "STL, triangles of single precision; with --ascii as text, of double precision", true,
-                        write};
+extern const Format stl_format{".stl", "STL, triangles of single precision; with --ascii as text, of double precision",
+                               true, write};
 
 }  // namespace csgsim::software::convert

@@ -149,7 +149,7 @@ std::string write(const Surface& surface, const Writing&) {
 
 }  // namespace
 
-const Format three_mf_format{".3mf", "3D Manufacturing Format, triangles of double precision that share points", false,
-                             write};
+extern const Format three_mf_format{".3mf", "3D Manufacturing Format, triangles of double precision that share points",
+                                    false, write};
 
 }  // namespace csgsim::software::convert

@@ -10,22 +10,7 @@
 
 namespace csgsim::software {
 
-extern const MethodRow interval_lists_row;
-extern const MethodRow standard_row;
-extern const MethodRow early_out_row;
-extern const MethodRow positional_row;
-extern const MethodRow status_row;
-extern const MethodRow bit_sequential_row;
-extern const MethodRow bit_parallel_row;
-extern const MethodRow bit_parallel_status_row;
-extern const MethodRow weave_row;
-extern const MethodRow interval_arithmetic_row;
-
 namespace {
-
-constexpr std::array method_rows{
-    &interval_lists_row, &standard_row,     &early_out_row,           &positional_row, &status_row,
-    &bit_sequential_row, &bit_parallel_row, &bit_parallel_status_row, &weave_row,      &interval_arithmetic_row};
 
 constexpr std::array coherence_rows{
     CoherenceRow{Coherent::all_points, "all-points", "every point is evaluated", "Jansen 1987, 4.3"},
@@ -54,13 +39,12 @@ const auto& found(const Rows& rows, const char* kind, const std::string& name) {
 
 }  // namespace
 
-std::span<const MethodRow* const> methods() { return method_rows; }
 std::span<const CoherenceRow> coherences() { return coherence_rows; }
 
 Choice choice_of(const std::string& text) {
   const std::size_t slash = text.find('/');
   const std::string method = text.substr(0, slash);
-  const MethodRow* const row = found(method_rows, "method", method);
+  const MethodRow* const row = found(methods(), "method", method);
   const bool is_crossed = row->takes == Takes::events;
   if (slash == std::string::npos) return {row, is_crossed ? coherence_rows.data() : nullptr};
   if (!is_crossed) throw InputError("method " + method + " takes whole rays, and no coherence");

@@ -14,7 +14,6 @@
 
 #include "hw/base/error.h"
 #include "hw/base/file_roles.h"
-#include "hw/base/folder_lock.h"
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
 
@@ -145,36 +144,4 @@ TEST_CASE("outputs are held against inputs and each other by file, not by name")
   CHECK_FALSE(clash({}, {scratch / "new", scratch / "d/new"}));
   CHECK_FALSE(clash({}, {"/dev/null", "/dev/null"}));
   CHECK_FALSE(clash({model}, {scratch / "none/m.csg"}));
-}
-
-TEST_CASE("a folder is kept for one process at a time, which the others are told") {
-  const Scratch scratch;
-  {
-    const FolderLock lock(scratch.path(), "sweep");
-    const std::string told = refusal([&] { FolderLock(scratch.path(), "compare"); });
-    CHECK(contains(told, scratch.path().string()));
-    CHECK(contains(told, "process " + std::to_string(::getpid()) + ", sweep"));
-  }
-  CHECK(scratch.files() == 0);
-  CHECK(refusal([&] { FolderLock(scratch.path(), "compare"); }).empty());
-}
-
-TEST_CASE("the lock of a process that was killed keeps nobody out") {
-  const Scratch scratch;
-  std::array<int, 2> ready{};
-  REQUIRE(::pipe(ready.data()) == 0);
-  const pid_t child = ::fork();
-  if (child == 0) {
-    const FolderLock lock(scratch.path(), "sweep");
-    static_cast<void>(::write(ready[1], "x", 1));
-    ::pause();
-  }
-  char byte = 0;
-  REQUIRE(::read(ready[0], &byte, 1) == 1);
-  CHECK(contains(refusal([&] { FolderLock(scratch.path(), "compare"); }), std::to_string(child)));
-  ::kill(child, SIGKILL);
-  ::waitpid(child, nullptr, 0);
-  CHECK(scratch.files() == 1);
-  CHECK(refusal([&] { FolderLock(scratch.path(), "compare"); }).empty());
-  CHECK(scratch.files() == 0);
 }

@@ -54,7 +54,7 @@ TEST_CASE("each format is read back as a closed mesh of the same volume") {
             read_back(format->write(surface, {.is_text = is_text}), std::string(format->ending));
         CHECK(testing::welded_fault_of(mesh) == "");
         // Single precision has 24 bits, and texts of STL are read in it too, as OpenSCAD does.
-        const bool is_single = format == &convert::stl_format;
+        const bool is_single = format->ending == ".stl";
         CHECK(testing::volume_of(mesh) == doctest::Approx(volume).epsilon(is_single ? 1e-6 : 1e-14));
       }
     }
@@ -63,26 +63,26 @@ TEST_CASE("each format is read back as a closed mesh of the same volume") {
 
 TEST_CASE("OFF has polygons that share points, without a point on an edge") {
   const convert::Surface surface = surface_of_file("carburettor");
-  const testing::JudgedMesh mesh = read_back(convert::off_format.write(surface, {}), ".off");
+  const testing::JudgedMesh mesh = read_back(convert::format_of(".off")->write(surface, {}), ".off");
   CHECK(testing::fault_of(mesh) == "");
   CHECK(mesh.points.size() == surface.points.size());
   CHECK(mesh.faces.size() < surface.triangles.size());
   const testing::JudgedMesh cube =
-      read_back(convert::off_format.write(testing::converted("cube([1,2,3]);"), {}), ".off");
+      read_back(convert::format_of(".off")->write(testing::converted("cube([1,2,3]);"), {}), ".off");
   CHECK(cube.faces.size() == 6);
 }
 
 TEST_CASE("a format is known by the end of a name, in small letters or capitals") {
-  CHECK(convert::format_of("a/b.stl") == &convert::stl_format);
-  CHECK(convert::format_of("B.STL") == &convert::stl_format);
-  CHECK(convert::format_of("b.3mf") == &convert::three_mf_format);
+  CHECK(convert::format_of("a/b.stl")->ending == ".stl");
+  CHECK(convert::format_of("B.STL")->ending == ".stl");
+  CHECK(convert::format_of("b.3mf")->ending == ".3mf");
   CHECK(convert::format_of("b.stl.png") == nullptr);
   CHECK(convert::format_of("stl") == nullptr);
 }
 
 TEST_CASE("a zipped mesh has the same bytes whenever it is written") {
   const convert::Surface surface = testing::converted("cube([1,2,3]);");
-  CHECK(convert::three_mf_format.write(surface, {}) == convert::three_mf_format.write(surface, {}));
+  CHECK(convert::format_of(".3mf")->write(surface, {}) == convert::format_of(".3mf")->write(surface, {}));
 }
 
 TEST_CASE("binary STL leaves out triangles whose corners are one in single precision, whichever two") {
@@ -116,7 +116,7 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
       split.outlines.push_back(0);
     }
     REQUIRE(testing::sides_fault_of(testing::judged(split)) == "");
-    const std::string bytes = convert::stl_format.write(split, {});
+    const std::string bytes = convert::format_of(".stl")->write(split, {});
     CHECK(bytes.size() == 84 + 50 * 12);
     CHECK(testing::welded_fault_of(read_back(bytes, ".stl")) == "");
   }
@@ -125,17 +125,17 @@ TEST_CASE("binary STL leaves out triangles whose corners are one in single preci
 TEST_CASE("binary STL refuses a model that single precision would change") {
   const convert::Surface far = testing::converted(
       "cube([2,2,2]);multmatrix([[1,0,0,3000000000],[0,1,0,0],[0,0,1,0],[0,0,0,1]]){cube([2,2,2]);}");
-  CHECK_THROWS_WITH_AS(convert::stl_format.write(far, {}),
+  CHECK_THROWS_WITH_AS(convert::format_of(".stl")->write(far, {}),
                        "binary STL has single precision, which would change the volume of this model by more than a "
                        "thousandth, since its coordinates reach 3e+09; write .off or .3mf, or an STL text with --ascii",
                        InputError);
   CHECK(convert::measure(far).volume == 16);
-  CHECK(!convert::stl_format.write(far, {.is_text = true}).empty());
-  CHECK(testing::volume_of(read_back(convert::off_format.write(far, {}), ".off")) == 16);
+  CHECK(!convert::format_of(".stl")->write(far, {.is_text = true}).empty());
+  CHECK(testing::volume_of(read_back(convert::format_of(".off")->write(far, {}), ".off")) == 16);
 }
 
 TEST_CASE("3MF states millimetres") {
-  const std::string bytes = convert::three_mf_format.write(testing::converted("cube([1,2,3]);"), {});
+  const std::string bytes = convert::format_of(".3mf")->write(testing::converted("cube([1,2,3]);"), {});
   const std::string model = solids::unzip(bytes, "cube.3mf", "3D/3dmodel.model");
   CHECK(model.find("<model unit=\"millimeter\"") != std::string::npos);
 }
@@ -173,7 +173,7 @@ TEST_CASE("the table of formats: endings, and which has a text beside its binary
 }
 
 TEST_CASE("binary STL byte by byte: header, count, normals and corners in single precision") {
-  const std::string bytes = convert::stl_format.write(small_surface(), {});
+  const std::string bytes = convert::format_of(".stl")->write(small_surface(), {});
   REQUIRE(bytes.size() == 84 + 4 * 50);
   CHECK(bytes.substr(0, 20) == "binary STL by csgsim");
   CHECK(bytes.substr(20, 60) == std::string(60, ' '));
@@ -189,15 +189,15 @@ TEST_CASE("binary STL byte by byte: header, count, normals and corners in single
 }
 
 TEST_CASE("a surface without triangles is a file of none") {
-  CHECK(convert::stl_format.write({}, {}).size() == 84);
-  CHECK(convert::stl_format.write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
-  CHECK(convert::off_format.write({}, {}) == "OFF\n0 0 0\n");
+  CHECK(convert::format_of(".stl")->write({}, {}).size() == 84);
+  CHECK(convert::format_of(".stl")->write({}, {.is_text = true}) == "solid csgsim\nendsolid csgsim\n");
+  CHECK(convert::format_of(".off")->write({}, {}) == "OFF\n0 0 0\n");
 }
 
 TEST_CASE("STL as text, word by word, and no normal where there is no area") {
   convert::Surface surface = small_surface();
   surface.triangles = {{0, 1, 3}, {0, 1, 1}};
-  CHECK(convert::stl_format.write(surface, {.is_text = true}) ==
+  CHECK(convert::format_of(".stl")->write(surface, {.is_text = true}) ==
         "solid csgsim\n"
         "facet normal 0 -1 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 0 0 0.1\n endloop\nendfacet\n"
         "facet normal 0 0 0\n outer loop\n  vertex 0 0 0\n  vertex 1 0 0\n  vertex 1 0 0\n endloop\nendfacet\n"
@@ -205,12 +205,12 @@ TEST_CASE("STL as text, word by word, and no normal where there is no area") {
 }
 
 TEST_CASE("OFF, word by word") {
-  CHECK(convert::off_format.write(small_surface(), {}) ==
+  CHECK(convert::format_of(".off")->write(small_surface(), {}) ==
         "OFF\n4 4 0\n0 0 0\n1 0 0\n0 2 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
 }
 
 TEST_CASE("3MF, word by word: one object that is built, and the parts that packages have") {
-  const std::string bytes = convert::three_mf_format.write(small_surface(), {});
+  const std::string bytes = convert::format_of(".3mf")->write(small_surface(), {});
   CHECK(solids::unzip(bytes, "a.3mf", "3D/3dmodel.model") ==
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
         "<model unit=\"millimeter\" xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
@@ -241,7 +241,7 @@ TEST_CASE("binary STL may change a volume by a thousandth, no more, along each a
         const double height = std::array{1.0, 2.0, 0.1}.at(static_cast<std::size_t>(axis));
         point[axis] = 0x1p24 + point[axis] / height * size;
       }
-      const std::string told = testing::error_of([&] { convert::stl_format.write(surface, {}); });
+      const std::string told = testing::error_of([&] { convert::format_of(".stl")->write(surface, {}); });
       CHECK(told.empty() == (size > 900));
       if (!told.empty()) CHECK(told.find("since its coordinates reach 1.68e+07;") != std::string::npos);
     }

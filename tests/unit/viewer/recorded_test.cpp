@@ -33,13 +33,13 @@ struct Script {
   Script& operator=(const Script&) = delete;
 };
 
-std::string recorded_with(const std::string& script, const ChildLimits& limits = viewer::wave_limits) {
+std::string recorded_with(const std::string& script, const system::ChildLimits& limits = viewer::wave_limits) {
   const Script csgsim(script);
   const std::vector<std::string> options{"--pixel=1,2", "--lanes"};
   return viewer::recorded_by(csgsim.path, {}, options, limits);
 }
 
-std::string recording_error(const std::string& script, const ChildLimits& limits = viewer::wave_limits) {
+std::string recording_error(const std::string& script, const system::ChildLimits& limits = viewer::wave_limits) {
   return testing::error_of([&] { static_cast<void>(recorded_with(script, limits)); });
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("a recording that fails says why, and what to do where it took too muc
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("no such pixel") != std::string::npos);
   CHECK(recording_error("echo 'csgsim: no such pixel' >&2; exit 1").find("make the picture smaller") ==
         std::string::npos);
-  ChildLimits small = viewer::wave_limits;
+  system::ChildLimits small = viewer::wave_limits;
   small.output = 10;
   CHECK(recorded_with("printf 0123456789", small) == "0123456789");
   const std::string error = recording_error("printf 0123456789a", small);

@@ -1,4 +1,4 @@
-#include "hw/base/folder_lock.h"
+#include "sim/system/folder_lock.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 
-namespace csgsim {
+namespace csgsim::system {
 
 namespace {
 
@@ -74,4 +74,4 @@ FolderLock::FolderLock(const std::filesystem::path& folder, std::string_view pur
 
 FolderLock::~FolderLock() { ::unlink(path_.c_str()); }
 
-}  // namespace csgsim
+}  // namespace csgsim::system

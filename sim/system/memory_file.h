@@ -7,7 +7,7 @@
 
 #include "hw/base/descriptor.h"
 
-namespace csgsim {
+namespace csgsim::system {
 
 /// A file that is in memory only: for libraries and programs that write to files without telling whether it worked. No
 /// disk can be full under it; a limit on the size of files (ulimit -f) holds for it too. Linux only. Each function
@@ -43,4 +43,4 @@ class MemoryFile {
   unsigned refused_before_ = 0;
 };
 
-}  // namespace csgsim
+}  // namespace csgsim::system

@@ -7,7 +7,7 @@
 #include "hw/base/descriptor.h"
 #include "hw/base/partial_files.h"
 
-namespace csgsim {
+namespace csgsim::system {
 
 /// Keeps a folder for this process: no two write tables there at the same time. The lock ends with the object or the
 /// process, however that ends.
@@ -26,4 +26,4 @@ class FolderLock {
   std::optional<PartialFile> registered_;
 };
 
-}  // namespace csgsim
+}  // namespace csgsim::system

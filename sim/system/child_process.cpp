@@ -1,4 +1,4 @@
-#include "hw/base/child_process.h"
+#include "sim/system/child_process.h"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,13 +13,13 @@
 #include <cstring>
 #include <vector>
 
-#include "hw/base/child_guard.h"
 #include "hw/base/descriptor.h"
 #include "hw/base/error.h"
 #include "hw/base/interruption.h"
 #include "hw/base/text.h"
+#include "sim/system/child_guard.h"
 
-namespace csgsim {
+namespace csgsim::system {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::string why_failed(const ChildEnd& end, const ChildLimits& limits) {
   return end.errors.substr(begin, end.errors.find('\n', begin) - begin);
 }
 
-}  // namespace csgsim
+}  // namespace csgsim::system

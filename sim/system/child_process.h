@@ -8,9 +8,9 @@
 #include <span>
 #include <string>
 
-#include "hw/base/memory_file.h"
+#include "sim/system/memory_file.h"
 
-namespace csgsim {
+namespace csgsim::system {
 
 /// What a program that is run may take.
 struct ChildLimits {
@@ -48,4 +48,4 @@ bool is_done(const ChildEnd& end);
 /// Why it did not: the limit, the signal, or the first line of what it said.
 std::string why_failed(const ChildEnd& end, const ChildLimits& limits);
 
-}  // namespace csgsim
+}  // namespace csgsim::system

@@ -1,4 +1,4 @@
-#include "hw/base/child_process.h"
+#include "sim/system/child_process.h"
 
 #include <doctest/doctest.h>
 #include <sys/wait.h>
@@ -21,13 +21,14 @@ using namespace csgsim;
 namespace {
 
 constexpr std::size_t mib = std::size_t{1} << 20U;
-constexpr ChildLimits usual{.time = std::chrono::seconds(60), .output = mib, .errors = mib};
+constexpr system::ChildLimits usual{.time = std::chrono::seconds(60), .output = mib, .errors = mib};
 
-ChildEnd run_shell(const std::string& commands, const ChildLimits& limits = usual, const std::string& input = "") {
-  MemoryFile file("sh");
+system::ChildEnd run_shell(const std::string& commands, const system::ChildLimits& limits = usual,
+                           const std::string& input = "") {
+  system::MemoryFile file("sh");
   file.write(input);
   const std::vector<std::string> words{"sh", "-c", commands};
-  const auto ended = run_child(words, file, limits);
+  const auto ended = system::run_child(words, file, limits);
   REQUIRE(ended.has_value());
   return *ended;
 }
@@ -36,62 +37,62 @@ ChildEnd run_shell(const std::string& commands, const ChildLimits& limits = usua
 
 TEST_CASE("a program reads its input, and all that it writes is there at its end") {
   const std::string much(std::size_t{3} << 18U, 'x');
-  const ChildEnd ended = run_shell("tee /dev/stderr; exit 3", usual, much);
+  const system::ChildEnd ended = run_shell("tee /dev/stderr; exit 3", usual, much);
   CHECK(ended.output == much);
   CHECK(ended.errors == much);
-  CHECK(ended.exceeded == Exceeded::nothing);
+  CHECK(ended.exceeded == system::Exceeded::nothing);
   CHECK(WEXITSTATUS(ended.status) == 3);
-  CHECK_FALSE(is_done(ended));
-  CHECK(is_done(run_shell("true")));
+  CHECK_FALSE(system::is_done(ended));
+  CHECK(system::is_done(run_shell("true")));
 }
 
 TEST_CASE("a program may write as much as its limits, and not a byte more") {
   const std::string exact = "head -c 1048576 /dev/zero";
-  CHECK(is_done(run_shell(exact)));
-  CHECK(is_done(run_shell(exact + " >&2")));
+  CHECK(system::is_done(run_shell(exact)));
+  CHECK(system::is_done(run_shell(exact + " >&2")));
   for (const auto& [commands, exceeded] :
-       {std::pair("; echo", Exceeded::output), std::pair(" >&2; echo >&2", Exceeded::errors)}) {
-    const ChildEnd ended = run_shell(exact + commands + "; sleep 300");
+       {std::pair("; echo", system::Exceeded::output), std::pair(" >&2; echo >&2", system::Exceeded::errors)}) {
+    const system::ChildEnd ended = run_shell(exact + commands + "; sleep 300");
     CHECK(ended.exceeded == exceeded);
     CHECK(ended.output.size() + ended.errors.size() == mib);
-    CHECK(why_failed(ended, usual).find("more than 1 MiB") != std::string::npos);
+    CHECK(system::why_failed(ended, usual).find("more than 1 MiB") != std::string::npos);
   }
 }
 
 TEST_CASE("a program that is not done in its time is ended, with what it has begun") {
-  ChildLimits limits = usual;
+  system::ChildLimits limits = usual;
   limits.time = std::chrono::seconds(1);
-  const ChildEnd ended = run_shell("sleep 300 & echo $!; wait", limits);
-  CHECK(ended.exceeded == Exceeded::time);
-  CHECK(why_failed(ended, limits) == "it is not done after 1 s");
+  const system::ChildEnd ended = run_shell("sleep 300 & echo $!; wait", limits);
+  CHECK(ended.exceeded == system::Exceeded::time);
+  CHECK(system::why_failed(ended, limits) == "it is not done after 1 s");
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
 TEST_CASE("what a program leaves behind is ended with it, and not waited for") {
-  const ChildEnd ended = run_shell("sleep 300 & echo $!");
-  CHECK(is_done(ended));
+  const system::ChildEnd ended = run_shell("sleep 300 & echo $!");
+  CHECK(system::is_done(ended));
   CHECK(::kill(std::stoi(ended.output), 0) != 0);
 }
 
 TEST_CASE("the most memory of a program's processes is told") {
   constexpr std::size_t held = 64 * mib;
-  const ChildEnd ended = run_shell("head -c 64M /dev/zero | tail -c 64M > /dev/null");
-  CHECK(is_done(ended));
+  const system::ChildEnd ended = run_shell("head -c 64M /dev/zero | tail -c 64M > /dev/null");
+  CHECK(system::is_done(ended));
   CHECK(ended.memory >= held);
   CHECK(ended.memory < 4 * held);
   CHECK(run_shell("true").memory < held);
 }
 
 TEST_CASE("a program that a signal ends is told as such") {
-  const ChildEnd ended = run_shell("kill -SEGV $$");
-  CHECK(why_failed(ended, usual) == "it was ended by a signal: Segmentation fault");
+  const system::ChildEnd ended = run_shell("kill -SEGV $$");
+  CHECK(system::why_failed(ended, usual) == "it was ended by a signal: Segmentation fault");
 }
 
 TEST_CASE("a program that is not there is told from one that fails") {
-  const MemoryFile none("none");
-  CHECK_FALSE(run_child(std::vector<std::string>{"there/is/none"}, none, usual).has_value());
-  CHECK_FALSE(run_child(std::vector<std::string>{"csgsim-is-none"}, none, usual).has_value());
-  CHECK(why_failed(run_shell("echo why >&2; exit 1"), usual) == "why");
+  const system::MemoryFile none("none");
+  CHECK_FALSE(system::run_child(std::vector<std::string>{"there/is/none"}, none, usual).has_value());
+  CHECK_FALSE(system::run_child(std::vector<std::string>{"csgsim-is-none"}, none, usual).has_value());
+  CHECK(system::why_failed(run_shell("echo why >&2; exit 1"), usual) == "why");
 }
 
 TEST_CASE("ends a program, with what it has begun, when this thread's work is to stop") {

@@ -1,4 +1,4 @@
-#include "hw/base/child_guard.h"
+#include "sim/system/child_guard.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
@@ -15,7 +15,7 @@
 
 // Whatever runs between fork and exec may call only what a signal handler may call: other threads may have held locks.
 
-namespace csgsim {
+namespace csgsim::system {
 
 namespace {
 
@@ -123,4 +123,4 @@ pid_t start_guard(const GuardedProgram& program) {
   return started;
 }
 
-}  // namespace csgsim
+}  // namespace csgsim::system

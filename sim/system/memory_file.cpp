@@ -1,4 +1,4 @@
-#include "hw/base/memory_file.h"
+#include "sim/system/memory_file.h"
 
 #include <fmt/format.h>
 #include <sys/mman.h>
@@ -11,7 +11,7 @@
 
 #include "hw/base/error.h"
 
-namespace csgsim {
+namespace csgsim::system {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::string MemoryFile::content() const {
   return bytes;
 }
 
-}  // namespace csgsim
+}  // namespace csgsim::system
