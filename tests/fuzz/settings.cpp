@@ -9,6 +9,7 @@
 #include "tests/fuzz/property.h"
 
 namespace shell = csgsim::shell;
+namespace session = csgsim::session;
 namespace fuzz = csgsim::fuzz;
 
 namespace {

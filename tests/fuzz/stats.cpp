@@ -11,6 +11,7 @@
 #include "tests/fuzz/property.h"
 
 namespace shell = csgsim::shell;
+namespace session = csgsim::session;
 namespace fuzz = csgsim::fuzz;
 
 std::string session::version_and_build() { return "0.1.0 fuzz"; }

@@ -16,7 +16,7 @@
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;
-namespace shell = csgsim::shell;
+namespace session = csgsim::session;
 namespace studies = csgsim::studies;
 
 namespace {

@@ -19,12 +19,14 @@
 #include "sim/session/options/paths.h"
 #include "sim/session/options/progress.h"
 #include "sim/session/run/run_request.h"
+#include "sim/shell/command_line.h"
 #include "sim/studies/folder.h"
 #include "tests/performance/bench.h"
 #include "tests/performance/report.h"
 
 namespace csgsim::bench {
 
+using namespace session;
 using namespace shell;
 
 namespace {
