@@ -66,7 +66,6 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/web/lacking": ["web"],
     "sim/web/wasm": ["web"],
     "sim/system": ["system", "cli"],
-    "sim/session": ["session", "cli"],
     "sim/session/model": ["session", "cli"],
     "sim/session/options": ["session", "cli"],
     "sim/session/run": ["session", "cli"],
