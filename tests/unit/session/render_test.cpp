@@ -113,13 +113,13 @@ TEST_CASE("a picture is held against the exact one where that is asked for, and 
   const nlohmann::ordered_json coarse =
       judged(checked.options, session::compile(checked.options, studies::choose_bits));
   Parsed<RenderRequest> fine(house_words({"--check"}));
-  const nlohmann::ordered_json usual = judged(fine.options, session::compile(fine.options));
+  const nlohmann::ordered_json usual = judged(fine.options, session::compile(fine.options, studies::choose_bits));
   CHECK(coarse["wrong"].get<std::uint64_t>() > usual["wrong"].get<std::uint64_t>());
   const session::InPlace glass{.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"};
   for (const bool is_checked : {true, false}) {
     Parsed<RenderRequest> asked({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0"});
     asked.options.check = is_checked;
-    const session::Compiled seen_through = session::compile(asked.options, glass);
+    const session::Compiled seen_through = session::compile(asked.options, studies::choose_bits, glass);
     const std::string error =
         testing::error_of([&] { static_cast<void>(session::judge_of(asked.options, seen_through)); });
     CHECK((error.find("knows opaque solids alone") != std::string::npos) == is_checked);
@@ -152,18 +152,18 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
   }
   CHECK(last < 12);
   Parsed<RenderRequest> usual(house_words({}));
-  static_cast<void>(session::compile(usual.options));
+  static_cast<void>(session::compile(usual.options, studies::choose_bits));
   CHECK(usual.options.model.z_bits == 20);
   CHECK(usual.options.model.fraction_bits == 12);
   // Nothing fits 20 bits of memory.
   Parsed<RenderRequest> small(house_words({"--max-wrong-pixels", "5", "--memory-bits", "20"}));
-  CHECK(testing::error_of([&] { static_cast<void>(session::compile(small.options)); }) ==
+  CHECK(testing::error_of([&] { static_cast<void>(session::compile(small.options, studies::choose_bits)); }) ==
         "no choice of --z-bits and --fraction-bits that fits the machine has at most 5 wrong pixels; allow more, or "
         "see csgsim accuracy");
   Parsed<RenderRequest> glass({"glass.csg", "--size", "24x20", "--camera", "0,-50,0,0,0,0", "--max-wrong-pixels", "5"});
   CHECK(testing::error_of([&] {
-          static_cast<void>(
-              session::compile(glass.options, {.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"}));
+          static_cast<void>(session::compile(glass.options, studies::choose_bits,
+                                             {.text = "color([1,0,0,0.5]) { cube(size=[8,6,4],center=true); }"}));
         }).find("knows opaque solids alone") != std::string::npos);
 }
 
