@@ -42,7 +42,7 @@ std::vector<unsigned> addends_of(const std::string& text) { return session::pars
 
 class Collatz : public studies::StudyOf<CollatzRow> {
  public:
-  void add_options(shell::Command& command) override {
+  void add_options(session::OptionList& command) override {
     command.option("FILE", file_, "Numbers, a line each").required();
     command.option("--addends", addends_, "Numbers: what is added to three times an odd number")
         .check(session::is_read_by(addends_of));
