@@ -114,7 +114,7 @@ void run(const Options& options) {
 
 void describe_measure(CommandLine& line) {
   const auto options = std::make_shared<Options>();
-  Command command =
+  Command& command =
       line.add("measure", "Measures", "Measure csgsim's own speed, in ratios: on this computer, of this build",
                "Example:\n  csgsim_bench measure carburettor.csg -o figures\n"
                "  csgsim_bench measure --machines pixel-planes-4 --parts speed,dense --rounds 9\n"
