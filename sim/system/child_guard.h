@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace csgsim {
+namespace csgsim::system {
 
 /// What a program is started with.
 struct GuardedProgram {
@@ -28,4 +28,4 @@ struct GuardReport {
 /// the guard ends all that is left of the group, and itself. Returns the guard's number, or -1 and errno.
 pid_t start_guard(const GuardedProgram& program);
 
-}  // namespace csgsim
+}  // namespace csgsim::system

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "places.h"
-#include "sim/app/commands/commands.h"
 #include "sim/session/options/option_table.h"
 #include "sim/studies/rows.h"
 #include "tests/cli/cli.h"
@@ -18,13 +17,16 @@ using namespace csgsim::testing::cli;
 
 namespace {
 
+/// As help lists them, two blanks before each.
 std::vector<std::string> commands() {
   std::vector<std::string> names;
-#define CSGSIM_COMMAND_NAME(name) names.emplace_back(#name);
-  CSGSIM_COMMANDS(CSGSIM_COMMAND_NAME)
-#undef CSGSIM_COMMAND_NAME
-  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all()) names.emplace_back(row->name);
-  names.emplace_back("gather");
+  std::istringstream lines(run("--help").out);
+  for (std::string line; std::getline(lines, line);) {
+    const bool is_command = line.starts_with("  ") && line.size() > 2 && line[2] != ' ';
+    if (is_command) names.push_back(line.substr(2, line.find(' ', 2) - 2));
+  }
+  for (const csgsim::studies::StudyRow* const row : csgsim::studies::all())
+    CHECK(std::ranges::count(names, row->name) == 1);
   return names;
 }
 

@@ -106,9 +106,11 @@ def glossary():
 
 
 def command_names():
-    commands = (ROOT / "sim/app/commands/commands.h").read_text(encoding="utf-8")
-    studies = (ROOT / "sim/studies/CMakeLists.txt").read_text(encoding="utf-8")
-    return re.findall(r"COMMAND\((\w+)\)", commands) + re.search(r"set\(studies ([\w ]+)\)", studies)[1].split() + ["gather"]
+    def listed(folder, name):
+        text = (ROOT / "sim" / folder / "CMakeLists.txt").read_text(encoding="utf-8")
+        return re.search(rf"set\({name} ([\w ]+)\)", text)[1].split()
+
+    return listed("app", "commands") + listed("studies", "studies") + ["gather"]
 
 
 def lists():

@@ -131,6 +131,11 @@ std::string Option::key() const {
   return key;
 }
 
+bool Option::is_called(std::string_view name) const {
+  const auto is_name = [&](std::string_view one) { return one.starts_with("--") && one.substr(2) == name; };
+  return is_operand ? key() == name : std::ranges::any_of(names, is_name);
+}
+
 std::string Option::shown_name() const {
   const auto is_long = [](const std::string& name) { return name.starts_with("--"); };
   const auto found = std::ranges::find_if(names, is_long);
@@ -216,12 +221,12 @@ void OptionList::clear() {
 }
 
 const Option* OptionList::find(std::string_view key) const {
-  const auto found = std::ranges::find(options_, key, &Option::key);
+  const auto found = std::ranges::find_if(options_, [&](const Option& one) { return one.is_called(key); });
   return found == options_.end() ? nullptr : &*found;
 }
 
 Option* OptionList::find(std::string_view key) {
-  const auto found = std::ranges::find(options_, key, &Option::key);
+  const auto found = std::ranges::find_if(options_, [&](const Option& one) { return one.is_called(key); });
   return found == options_.end() ? nullptr : &*found;
 }
 

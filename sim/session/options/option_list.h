@@ -90,9 +90,10 @@ class Option {
   [[nodiscard]] std::string problem(std::span<const std::string> texts) const;
 
   [[nodiscard]] bool is_given() const { return !given.empty(); }
-  [[nodiscard]] std::string key() const;         ///< as in SettableOption
-  [[nodiscard]] std::string shown_name() const;  ///< `--z-bits`, or `MODEL`
-  [[nodiscard]] std::string value_text() const;  ///< all that was given, with commas
+  [[nodiscard]] std::string key() const;                      ///< as in SettableOption
+  [[nodiscard]] bool is_called(std::string_view name) const;  ///< by its key, or another long name without dashes
+  [[nodiscard]] std::string shown_name() const;               ///< `--z-bits`, or `MODEL`
+  [[nodiscard]] std::string value_text() const;               ///< all that was given, with commas
   [[nodiscard]] OptionValue value() const;
 
   std::vector<std::string> names;  ///< with dashes, short ones first; of an operand its only one

@@ -222,7 +222,7 @@ TEST_CASE("a point that does not fit says why, and its neighbours are measured")
 TEST_CASE("the page of a sweep of several models tells how many they are, and of one its name") {
   const auto subject = [](Words words) {
     words.insert(words.begin(), "sweep");
-    words.insert(words.end(), {"-o", "out"});
+    words.insert(words.end(), {"--output", "out"});
     session::OptionList list("sweep");
     const auto command = studies::describe(list, studies::sweep_row);
     list.give_words(std::span(words).subspan(1));
