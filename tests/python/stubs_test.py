@@ -16,7 +16,7 @@ import csgsim
 SOURCE = pathlib.Path(sys.argv[1]).resolve() / "sim/python/csgsim"
 STUB = ast.parse((SOURCE / "__init__.pyi").read_text(encoding="utf-8"))
 BODY = {node.name: node for node in STUB.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-OPTIONS = {"render": "RenderRequest", "compile": "ModelRequest", "run": "RunRequest", "explain": "ExplainRequest",
+OPTIONS = {"render": "RenderOptions", "compile": "ModelOptions", "run": "RunOptions", "explain": "ExplainOptions",
            "sweep": "SweepOptions", "compare": "CompareOptions", "accuracy": "AccuracyOptions"}
 TYPES = {"flag": "bool", "whole number": "int", "number": "float", "text": "Text", "texts": "Texts"}
 

@@ -87,7 +87,7 @@ class _ModelOptions(TypedDict, total=False):
     colour_scheme: Text
     set: Texts
     imports_from: Text
-    openscad_time: Text
+    openscad_time: int
     snap: bool
     limit: int
     view_all: bool

@@ -57,6 +57,12 @@ std::string flag_problem(const std::string& text) {
   return text == is_true || text == is_false ? "" : "'" + text + "' is neither true nor false";
 }
 
+/// Such a text would end there where it is handed on.
+void refuse_zero_byte(const std::string& text) {
+  if (text.find('\0') != text.npos)
+    throw UsageError(printable(text), "it has a zero byte, which no text on a command line has; leave it out");
+}
+
 /// What a word of the option is called.
 std::string kind_of(const Option& option) {
   std::string name = option.key();
@@ -243,8 +249,7 @@ Option& OptionList::named(std::string_view key) {
 
 void OptionList::give(std::string_view key, const std::string& text) {
   Option& option = named(key);
-  if (text.find('\0') != text.npos)
-    throw UsageError(printable(text), "it has a zero byte, which no text on a command line has; leave it out");
+  refuse_zero_byte(text);
   option.given.push_back(text);
 }
 
@@ -259,6 +264,7 @@ void OptionList::give_operand(const std::string& text) {
     return one.is_operand && (one.given.empty() || one.takes == Takes::texts);
   };
   const auto next = std::ranges::find_if(options_, takes_more);
+  refuse_zero_byte(text);
   if (next == options_.end())
     throw UsageError(fmt::format("The following argument was not expected: {}; see csgsim {} --help", text, name_));
   next->given.push_back(text);
@@ -312,12 +318,12 @@ void OptionList::take_given() {
 }
 
 void OptionList::take() {
+  take_given();
   for (const Option& option : options_) {
     if (option.is_required && !option.is_given()) throw UsageError(option.shown_name() + " is required");
     const Option* const other = option.is_given() ? excluded_by(option) : nullptr;
     if (other != nullptr) throw UsageError(option.shown_name() + " excludes " + other->shown_name());
   }
-  take_given();
 }
 
 std::string OptionList::place_of(std::string_view message) const {

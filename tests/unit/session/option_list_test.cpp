@@ -119,7 +119,9 @@ TEST_CASE("a zero byte is refused where it would end a text") {
   session::OptionList list("asked");
   Request request;
   request.add_to(list);
-  CHECK(usage_error_of([&] { list.give("colour", std::string("red\0x", 5)); }).find("zero byte") != std::string::npos);
+  const std::string text("red\0x", 5);
+  CHECK(usage_error_of([&] { list.give("colour", text); }).find("zero byte") != std::string::npos);
+  CHECK(usage_error_of([&] { list.give_operand(text); }).find("zero byte") != std::string::npos);
 }
 
 TEST_CASE("a flag alone needs no text") {
