@@ -1,8 +1,8 @@
-# Tables of the house are rows, a file each: `extern const TYPE NAME{...};`. Their names, in the order of the table, stand in the
-# CMakeLists.txt of their folder alone.
+# A table is a list of rows. Each row is `extern const TYPE NAME{...};` in its own file; the names, in the order of the
+# table, stand only in the folder's CMakeLists.txt.
 #
-# csgsim_rows(OUTPUT HEADERS NAMESPACE TYPE FUNCTION NAMES...): writes OUTPUT into the build folder, a source that defines
-# `std::span<const TYPE* const> FUNCTION()` of the namespace, as the first of the headers declares it.
+# csgsim_rows(OUTPUT HEADERS NAMESPACE TYPE FUNCTION NAMES...): writes the source OUTPUT into the build folder. It defines
+# `std::span<const TYPE* const> FUNCTION()` in the namespace, which the first header declares.
 function(csgsim_rows output headers namespace type function)
   set(includes "")
   foreach(header IN LISTS headers)
@@ -11,7 +11,7 @@ function(csgsim_rows output headers namespace type function)
   set(declarations "")
   set(rows "")
   foreach(name IN LISTS ARGN)
-    if(NOT name MATCHES "::")  # of another namespace, whose header declares it
+    if(NOT name MATCHES "::")  # else another header declares it
       string(APPEND declarations "extern const ${type} ${name};\n")
     endif()
     string(APPEND rows "    &${name},\n")

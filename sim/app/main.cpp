@@ -54,14 +54,14 @@ int run(csgsim::shell::CommandLine& line, std::span<char* const> arguments) {
   return 0;
 }
 
-/// Whether nothing of the command line but the first command can matter. To describe all of them takes longer than to
-/// convert a small model.
+/// Whether the command line concerns one command only: describing all of them takes longer than converting a small
+/// model.
 bool is_alone(std::span<char* const> arguments) {
   const auto names_settings = [](std::string_view word) { return word.starts_with("--config"); };
   return std::ranges::none_of(arguments, names_settings);
 }
 
-/// The command of that name, if there is one that asks for no other.
+/// Adds the command or study of that name alone. False if there is none, or if it needs the other commands.
 bool add_command(csgsim::shell::CommandLine& line, std::string_view asked) {
   for (const csgsim::app::CommandRow* const row : csgsim::app::commands()) {
     if (row->name != asked || row->asks_others) continue;

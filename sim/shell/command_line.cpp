@@ -49,18 +49,6 @@ void add_to(CLI::App& app, Tokens& tokens) {
   throw UsageError(message);
 }
 
-void refuse_zero_bytes(std::span<const std::string> words) {
-  for (const std::string& word : words) {
-    if (word.find('\0') != word.npos)
-      throw UsageError(printable(word), "it has a zero byte, which no text on a command line has; leave it out");
-  }
-}
-
-std::vector<std::string> with_program(const std::string& program, std::vector<std::string> words) {
-  words.insert(words.begin(), program);
-  return words;
-}
-
 /// What the command line says stays, but what the settings say has to be right all the same.
 void refuse_problem(const Option& option, const Setting& setting) {
   const std::string problem = option.problem(setting.values);
@@ -72,8 +60,12 @@ void give(std::span<const Setting> settings, Command& command) {
   std::vector<std::pair<Option*, const Setting*>> to_give;
   for (const Setting& setting : settings) {
     Option& option = *command.find(setting.name);
-    refuse_problem(option, setting);
-    if (!option.is_given() && command.excluded_by(option) == nullptr) to_give.emplace_back(&option, &setting);
+    const bool is_overridden = option.is_given() || command.excluded_by(option) != nullptr;
+    if (is_overridden) {
+      refuse_problem(option, setting);
+    } else {
+      to_give.emplace_back(&option, &setting);
+    }
   }
   for (const auto& [option, setting] : to_give) {
     if (command.excluded_by(*option) != nullptr)
@@ -126,7 +118,6 @@ std::vector<SettableOption> CommandLine::options_of(std::string_view command) co
 }
 
 CommandLine::Read CommandLine::read_words(std::span<const std::string> arguments, bool takes_settings) {
-  refuse_zero_bytes(arguments);
   Read read{arguments.size() < 2 ? nullptr : command_named(arguments[1]), {}};
   if (read.command == nullptr) throw UsageError("no command");  // explained() says which
   read.command->clear();
@@ -180,7 +171,7 @@ std::string CommandLine::explained(std::string_view reason, std::span<const std:
     if (argument == "--") break;
     const std::string word = argument.substr(0, argument.find('='));
     const bool is_unknown = word.starts_with("--") && std::ranges::find(known, word) == known.end();
-    if (is_unknown) return fmt::format("there is no option {};{} {}", word, did_you_mean(word, known), help);
+    if (is_unknown) return no_such_option(word, known, command->name());
   }
   return fmt::format("{}; {}", reason, help);
 }
@@ -232,27 +223,15 @@ void CommandLine::run(std::span<char* const> arguments) {
   });
 }
 
-void CommandLine::run(std::vector<std::string> words, std::vector<Setting> settings, const RunWatch& watch) {
-  const std::vector<std::string> arguments = with_program(program_, std::move(words));
-  carry_out(arguments, [&] {
-    Command& command = *read_words(arguments, false).command;
+void CommandLine::run(std::vector<std::string> words, std::span<const Setting> settings, const RunWatch& watch) {
+  words.insert(words.begin(), program_);
+  carry_out(words, [&] {
+    Command& command = *read_words(words, false).command;
     give(settings, command);
     command.watch = watch;
     command.take();
     command.run();
   });
-}
-
-std::vector<std::string> CommandLine::read(std::vector<std::string> words, std::span<const std::string_view> but) {
-  const std::vector<std::string> arguments = with_program(program_, std::move(words));
-  std::vector<std::string> told;
-  carry_out(arguments, [&] {
-    const Read read = read_words(arguments, false);
-    if (read.wants_help) throw UsageError("it asks for help");
-    read.command->take();
-    told = read.command->words(but);
-  });
-  return told;
 }
 
 }  // namespace csgsim::shell

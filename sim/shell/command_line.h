@@ -2,7 +2,6 @@
 
 #include <deque>
 #include <functional>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -56,14 +55,9 @@ class CommandLine {
   /// Throws UsageError with one line for people, and what the command throws.
   void run(std::span<char* const> arguments);
 
-  /// Runs the command that the first of the words, which are of csgsim itself, names, with settings besides that come
-  /// from somebody else, for whom its run is watched. Nothing but the words can name a settings file. Throws as run
-  /// does, and InputError with a setting's place.
-  void run(std::vector<std::string> words, std::vector<Setting> settings, const RunWatch& watch = {});
-
-  /// Reads a command's name and its options without running anything, and returns them as Command::words(but) tells
-  /// them. Throws UsageError for words that ask for no command of this line, or for help.
-  std::vector<std::string> read(std::vector<std::string> words, std::span<const std::string_view> but = {});
+  /// Runs the command that the first word names, with settings that another file records; `watch` sees its run. No
+  /// settings file is read. Throws as run does, and InputError with a setting's place.
+  void run(std::vector<std::string> words, std::span<const Setting> settings, const RunWatch& watch = {});
 
  private:
   struct Read;

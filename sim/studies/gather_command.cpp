@@ -57,7 +57,7 @@ class GatheredStudy {
     list_.take();
   }
 
-  /// As csgsim would write them in a shard.
+  /// The words as csgsim writes them in a shard.
   [[nodiscard]] std::vector<std::string> words() const { return list_.words(options_without_effect); }
   [[nodiscard]] StudyCommand& command() const { return *command_; }
 

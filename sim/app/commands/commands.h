@@ -10,14 +10,14 @@ namespace csgsim::app {
 using namespace session;  // whose requests commands read,
 using namespace shell;    // and show
 
-/// A row of the table of commands but studies, each of which has a file of its own.
+/// A row of the table of commands, except studies. Each command has its own file.
 struct CommandRow {
   std::string_view name;
   void (*add)(CommandLine& line) = nullptr;  ///< describes the command on the line
-  bool asks_others = false;                  ///< it runs other commands, or tells of them
+  bool asks_others = false;                  ///< it runs or describes other commands
 };
 
-/// In the order of help.
+/// The commands, in the order of help.
 std::span<const CommandRow* const> commands();
 
 /// Subjects of commands in help, in its order.

@@ -238,7 +238,7 @@ void print_comparison(const lockstep::Comparison& comparison, const Subject& a, 
 void diff(const Options& options, const OptionList& command) {
   refuse_misuse(options, command);
   ReportFile page(options.report, std::to_array<std::filesystem::path>({options.a.subject, options.b.subject}));
-  const bool asked = is_given(command, "machine");
+  const bool asked = command.is_given("machine");
   const Subject a = subject_of(options.both, options.a, asked);
   const Subject b = subject_of(options.both, options.b, asked);
   if (a.program.shape.width != b.program.shape.width || a.program.shape.height != b.program.shape.height) {

@@ -44,7 +44,7 @@ bool is_own(const std::string& name) { return name == "port" || name == "patienc
 viewer::Beginning beginning_of(const Options& options, const OptionList& command) {
   viewer::Beginning beginning{options.model.model, {}, viewer::Json::object()};
   for (const OptionValue& one : command.values()) {
-    if (one.is_operand || one.values.empty() || !is_given(command, one.name)) continue;
+    if (one.is_operand || one.values.empty() || !command.is_given(one.name)) continue;
     if (is_own(one.name)) continue;
     const bool is_flag = one.takes == Takes::flag;
     if (!is_knob(one.name)) {

@@ -139,7 +139,7 @@ Windows whole_frame(const waves::Foreknowledge& known) {
 /// Of a file of what the parts are at without a pixel.
 void refuse_what_pixels_have(const OptionList& command) {
   for (const char* const option : {"at", "evaluator"}) {
-    if (is_given(command, option))
+    if (command.is_given(option))
       throw UsageError("--" + std::string(option), "is of a pixel; say which, as in --pixel 100,20");
   }
 }
@@ -156,7 +156,7 @@ std::optional<waves::WindowRequest> checked(const Options& options, const Option
   if (!is_model(options.model.model))
     refuse_model_options(command, {"machine", "set", "pixel", "probe", "window", "padding", "at", "evaluator", "whole",
                                    "timing", "lanes", "output"});
-  if (!options.at.empty() && is_given(command, "window"))
+  if (!options.at.empty() && command.is_given("window"))
     throw UsageError("--at", "stands in place of --window; give one of them");
   if (!options.at.empty()) return std::nullopt;
   const waves::WindowRequest asked = for_option("--window", [&] { return waves::parse_window(options.window); });
@@ -207,7 +207,7 @@ void record(const Options& options, const OptionList& command) {
       with_memory_for_run({&program, 1}, machine.array, [&] { return waves::foresee(program, machine); });
   const double functional_seconds = seconds_since(begin);
   refuse_overflow(known.result);
-  const bool is_whole = is_of_parts(options) && !is_given(command, "window") && options.at.empty();
+  const bool is_whole = is_of_parts(options) && !command.is_given("window") && options.at.empty();
   const Windows windows =
       is_whole ? whole_frame(known) : windows_of(options, asked, program, machine, known, request.pixels);
   request.windows = waves::padded(windows.windows, options.padding);

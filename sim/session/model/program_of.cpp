@@ -128,12 +128,7 @@ ProgramOnMachine program_of(const ModelRequest& options, const std::string& aske
 }
 
 ProgramOnMachine program_of(const ModelRequest& options, const OptionList& command) {
-  return program_of(options, is_given(command, "machine") ? options.machine : "");
-}
-
-bool is_given(const OptionList& command, std::string_view name) {
-  const std::vector<GivenOption> given = command.given();
-  return std::any_of(given.begin(), given.end(), [&](const GivenOption& one) { return one.name == name; });
+  return program_of(options, command.is_given("machine") ? options.machine : "");
 }
 
 }  // namespace csgsim::session

@@ -2,7 +2,6 @@
 
 #include <set>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hw/isa/program.h"
@@ -41,8 +40,5 @@ ProgramOnMachine program_of(const ModelRequest& options, const OptionList& comma
 
 /// The same, where `asked` is what --machine of a Program says; empty if it was not given.
 ProgramOnMachine program_of(const ModelRequest& options, const std::string& asked);
-
-/// Was the option given, by its long name without dashes?
-bool is_given(const OptionList& command, std::string_view name);
 
 }  // namespace csgsim::session

@@ -242,9 +242,7 @@ Option& OptionList::named(std::string_view key) {
   std::vector<std::string> known;
   for (const Option& one : options_)
     if (!one.is_operand) known.push_back(one.shown_name());
-  const std::string word = fmt::format("--{}", key);
-  throw UsageError(
-      fmt::format("there is no option {};{} see csgsim {} --help", word, did_you_mean(word, known), name_));
+  throw UsageError(no_such_option(fmt::format("--{}", key), known, name_));
 }
 
 void OptionList::give(std::string_view key, const std::string& text) {
@@ -271,7 +269,7 @@ void OptionList::give_operand(const std::string& text) {
 }
 
 void OptionList::give_words(std::span<const std::string> words) {
-  bool is_operand = false;  // all that follows
+  bool is_operand = false;  // each following word, after `--`
   for (std::size_t i = 0; i < words.size(); ++i) {
     const std::string& word = words[i];
     if (is_operand || !word.starts_with("--")) {
@@ -401,6 +399,10 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> kno
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   const std::string_view nearest = nearest_alike(word, candidates);
   return nearest.empty() ? "" : fmt::format(" did you mean {}?", nearest);
+}
+
+std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request) {
+  return fmt::format("there is no option {};{} see csgsim {} --help", word, did_you_mean(word, known), request);
 }
 
 }  // namespace csgsim::session

@@ -60,7 +60,7 @@ class Option {
   Option& required();
   Option& check(const Check& check);
 
-  /// One of these words, each of which is called a `kind`: the option's name if it is not given.
+  /// One of these words. Messages call a word a `kind`, or by the option's name if no kind is given.
   Option& one_of(const std::vector<std::string>& all, const std::string& kind = {});
 
   /// A list of them with commas, as one text.
@@ -93,7 +93,7 @@ class Option {
   [[nodiscard]] std::string key() const;                      ///< as in SettableOption
   [[nodiscard]] bool is_called(std::string_view name) const;  ///< by its key, or another long name without dashes
   [[nodiscard]] std::string shown_name() const;               ///< `--z-bits`, or `MODEL`
-  [[nodiscard]] std::string value_text() const;               ///< all that was given, with commas
+  [[nodiscard]] std::string value_text() const;               ///< the given texts, with commas
   [[nodiscard]] OptionValue value() const;
 
   std::vector<std::string> names;  ///< with dashes, short ones first; of an operand its only one
@@ -116,7 +116,7 @@ class Option {
   std::function<void(const std::vector<std::string>&)> take_;
 };
 
-/// What who asks for a run wants to see of it.
+/// Callbacks of a run's caller.
 struct RunWatch {
   std::function<void(const nlohmann::ordered_json& configuration)> before;  ///< it may throw
   std::function<void(const nlohmann::ordered_json& stats)> after;           ///< when all is written
@@ -130,8 +130,8 @@ class OptionList {
   OptionList(const OptionList&) = delete;
   OptionList& operator=(const OptionList&) = delete;
 
-  /// Of a text, a number, several texts, or an optional number, which has no default. A name without a dash is of an
-  /// operand: `MODEL`; several are separated by commas: `-o,--output`.
+  /// Adds an option with a text, a number, several texts, or an optional number, which has no default. Names are
+  /// separated by commas: `-o,--output`; a name without a dash is an operand's: `MODEL`.
   template <class Value>
   Option& option(const std::string& names, Value& value, const std::string& meaning);
 
@@ -208,5 +208,8 @@ std::vector<std::string> option_words(const std::string& name, const std::string
 
 /// A question after a blank, or nothing where no known word is like it.
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
+
+/// The message about an option, with its dashes, that the request does not have.
+std::string no_such_option(std::string_view word, std::span<const std::string> known, std::string_view request);
 
 }  // namespace csgsim::session

@@ -53,7 +53,7 @@ bool is_of_program(const ExplainRequest& options, const InPlace& in_place) {
 
 ProgramOnMachine program_in_place(const isa::Program& program, const ModelRequest& options, const OptionList& command) {
   refuse_scene_sets(options.sets);
-  const std::string asked = is_given(command, "machine") ? options.machine : "";
+  const std::string asked = command.is_given("machine") ? options.machine : "";
   return {machine_for(program, options.model, asked, options.sets), program};
 }
 

@@ -16,44 +16,20 @@
 #include "hw/base/file_roles.h"
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
+#include "tests/support/error_of.h"
+#include "tests/support/scratch.h"
 
 using namespace csgsim;
+using testing::error_of;
+using testing::Scratch;
 
 namespace {
 
 namespace fs = std::filesystem;
 
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "csgsim-base-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
-  }
-  ~Scratch() { fs::remove_all(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(path_), {}); }
-
- private:
-  fs::path path_;
-};
-
 std::string content(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-template <class Call>
-std::string refusal(Call call) {
-  try {
-    call();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
@@ -71,8 +47,8 @@ TEST_CASE("a file longer than its limit is refused, whether or not it says how l
   write_file(scratch / "fits", std::string(1024, 'x'));
   write_file(scratch / "long", std::string(1025, 'x'));
   CHECK(read_file(scratch / "fits", small_file).size() == 1024);
-  CHECK(contains(refusal([&] { read_file(scratch / "long", small_file); }), "longer than 1 KiB; cut it"));
-  CHECK(contains(refusal([&] { read_file("/dev/zero", small_file); }), "/dev/zero: longer than 1 KiB; cut it"));
+  CHECK(contains(error_of([&] { read_file(scratch / "long", small_file); }), "longer than 1 KiB; cut it"));
+  CHECK(contains(error_of([&] { read_file("/dev/zero", small_file); }), "/dev/zero: longer than 1 KiB; cut it"));
   CHECK(read_file("/dev/null", small_file).empty());
   constexpr InputKind any_file{"a file", std::numeric_limits<std::size_t>::max(), ""};
   CHECK(read_file(scratch / "fits", any_file).size() == 1024);
@@ -98,13 +74,13 @@ TEST_CASE("a file appears under its name only when it is committed, and replaces
 
 TEST_CASE("names that cannot be files are refused before anything is written") {
   const Scratch scratch;
-  CHECK(contains(refusal([&] { OutputFile{""}; }), "empty name"));
-  CHECK(contains(refusal([&] { OutputFile{scratch / std::string(256, 'n')}; }), "too long"));
-  CHECK(contains(refusal([&] { OutputFile{scratch.path()}; }), "Is a directory"));
-  CHECK(contains(refusal([&] { OutputFile{scratch / "none/a"}; }), "No such file"));
-  CHECK(contains(refusal([&] { OutputFile{scratch / std::string("a\0b", 3)}; }), "zero byte"));
-  CHECK(contains(refusal([&] { read_file(scratch / std::string("a\0b", 3), {"a file", 9, ""}); }), "zero byte"));
-  CHECK(refusal([&] { OutputFile{scratch / std::string(255, 'n')}; }).empty());
+  CHECK(contains(error_of([&] { OutputFile{""}; }), "empty name"));
+  CHECK(contains(error_of([&] { OutputFile{scratch / std::string(256, 'n')}; }), "too long"));
+  CHECK(contains(error_of([&] { OutputFile{scratch.path()}; }), "Is a directory"));
+  CHECK(contains(error_of([&] { OutputFile{scratch / "none/a"}; }), "No such file"));
+  CHECK(contains(error_of([&] { OutputFile{scratch / std::string("a\0b", 3)}; }), "zero byte"));
+  CHECK(contains(error_of([&] { read_file(scratch / std::string("a\0b", 3), {"a file", 9, ""}); }), "zero byte"));
+  CHECK(error_of([&] { OutputFile{scratch / std::string(255, 'n')}; }).empty());
   CHECK(scratch.files() == 0);
 }
 
@@ -117,7 +93,7 @@ TEST_CASE("an output without write permission is refused though its folder lets 
   if (child == 0) {
     constexpr uid_t nobody = 65534;
     if (::geteuid() == 0 && ::setuid(nobody) != 0) ::_exit(2);
-    ::_exit(contains(refusal([&] { OutputFile{scratch / "a"}; }), "Permission denied") ? 0 : 1);
+    ::_exit(contains(error_of([&] { OutputFile{scratch / "a"}; }), "Permission denied") ? 0 : 1);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
