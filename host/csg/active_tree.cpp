@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "host/csg/separation.h"
+#include "hw/isa/host_counts.h"
 
 namespace csgsim::csg {
 

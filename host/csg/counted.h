@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::csg {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hw/isa/host_counts.h"
+
 namespace csgsim::csg {
 
 namespace {

@@ -4,6 +4,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "hw/isa/host_counts.h"
+
 namespace csgsim::csg {
 
 namespace {

@@ -14,6 +14,7 @@
 #include "host/emit/early_out.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {

@@ -11,6 +11,7 @@
 
 #include "host/effects/rows.h"
 #include "host/emit/facet_geometry.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {

@@ -9,6 +9,7 @@
 #include "host/effects/pane_pieces.h"
 #include "host/emit/early_out.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {

@@ -16,6 +16,7 @@
 #include "host/emit/facet_geometry.h"
 #include "host/emit/surface.h"
 #include "hw/base/error.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {

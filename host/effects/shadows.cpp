@@ -11,6 +11,7 @@
 #include "host/effects/shadow_receivers.h"
 #include "host/effects/shadow_volumes.h"
 #include "hw/base/error.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {

@@ -15,6 +15,7 @@
 #include "host/model/hypotenuse.h"
 #include "host/view/projection.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::effects {

@@ -22,6 +22,8 @@
 #include "hw/base/error.h"
 #include "hw/base/pages.h"
 #include "hw/isa/extents.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/pieces.h"
 #include "hw/machines/clocks.h"
@@ -115,26 +117,28 @@ auto placed(const model::Tree& tree, const Broadcast& out, const Function& funct
 /// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
 isa::Segment compile_segment(Context context, std::span<const Drawing* const> drawings, ScanConversions& counts) {
   const SegmentPlan& plan = context.plan;
-  isa::Segment segment{plan.region, {}, {plan.active_primitives, plan.active_halfspaces, 0, 0, 0}};
+  isa::Segment segment{.region = plan.region, .instructions = {}};
+  segment.facts->primitives = plan.active_primitives;
+  segment.facts->halfspaces = plan.active_halfspaces;
   const view::Sampling& sampling = context.view.sampling;
   const bool is_whole = plan.region == isa::Region{0, 0, sampling.width, sampling.height};
   const bool is_empty = std::all_of(drawings.begin(), drawings.end(), [&](const Drawing* one) {
     return one->plan.segments[context.segment].surfaces.empty();
   });
-  for (const Drawing* const one : drawings) segment.preparation += one->plan.segments[context.segment].preparation;
+  for (const Drawing* const one : drawings) *segment.preparation += one->plan.segments[context.segment].preparation;
   if (is_empty && !is_whole) return segment;
-  context.counted = csg::Counted(segment.preparation);
+  context.counted = csg::Counted(*segment.preparation);
   const std::size_t halfspaces = halfspaces_drawn(context);
   if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
   Broadcast out(segment, sampling, context.options.work);
   if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
   const Kept kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
-  segment.facts.kept_primitives = kept.primitives;
-  segment.facts.kept_halfspaces = kept.halfspaces;
+  segment.facts->kept_primitives = kept.primitives;
+  segment.facts->kept_halfspaces = kept.halfspaces;
   const bool draws = std::any_of(segment.instructions.begin(), segment.instructions.end(),
                                  [](const isa::Instruction& one) { return one.origin.purpose != isa::Purpose::setup; });
   if (!draws && !is_whole) segment.instructions.clear();
-  segment.facts.comparisons = static_cast<std::uint32_t>(out.counts.classified);
+  segment.facts->comparisons = static_cast<std::uint32_t>(out.counts.classified);
   counts.rendered += out.counts.rendered;
   counts.classified += out.counts.classified;
   counts.depth_tests += out.counts.depth_tests;
@@ -210,13 +214,13 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.machine = machines::record_of(input.machine);
   program.shape = {sampling.width, sampling.height, memory_bits};
   program.colour = layout.colour;
-  name_primitives(drawings, program.facts);
-  program.facts.depth_scale = drawing.view.depth;
-  program.facts.model = model_facts(input.tree, input.geometry);
-  program.facts.fields = named_fields(layout);
+  name_primitives(drawings, *program.facts);
+  program.facts->depth_scale = drawing.view.depth;
+  program.facts->model = model_facts(input.tree, input.geometry);
+  program.facts->fields = named_fields(layout);
   program.background = packed_background(options.scene, options.colour_bits);
 
-  program.preparation = preparation_of(drawings);
+  *program.preparation = preparation_of(drawings);
   ScanConversions counts;
   for (std::size_t i = 0; i < drawing.plan.segments.size(); ++i) {
     Context context{input.tree, input.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],
@@ -227,17 +231,17 @@ isa::Program compile_as(const Input& input, const Options& options) {
     program.segments.push_back(compile_segment(context, drawings, counts));
   }
   if (machines::keeps_active_list(input.machine)) program.extents = isa::extents_of(program.segments);
-  program.facts.compile = {std::string(name_of(options.strategy)),
-                           has_owners ? "deferred" : std::string(name_of(options.colouring)),
-                           sampling.z_bits,
-                           sampling.fraction_bits,
-                           sampling.edge_on_fraction,
-                           classification.total() + 1,
-                           drawing.plan.depth(),
-                           counts.rendered,
-                           counts.classified,
-                           counts.depth_tests,
-                           effect_names(input.called)};
+  program.facts->compile = {std::string(name_of(options.strategy)),
+                            has_owners ? "deferred" : std::string(name_of(options.colouring)),
+                            sampling.z_bits,
+                            sampling.fraction_bits,
+                            sampling.edge_on_fraction,
+                            classification.total() + 1,
+                            drawing.plan.depth(),
+                            counts.rendered,
+                            counts.classified,
+                            counts.depth_tests,
+                            effect_names(input.called)};
   return program;
 }
 

@@ -12,6 +12,7 @@
 #include "host/emit/preparation.h"
 #include "hw/base/error.h"
 #include "hw/division/encoding.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -51,7 +52,7 @@ void put(const SquareCounts& square, isa::Segment& segment) {
   for (const SurfaceCounts& surface : square) {
     isa::DivisionStep step = surface.counts;
     step.instructions = instructions[surface.primitive];
-    if (surface.primitive != model::no_index || step != isa::DivisionStep{}) segment.division.steps.push_back(step);
+    if (surface.primitive != model::no_index || step != isa::DivisionStep{}) segment.division->steps.push_back(step);
   }
 }
 
@@ -96,12 +97,12 @@ Options options_for(const machines::Division& /*division*/, const Options& optio
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
                   const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options) {
-  program.preparation = preparation_of(geometry, view);
-  program.display_model = bytes_of(division::encode(
-      make_display_model(tree, geometry, view, options, program.shape.memory_bits, csg::Counted(program.preparation))));
+  *program.preparation = preparation_of(geometry, view);
+  program.display_model = bytes_of(division::encode(make_display_model(
+      tree, geometry, view, options, program.shape.memory_bits, csg::Counted(*program.preparation))));
   const std::span<isa::Segment> segments = program.segments;
   // Which the machine divides the model into: for its host that is no work.
-  for (isa::Segment& segment : segments) segment.preparation = {};
+  for (isa::Segment& segment : segments) *segment.preparation = {};
   if (division.group_side == 0 && division.groups.empty()) {
     const auto counts = count_division(tree, geometry, view, options, regions_of(segments));
     for (std::size_t i = 0; i < segments.size(); ++i) put(counts[i], segments[i]);
@@ -123,7 +124,7 @@ void add_division(isa::Program& program, const machines::Division& division, con
     const bool fits = counts.entries <= division.list_entries;
     const auto of_squares = fits ? counts.squares : count_division(tree, geometry, view, options, regions);
     for (std::size_t i = 0; i < squares.size(); ++i) put(of_squares[i], squares[i]);
-    isa::DivisionCounts& of_group = squares.front().division;
+    isa::DivisionCounts& of_group = *squares.front().division;
     of_group.group_boxes = counts.group.boxes;
     of_group.group_lists = counts.group.lists;
     of_group.group_halfspaces = counts.group.halfspaces;

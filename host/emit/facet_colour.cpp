@@ -1,6 +1,7 @@
 #include "host/emit/facet_colour.h"
 
 #include "host/emit/facet_geometry.h"
+#include "hw/isa/host_counts.h"
 
 namespace csgsim::emit {
 

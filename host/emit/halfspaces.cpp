@@ -8,6 +8,7 @@
 #include "host/emit/near_cap.h"
 #include "host/view/leading.h"
 #include "hw/base/error.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {

@@ -9,6 +9,7 @@
 #include "host/emit/no_room.h"
 #include "host/view/projection.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/field_role.h"
 
 namespace csgsim::emit {
 

@@ -7,6 +7,7 @@
 
 #include "host/emit/region_index.h"
 #include "hw/base/error.h"
+#include "hw/isa/host_counts.h"
 
 namespace csgsim::emit {
 

@@ -8,6 +8,7 @@
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "hw/base/work.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::emit {

@@ -10,6 +10,7 @@
 #include "host/emit/fast_spheres.h"
 #include "host/emit/fields.h"
 #include "hw/base/error.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {

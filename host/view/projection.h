@@ -12,6 +12,7 @@
 #include "host/view/eye_space.h"
 #include "host/view/fixed_point.h"
 #include "host/view/screen_quadric.h"
+#include "hw/isa/depth_scale.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::view {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::division {

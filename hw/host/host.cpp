@@ -12,6 +12,7 @@
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
 #include "hw/host/recipes.h"
+#include "hw/isa/host_counts.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/regions.h"
 #include "hw/processors/processor.h"
@@ -46,14 +47,14 @@ const processors::Processor& processor_of(const machines::Machine& machine) {
 Operations operations_of(const isa::Program& program, const machines::Machine& machine) {
   constexpr std::uint64_t bytes_of_long = 4;
   Operations all;
-  add(program.preparation, all);
+  add(*program.preparation, all);
   if (machines::division(machine)) {
     all += quotient_up(std::uint64_t{program.display_model.size()}, bytes_of_long) * of_model_long();
     return all;
   }
   Written written;
   for (const isa::Segment& segment : program.segments) {
-    add(segment.preparation, all);
+    add(*segment.preparation, all);
     for (const isa::Instruction& instruction : segment.instructions) written.add(instruction, machine.link.width);
   }
   all += operations_of(written);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hw/base/quotient.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 #include "hw/processors/operations.h"
 

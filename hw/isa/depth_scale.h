@@ -4,9 +4,19 @@
 #include <cstdint>
 #include <limits>
 
-#include "hw/isa/program.h"
-
 namespace csgsim::isa {
+
+/// How the integers of the depth field stand for distances from the eye along the view axis, in model units.
+/// Orthographic: z = 1 + (d - near) * (2^n - 4) / (far - near).
+/// Perspective:  z = 1 + (1/near - 1/d) * (2^n - 4) / (1/near - 1/far).
+/// 0 is the near cap, 2^n - 1 is "nothing".
+struct DepthScale {
+  bool perspective = false;
+  double near = 0;  ///< model units
+  double far = 1;   ///< model units
+
+  bool operator==(const DepthScale&) const = default;
+};
 
 /// Depth steps between the near and the far plane of a depth field of that many bits.
 inline double depth_steps(unsigned bits) { return std::ldexp(1.0, static_cast<int>(bits)) - 4.0; }

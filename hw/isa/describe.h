@@ -3,6 +3,8 @@
 #include <concepts>
 #include <type_traits>
 
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::isa {
@@ -84,11 +86,11 @@ void describe(T& segment, Visit&& visit) {
   visit("y", segment.region.y);
   visit("width", segment.region.width);
   visit("height", segment.region.height);
-  visit("primitives", segment.facts.primitives);
-  visit("halfspaces", segment.facts.halfspaces);
-  visit("kept_primitives", segment.facts.kept_primitives);
-  visit("kept_halfspaces", segment.facts.kept_halfspaces);
-  visit("comparisons", segment.facts.comparisons);
+  visit("primitives", segment.facts->primitives);
+  visit("halfspaces", segment.facts->halfspaces);
+  visit("kept_primitives", segment.facts->kept_primitives);
+  visit("kept_halfspaces", segment.facts->kept_halfspaces);
+  visit("comparisons", segment.facts->comparisons);
 }
 
 template <Any<DivisionStep> T, class Visit>
@@ -132,7 +134,7 @@ struct DividedSegment {
 template <class T, class Visit>
 void describe(const DividedSegment<T>& divided, Visit&& visit) {
   describe(divided.segment, visit);
-  describe(divided.segment.division, visit);
+  describe(*divided.segment.division, visit);
 }
 
 /// Calls visit(name, record) for each record of a Program that stands once.
@@ -142,9 +144,9 @@ void describe_header(T& program, Visit&& visit) {
   visit("machine", program.machine);
   const ShownRecord<T> shown{program};
   visit("frame", shown);
-  visit("depth", program.facts.depth_scale);
-  visit("model", program.facts.model);
-  visit("compile", program.facts.compile);
+  visit("depth", program.facts->depth_scale);
+  visit("model", program.facts->model);
+  visit("compile", program.facts->compile);
 }
 
 }  // namespace csgsim::isa

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "hw/isa/describe.h"
+#include "hw/isa/field_role.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/text.h"

@@ -11,6 +11,8 @@
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/describe.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/quoting.h"
 
@@ -42,8 +44,8 @@ json numbers_of(const Record& record) {
 json segment_row(const Segment& segment, bool divided) {
   json row = numbers_of(segment);
   if (divided) {
-    for (json& number : numbers_of(segment.division)) row.push_back(std::move(number));
-    row.push_back(segment.division.steps.size());
+    for (json& number : numbers_of(*segment.division)) row.push_back(std::move(number));
+    row.push_back(segment.division->steps.size());
   }
   row.push_back(segment.instructions.size());
   return row;
@@ -150,7 +152,7 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
   const auto add = [&](const char*, auto&) { ++members; };
   describe(segment, add);
   if (divided) {
-    describe(segment.division, add);
+    describe(*segment.division, add);
     ++members;
   }
   const json& row = row_of(value, "segments", members + 1);
@@ -159,7 +161,7 @@ SegmentSizes read_segment(const json& value, bool divided, Segment& segment) {
   describe(segment, take);
   SegmentSizes sizes;
   if (divided) {
-    describe(segment.division, take);
+    describe(*segment.division, take);
     take("step count", sizes.steps);
   }
   take("instruction count", sizes.instructions);
@@ -172,7 +174,7 @@ void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint
   for (std::size_t i = 0; i < counts.size(); ++i) {
     if (counts[i] > steps.size() - next) malformed("steps", "as long as its segments say");
     const auto first = steps.begin() + static_cast<std::ptrdiff_t>(next);
-    program.segments[i].division.steps.assign(first, first + static_cast<std::ptrdiff_t>(counts[i]));
+    program.segments[i].division->steps.assign(first, first + static_cast<std::ptrdiff_t>(counts[i]));
     next += static_cast<std::size_t>(counts[i]);
   }
   if (next != steps.size()) malformed("steps", "as long as its segments say");
@@ -180,19 +182,19 @@ void share_out(const std::vector<DivisionStep>& steps, std::span<const std::uint
 
 /// Of the frame and of each segment; nothing where nobody has counted.
 json preparation_rows(const Program& program) {
-  bool any = program.preparation != Preparation{};
-  json rows = json::array({numbers_of(program.preparation)});
+  bool any = *program.preparation != Preparation{};
+  json rows = json::array({numbers_of(*program.preparation)});
   for (const Segment& segment : program.segments) {
-    any = any || segment.preparation != Preparation{};
-    rows.push_back(numbers_of(segment.preparation));
+    any = any || *segment.preparation != Preparation{};
+    rows.push_back(numbers_of(*segment.preparation));
   }
   return any ? rows : json();
 }
 
 void share_out(const std::vector<Preparation>& rows, Program& program) {
   if (rows.size() != program.segments.size() + 1) malformed("preparation", "a row for the frame and each segment");
-  program.preparation = rows.front();
-  for (std::size_t i = 0; i < program.segments.size(); ++i) program.segments[i].preparation = rows[i + 1];
+  *program.preparation = rows.front();
+  for (std::size_t i = 0; i < program.segments.size(); ++i) *program.segments[i].preparation = rows[i + 1];
 }
 
 /// Refuses nesting deeper than encode_metadata makes, which bounds the recursion of the reader of CBOR.
@@ -275,10 +277,10 @@ json upgraded(json root) {
 std::vector<std::uint8_t> encode_metadata(const Program& program) {
   json root = json::object();
   describe_header(program, [&](const char* name, const auto& record) { root[name] = members_by_name(record); });
-  root["primitives"] = program.facts.primitives;
-  if (!program.facts.primitive_of_piece.empty()) root["pieces"] = piece_counts(program.facts);
+  root["primitives"] = program.facts->primitives;
+  if (!program.facts->primitive_of_piece.empty()) root["pieces"] = piece_counts(*program.facts);
   json& fields = root["fields"] = json::array();
-  for (const NamedField& named : program.facts.fields) fields.push_back(field_row(named));
+  for (const NamedField& named : program.facts->fields) fields.push_back(field_row(named));
   if (!program.extents.empty()) {
     json& extents = root["extents"] = json::array();
     for (const RowExtent& extent : program.extents) extents.push_back({extent.first, extent.last});
@@ -290,7 +292,7 @@ std::vector<std::uint8_t> encode_metadata(const Program& program) {
     root["display_model"] = hexadecimal(program.display_model);
     json& steps = root["steps"] = json::array();
     for (const Segment& segment : program.segments)
-      for (const DivisionStep& step : segment.division.steps) steps.push_back(numbers_of(step));
+      for (const DivisionStep& step : segment.division->steps) steps.push_back(numbers_of(step));
   }
   if (json rows = preparation_rows(program); !rows.is_null()) root["preparation"] = std::move(rows);
   return json::to_cbor(root);
@@ -305,9 +307,9 @@ Metadata decode_metadata(std::span<const std::byte> cbor, bool names_machine) {
     if (!object.is_object()) malformed(name, "a map");
     describe(record, [&](const char* key, auto& member) { read(member_of(object, key), key, member); });
   });
-  read(member_of(root, "primitives"), "primitives", program.facts.primitives);
-  if (const auto pieces = root.find("pieces"); pieces != root.end()) read_pieces(*pieces, program.facts);
-  read(member_of(root, "fields"), "fields", program.facts.fields);
+  read(member_of(root, "primitives"), "primitives", program.facts->primitives);
+  if (const auto pieces = root.find("pieces"); pieces != root.end()) read_pieces(*pieces, *program.facts);
+  read(member_of(root, "fields"), "fields", program.facts->fields);
   if (const auto extents = root.find("extents"); extents != root.end()) read(*extents, "extents", program.extents);
   if (const auto model = root.find("display_model"); model != root.end()) {
     std::string digits;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 
 namespace csgsim::isa {
 

@@ -2,12 +2,25 @@
 
 #include <algorithm>
 
+#include "hw/base/indirect-inl.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
+
+namespace csgsim {
+
+template class Indirect<isa::SegmentFacts>;
+template class Indirect<isa::DivisionCounts>;
+template class Indirect<isa::Preparation>;
+template class Indirect<isa::Facts>;
+
+}  // namespace csgsim
+
 namespace csgsim::isa {
 
 Field field_of(const Program& program, FieldRole role) {
-  const auto found = std::find_if(program.facts.fields.begin(), program.facts.fields.end(),
+  const auto found = std::find_if(program.facts->fields.begin(), program.facts->fields.end(),
                                   [role](const NamedField& named) { return named.role == role; });
-  return found == program.facts.fields.end() ? Field{} : found->field;
+  return found == program.facts->fields.end() ? Field{} : found->field;
 }
 
 FrameHeader frame_header(const Program& program) { return {program.shape, program.colour, program.background}; }

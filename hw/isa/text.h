@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "hw/isa/field_role.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::isa {

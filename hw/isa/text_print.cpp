@@ -12,6 +12,8 @@
 #include <utility>
 
 #include "hw/isa/describe.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/quoting.h"
@@ -163,17 +165,17 @@ void put_header(Buffer& out, const Program& program) {
   describe_header(program, [&](std::string_view name, const auto& record) {
     if (name != "machine" || program.machine != MachineRecord{}) put_record(out, name, record);
   });
-  for (const NamedField& named : program.facts.fields) {
+  for (const NamedField& named : program.facts->fields) {
     put(out, ".field {} {} {}\n", word_or_quoted(named.name), text_of(named.field), name_of(named.role));
   }
-  for (std::uint32_t i = 0; i < program.facts.primitives.size(); ++i) {
-    put(out, ".primitive {}", in_quotes(program.facts.primitives[i]));
-    if (const std::uint32_t pieces = pieces_of(program.facts, i).count; pieces > 1) put(out, " pieces={}", pieces);
+  for (std::uint32_t i = 0; i < program.facts->primitives.size(); ++i) {
+    put(out, ".primitive {}", in_quotes(program.facts->primitives[i]));
+    if (const std::uint32_t pieces = pieces_of(*program.facts, i).count; pieces > 1) put(out, " pieces={}", pieces);
     put(out, "  # p{}\n", i);
   }
   for (const RowExtent& extent : program.extents) put_record(out, "extent", extent);
   put_display_model(out, program.display_model);
-  put_preparation(out, program.preparation);
+  put_preparation(out, *program.preparation);
 }
 
 void flush(Buffer& buffer, std::ostream& out) {
@@ -184,7 +186,7 @@ void flush(Buffer& buffer, std::ostream& out) {
 }  // namespace
 
 void print(std::ostream& out, const Program& program) {
-  const FieldNames names(program.facts.fields);
+  const FieldNames names(program.facts->fields);
   Buffer buffer;
   put_header(buffer, program);
   std::uint64_t number = 0;
@@ -197,10 +199,10 @@ void print(std::ostream& out, const Program& program) {
     } else {
       put_record(buffer, "segment", DividedSegment<const Segment>{segment}, comment);
     }
-    for (const DivisionStep& step : segment.division.steps) put_record(buffer, "step", step);
-    put_preparation(buffer, segment.preparation);
+    for (const DivisionStep& step : segment.division->steps) put_record(buffer, "step", step);
+    put_preparation(buffer, *segment.preparation);
     for (const Instruction& instruction : segment.instructions)
-      put_instruction(buffer, instruction, number++, names, program.facts);
+      put_instruction(buffer, instruction, number++, names, *program.facts);
     flush(buffer, out);
   }
   flush(buffer, out);

@@ -12,6 +12,8 @@
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/isa/describe.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/quoting.h"
@@ -166,7 +168,7 @@ void Reading::begin_step() {
   if (program_.segments.empty()) refuse(".step is in no segment; put a .segment before it");
   Segment& segment = program_.segments.back();
   if (!segment.instructions.empty()) refuse(".step comes after an instruction; put it after its .segment line");
-  segment.division.steps.emplace_back();
+  segment.division->steps.emplace_back();
 }
 
 void Reading::begin_preparation() {
@@ -181,7 +183,7 @@ void Reading::set_pieces() {
   std::uint64_t all = 0;
   for (const std::uint32_t count : piece_counts_) all += count;
   if (all > most_pieces) refuse("the primitives have {} pieces; there are {} at most", all, most_pieces);
-  set_piece_counts(piece_counts_, program_.facts);
+  set_piece_counts(piece_counts_, *program_.facts);
 }
 
 std::uint32_t Reading::index(std::string_view digits) {
@@ -193,7 +195,7 @@ std::uint32_t Reading::index(std::string_view digits) {
 std::uint32_t Reading::piece(std::string_view label) const {
   const std::size_t point = label.find('.');
   const std::uint32_t primitive = index(label.substr(0, point));
-  const Facts& facts = program_.facts;
+  const Facts& facts = *program_.facts;
   if (point == std::string_view::npos && facts.primitive_of_piece.empty()) return primitive;
   const PieceRange range = pieces_of(facts, primitive);
   const bool is_one = point == std::string_view::npos;
@@ -209,14 +211,14 @@ void Reading::set_value() {
   if (!keys_seen_.insert(key).second) refuse("{} is given twice; keep one of them", key);
   if (directive == Directive::primitive) {
     if (key != "pieces") refuse("a primitive has no {}, but pieces", key);
-    piece_counts_.resize(program_.facts.primitives.size() + 1, 1);
+    piece_counts_.resize(program_.facts->primitives.size() + 1, 1);
     std::uint32_t& count = piece_counts_.back();
     assign(value, key, count);
     if (count == 0) refuse("a primitive has one piece at least");
     return;
   }
   if (directive == Directive::extent) return assign_member(program_.extents.back(), key, value);
-  if (directive == Directive::step) return assign_member(program_.segments.back().division.steps.back(), key, value);
+  if (directive == Directive::step) return assign_member(program_.segments.back().division->steps.back(), key, value);
   if (directive == Directive::preparation) return assign_member(preparation(), key, value);
   if (directive == Directive::segment) {
     const DividedSegment<Segment> segment{program_.segments.back()};
@@ -239,8 +241,8 @@ void Reading::end_directive() {
   switch (directive) {
     case Directive::record: return validate_header(program_);
     case Directive::primitive:
-      program_.facts.primitives.push_back(text);
-      piece_counts_.resize(program_.facts.primitives.size(), 1);
+      program_.facts->primitives.push_back(text);
+      piece_counts_.resize(program_.facts->primitives.size(), 1);
       return;
     case Directive::display_model: {
       const auto bytes = bytes_of(text);
@@ -257,7 +259,7 @@ void Reading::end_directive() {
       validate_field(named_, program_);
       if (!fields_.emplace(named_.name, named_.field).second)
         refuse("field {} is named twice; give each field a name of its own", in_quotes(named_.name));
-      program_.facts.fields.push_back(named_);
+      program_.facts->fields.push_back(named_);
       return;
   }
 }
@@ -272,7 +274,7 @@ void Reading::begin_instruction(std::string_view mnemonic) {
 void Reading::refer_to_field(std::string_view name) {
   const auto found = fields_.find(name);
   field = found != fields_.end() ? found->second
-                                 : program_.facts.fields[index_in(program_.facts.fields, "field", name)].field;
+                                 : program_.facts->fields[index_in(program_.facts->fields, "field", name)].field;
 }
 
 void Reading::set_purpose(std::string_view name) {

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "hw/isa/field_role.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/program.h"
 
@@ -85,7 +86,7 @@ class Reading {
   void begin_preparation();
   /// Of the segment at hand, or the frame's before the first.
   Preparation& preparation() {
-    return program_.segments.empty() ? program_.preparation : program_.segments.back().preparation;
+    return program_.segments.empty() ? *program_.preparation : *program_.segments.back().preparation;
   }
 
   struct Term {

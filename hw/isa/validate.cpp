@@ -12,6 +12,8 @@
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/describe.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
@@ -161,9 +163,9 @@ void check_squares(const Instruction& squares, std::span<const Instruction> foll
 }
 
 void check_index(std::uint32_t index, std::uint32_t none, const Program& program, std::string_view what) {
-  require(index == none || index < piece_count(program.facts),
+  require(index == none || index < piece_count(*program.facts),
           "the origin's {} is p{}, of {} primitives; name one that the Program lists", what, index,
-          piece_count(program.facts));
+          piece_count(*program.facts));
 }
 
 /// Runs a check; what it throws gets the place in front.
@@ -194,7 +196,7 @@ void validate_placed(const Instruction& instruction, const Region& region, const
   check_range(instruction, region);
   check_index(instruction.origin.primitive, no_primitive, program, "primitive");
   check_index(instruction.origin.node, no_node, program, "node");
-  const std::size_t effects = program.facts.compile.effects.size();
+  const std::size_t effects = program.facts->compile.effects.size();
   require(instruction.origin.effect == no_effect || instruction.origin.effect < effects,
           "the origin's effect is e{}, of {} effects; name one that .compile lists", instruction.origin.effect,
           effects);
@@ -248,7 +250,7 @@ void validate_header(const Program& program) {
           "the array has {}x{} pixels; each side takes 1 to {}", shape.width, shape.height, max_array_side);
   require(shape.memory_bits >= 1 && shape.memory_bits <= max_memory_bits,
           "a pixel has {} memory bits; it takes 1 to {}", shape.memory_bits, max_memory_bits);
-  const DepthScale& depth = program.facts.depth_scale;
+  const DepthScale& depth = program.facts->depth_scale;
   require(std::isfinite(depth.near) && std::isfinite(depth.far) && depth.near < depth.far,
           "depth runs from {} to {}; give finite distances, near below far", depth.near, depth.far);
   require(!depth.perspective || (depth.near > 0 && std::isfinite(1.0 / depth.near)),
@@ -256,8 +258,8 @@ void validate_header(const Program& program) {
   if (program.colour != Field{}) at([&] { check_field(program.colour, shape.memory_bits); }, "the colour shown");
   require(program.background < 1U << most_colour_bits, "background is {}; a colour has at most {} bits",
           program.background, most_colour_bits);
-  require(std::isfinite(program.facts.compile.edge_on_fraction),
-          "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts.compile.edge_on_fraction);
+  require(std::isfinite(program.facts->compile.edge_on_fraction),
+          "edge_on_fraction is {}; give a finite fraction of a pixel", program.facts->compile.edge_on_fraction);
 }
 
 void validate_preparation(const Preparation& preparation) {
@@ -267,18 +269,18 @@ void validate_preparation(const Preparation& preparation) {
 }
 
 void validate_preparations(const Program& program) {
-  Preparation all = program.preparation;
+  Preparation all = *program.preparation;
   validate_preparation(all);
   for (const Segment& segment : program.segments) {
-    validate_preparation(segment.preparation);
-    all += segment.preparation;
+    validate_preparation(*segment.preparation);
+    all += *segment.preparation;
     validate_preparation(all);
   }
 }
 
 void validate_steps(const Segment& segment, const Program& program) {
   if (program.display_model.empty()) return;
-  const std::uint64_t written = segment.division.sum().instructions;
+  const std::uint64_t written = segment.division->sum().instructions;
   require(written == segment.instructions.size(),
           "its steps write {} instructions, and it has {}; compile the model again", written,
           segment.instructions.size());
@@ -287,7 +289,7 @@ void validate_steps(const Segment& segment, const Program& program) {
 void validate(const Program& program) {
   validate_header(program);
   std::set<std::string_view> names;
-  for (const NamedField& named : program.facts.fields) {
+  for (const NamedField& named : program.facts->fields) {
     at([&] { validate_field(named, program); }, "field '{}'", named.name);
     require(names.insert(named.name).second, "field '{}' is named twice; give each field a name of its own",
             named.name);
@@ -297,7 +299,7 @@ void validate(const Program& program) {
   for (std::size_t s = 0; s < program.segments.size(); ++s) {
     const Segment& segment = program.segments[s];
     at([&] { validate_region(segment.region, program.shape); }, "segment {}", s);
-    require(!program.display_model.empty() || segment.division == DivisionCounts{},
+    require(!program.display_model.empty() || *segment.division == DivisionCounts{},
             "segment {} says what its division takes, but there is no display model", s);
     at([&] { validate_steps(segment, program); }, "segment {}", s);
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {

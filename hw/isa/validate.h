@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "hw/isa/field_role.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 
 namespace csgsim::isa {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hw/base/quotient.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
@@ -166,7 +167,7 @@ class FrameModel {
   std::uint64_t prune(Subsegments parts, std::span<const std::uint64_t> clocks, std::uint64_t now) {
     std::uint64_t slowest = now;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-      const isa::DivisionStep counts = parts[i].division.sum();
+      const isa::DivisionStep counts = parts[i].division->sum();
       const std::uint64_t end = refresh_.end_of(now, clocks[i]);
       counted_.second_box_tests += counts.boxes;
       counted_.second_halfspace_tests += counts.halfspaces;

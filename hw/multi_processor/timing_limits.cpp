@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hw/base/error.h"
+#include "hw/isa/host_counts.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/refresh.h"
@@ -47,7 +48,7 @@ double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Mach
   const auto plane = static_cast<double>(far_plane_clocks(sizes, figures));
   const TestClocks each = node_test_clocks(sizes, figures);
   const auto read = static_cast<double>(read_clocks(sizes, machine).clocks());
-  const isa::DivisionCounts& counts = part.division;
+  const isa::DivisionCounts& counts = *part.division;
   const isa::DivisionStep own = counts.sum();
   const auto clocks = [](std::uint64_t count, std::uint32_t price) { return static_cast<double>(count) * price; };
   const double first = clocks(counts.group_boxes, figures.display_tests.primitive) +
@@ -61,7 +62,7 @@ double test_clocks(const isa::Segment& part, const ModelSizes& sizes, const Mach
 
 /// In words of a bit: of which no width of the bus takes more.
 double data_words(const isa::Segment& part, const ModelSizes& sizes) {
-  const isa::DivisionCounts& counts = part.division;
+  const isa::DivisionCounts& counts = *part.division;
   const auto words = [&](std::uint64_t primitives, std::uint64_t halfspaces) {
     return static_cast<double>(segment_words(sizes, primitives, halfspaces, 1));
   };

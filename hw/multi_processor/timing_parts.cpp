@@ -5,6 +5,7 @@
 #include <span>
 
 #include "hw/base/quotient.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
 #include "hw/multi_processor/figures.h"
@@ -30,7 +31,7 @@ std::vector<Subsegments> by_segment(const isa::Program& program, const machines:
 
 /// Each subsegment meets all primitives that the segment leaves.
 SegmentDivision division_of(Subsegments parts) {
-  const isa::DivisionCounts& counts = parts.front().division;
+  const isa::DivisionCounts& counts = *parts.front().division;
   const std::uint64_t boxes = counts.sum().boxes;
   const bool draws =
       std::any_of(parts.begin(), parts.end(), [](const isa::Segment& part) { return !part.instructions.empty(); });

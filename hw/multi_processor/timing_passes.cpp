@@ -7,6 +7,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/link_word.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
@@ -57,7 +58,7 @@ class Maker {
 
   std::vector<Made> make() {
     put(0);
-    for (const isa::DivisionStep& step : part_.division.steps) {
+    for (const isa::DivisionStep& step : part_.division->steps) {
       now_.clocks += test_clocks(step, each_) + step.halfspaces * read_;
       if (read_ > 0) now_.reads += step.halfspaces;
       for (std::uint64_t i = 0; i < step.instructions && next_ <= part_.instructions.size(); ++i) put_instruction();

@@ -8,6 +8,7 @@
 #include "hw/base/error.h"
 #include "hw/division/division_check.h"
 #include "hw/division/model_sizes.h"
+#include "hw/isa/host_counts.h"
 
 namespace csgsim::pixel_square {
 
@@ -54,7 +55,7 @@ void check_storage(const isa::Program& program, const machines::Machine& machine
                     kept, figures.model_bits));
   }
   for (const isa::Segment& square : program.segments) {
-    for (const isa::DivisionStep& surface : square.division.steps) {
+    for (const isa::DivisionStep& surface : square.division->steps) {
       const std::uint64_t spilt = spilt_bits(surface, figures);
       if (spilt <= figures.model_bits - kept) continue;
       throw InputError(fmt::format(

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "hw/isa/host_counts.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/timing_commands.h"
 
@@ -27,7 +28,7 @@ void DividerTiming::begin(Time now, std::uint64_t words) {
 /// What is stored of a square, with the tests between. A group's first square counts what the group takes.
 void DividerTiming::list_pieces(std::size_t square) {
   const isa::Segment& segment = program_.segments[square];
-  const isa::DivisionCounts& counts = segment.division;
+  const isa::DivisionCounts& counts = *segment.division;
   const bool is_first = counts.group_boxes > 0 || counts.group_entries > 0;
   if (is_first) {
     before_ += division_.of_group(counts);

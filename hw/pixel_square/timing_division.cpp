@@ -10,6 +10,7 @@
 #include "hw/base/error.h"
 #include "hw/base/quotient.h"
 #include "hw/division/model_sizes.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/operands.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/storage_check.h"
@@ -106,7 +107,7 @@ void check_countable(const isa::Program& program, const machines::Machine& machi
   };
   double all = static_cast<double>(clocks.of_tree());
   for (const isa::Segment& segment : program.segments) {
-    const isa::DivisionCounts& own = segment.division;
+    const isa::DivisionCounts& own = *segment.division;
     require_few({own.group_boxes, own.group_lists, own.group_halfspaces, own.group_cells});
     all += static_cast<double>(clocks.of_group(own));
     for (const isa::DivisionStep& step : own.steps) {

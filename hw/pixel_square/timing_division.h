@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 

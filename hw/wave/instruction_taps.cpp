@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
@@ -36,16 +37,16 @@ class Words {
 
   [[nodiscard]] const std::string& text() {
     const isa::Instruction* const one = instruction();
-    if (std::exchange(shown_, one) != one) text_ = one == nullptr ? "" : isa::text_of(*one, program_.facts.fields);
+    if (std::exchange(shown_, one) != one) text_ = one == nullptr ? "" : isa::text_of(*one, program_.facts->fields);
     return text_;
   }
 
   [[nodiscard]] std::string primitive(std::uint32_t index) const {
-    return index == isa::no_primitive ? "" : isa::piece_name(program_.facts, index);
+    return index == isa::no_primitive ? "" : isa::piece_name(*program_.facts, index);
   }
 
   [[nodiscard]] std::string effect(std::uint8_t index) const {
-    const std::vector<std::string>& names = program_.facts.compile.effects;
+    const std::vector<std::string>& names = program_.facts->compile.effects;
     return index < names.size() ? names[index] : "";
   }
 

@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "hw/isa/facts.h"
+
 namespace csgsim::wave {
 
 namespace {
@@ -22,7 +24,7 @@ std::vector<Tap> field_taps(const std::string& part, const isa::Program& program
                             const std::function<Number(isa::Field)>& read) {
   std::vector<Tap> taps;
   std::set<std::string> names;
-  for (const isa::NamedField& named : program.facts.fields) {
+  for (const isa::NamedField& named : program.facts->fields) {
     std::string name = identifier(named.name);
     if (!names.insert(name).second) name += fmt::format("_{}", named.field.base);
     taps.push_back({fmt::format("{}.{}", part, name), show_of(named), named.field.width,

@@ -6,6 +6,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
@@ -117,7 +118,7 @@ void check_below(const std::vector<std::uint32_t>& values, std::uint64_t limit, 
 
 observe::FrameObserver::Gathered read_picture(isa::ByteReader& in, const isa::Program& program) {
   const std::size_t count = std::size_t{program.shape.width} * program.shape.height;
-  const std::size_t owners = isa::piece_count(program.facts);
+  const std::size_t owners = isa::piece_count(*program.facts);
   observe::FrameObserver::Gathered picture;
   picture.frame.width = program.shape.width;
   picture.frame.height = program.shape.height;

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/quoting.h"
@@ -58,7 +59,7 @@ bool holds(const Condition& condition, std::uint32_t value, std::uint32_t before
 
 std::string text_of(isa::Field field, const isa::Program& program) {
   if (field.width == 0) return "E";
-  for (const isa::NamedField& named : program.facts.fields)
+  for (const isa::NamedField& named : program.facts->fields)
     if (named.field == field) return isa::word_or_quoted(named.name);
   return isa::text_of(field);
 }
@@ -71,7 +72,8 @@ std::string text_of(const Target& target, const isa::Program& program) {
   if (const auto* at = std::get_if<AtInstruction>(&target)) return fmt::format("i{}", at->number);
   if (const auto* at = std::get_if<AtClock>(&target)) return fmt::format("clock {}", at->clock);
   if (const auto* at = std::get_if<AtPrimitive>(&target)) {
-    return fmt::format("primitive p{} {}", at->primitive, isa::word_or_quoted(program.facts.primitives[at->primitive]));
+    return fmt::format("primitive p{} {}", at->primitive,
+                       isa::word_or_quoted(program.facts->primitives[at->primitive]));
   }
   const auto& condition = std::get<Condition>(target);
   const std::string what = text_of(condition.what, program);

@@ -8,6 +8,7 @@
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/quoting.h"
 #include "sim/debug/command.h"
 #include "sim/debug/grammar.h"
@@ -44,8 +45,8 @@ struct Reading {
       return;
     }
     std::vector<std::string_view> names;
-    names.reserve(program.facts.fields.size());
-    for (const isa::NamedField& named : program.facts.fields) {
+    names.reserve(program.facts->fields.size());
+    for (const isa::NamedField& named : program.facts->fields) {
       names.emplace_back(named.name);
       if (named.name != name) continue;
       watched.field = named.field;
@@ -80,7 +81,7 @@ struct Reading {
   }
 
   void name_primitive(const std::string& name) {
-    const std::vector<std::string>& names = program.facts.primitives;
+    const std::vector<std::string>& names = program.facts->primitives;
     const std::string_view digits = name.starts_with('p') ? std::string_view(name).substr(1) : std::string_view(name);
     const bool is_index = !digits.empty() && std::all_of(digits.begin(), digits.end(),
                                                          [](char letter) { return letter >= '0' && letter <= '9'; });

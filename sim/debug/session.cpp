@@ -9,6 +9,7 @@
 #include "hw/base/error.h"
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/quoting.h"
 #include "sim/checkpoint/file.h"
@@ -38,8 +39,8 @@ std::string Session::carry_out(const Command& command) {
 std::vector<std::string> Session::words() const {
   std::vector<std::string> words{"E", "clock", "primitive", "change", "not", "continue"};
   for (const CommandInfo& one : command_table) words.emplace_back(one.word);
-  for (const isa::NamedField& named : program_.facts.fields) words.push_back(isa::word_or_quoted(named.name));
-  for (const std::string& name : program_.facts.primitives) words.push_back(printable(name));
+  for (const isa::NamedField& named : program_.facts->fields) words.push_back(isa::word_or_quoted(named.name));
+  for (const std::string& name : program_.facts->primitives) words.push_back(printable(name));
   std::sort(words.begin(), words.end());
   words.erase(std::unique(words.begin(), words.end()), words.end());
   return words;
@@ -178,7 +179,7 @@ std::string Session::does(const PrintPixel& command) {
     return fmt::format("  {:<12} {}\n", text_of(field, program_), value_text(field, value, program_));
   };
   std::string text = line({});
-  for (const isa::NamedField& named : program_.facts.fields) text += line(named.field);
+  for (const isa::NamedField& named : program_.facts->fields) text += line(named.field);
   return text;
 }
 

@@ -6,6 +6,7 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
 
@@ -18,10 +19,10 @@ constexpr std::uint64_t around = 5;  ///< instructions on either side
 /// Names and meanings of the origin.
 std::string served_text(const isa::Origin& origin, const isa::Program& program) {
   std::string text = fmt::format("  {}", isa::info(origin.purpose).name);
-  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(program.facts, origin.primitive);
-  if (origin.node != isa::no_node) text += " against " + isa::piece_name(program.facts, origin.node);
+  if (origin.primitive != isa::no_primitive) text += " " + isa::piece_name(*program.facts, origin.primitive);
+  if (origin.node != isa::no_node) text += " against " + isa::piece_name(*program.facts, origin.node);
   if (origin.effect != isa::no_effect)
-    text += fmt::format(" for {}", printable(program.facts.compile.effects[origin.effect]));
+    text += fmt::format(" for {}", printable(program.facts->compile.effects[origin.effect]));
   return text + fmt::format(": {}\n", isa::info(origin.purpose).meaning);
 }
 
@@ -47,8 +48,8 @@ const isa::Instruction& instruction_at(engine::Place place, const isa::Program& 
 
 FieldMeaning meaning_of(isa::Field field, const isa::Program& program) {
   using enum isa::FieldRole;
-  const auto named = std::ranges::find(program.facts.fields, field, &isa::NamedField::field);
-  if (named == program.facts.fields.end()) return {};
+  const auto named = std::ranges::find(program.facts->fields, field, &isa::NamedField::field);
+  if (named == program.facts->fields.end()) return {};
   const bool is_colour = named->role == colour || named->role == candidate_colour || named->role == shown;
   return {is_colour && field.width >= isa::fewest_colour_bits && field.width <= isa::most_colour_bits,
           named->role == depth || named->role == candidate_depth || named->role == stored};
@@ -70,7 +71,7 @@ std::string place_text(const engine::Run& run, const isa::Program& program) {
   if (numbers.count() == 0) return "the Program has no instructions\n";
   if (!next) return fmt::format("at the end, after i{}\n", numbers.count() - 1);
   return fmt::format("i{} of {}: {}\n", numbers.of(*next), numbers.count(),
-                     isa::text_of(instruction_at(*next, program), program.facts.fields));
+                     isa::text_of(instruction_at(*next, program), program.facts->fields));
 }
 
 std::string where_text(const engine::Run& run, const isa::Program& program, Clocks& clocks) {
@@ -91,7 +92,7 @@ std::string list_text(std::uint64_t number, const isa::Program& program) {
   for (std::uint64_t i = number - std::min(number, around); i < end; ++i) {
     const isa::Instruction& one = instruction_at(numbers.place(i), program);
     text += fmt::format("{} {:<8} {:<54}  ; {}\n", i == number ? '>' : ' ', fmt::format("i{}", i),
-                        isa::text_of(one, program.facts.fields), isa::text_of(one.origin, program.facts));
+                        isa::text_of(one, program.facts->fields), isa::text_of(one.origin, *program.facts));
   }
   return text.empty() ? "there are no instructions\n" : text;
 }

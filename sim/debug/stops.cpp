@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "sim/debug/condition.h"
 
@@ -34,7 +35,7 @@ bool Stop::begins(std::uint32_t primitive, std::uint64_t number) const {
   const auto serves = [&](std::uint64_t one) {
     const auto [segment, index] = numbers_.place(one);
     const std::uint32_t piece = program_.segments[segment].instructions[index].origin.primitive;
-    return isa::primitive_of(program_.facts, piece) == primitive;
+    return isa::primitive_of(*program_.facts, piece) == primitive;
   };
   return number < numbers_.count() && serves(number) && (number == 0 || !serves(number - 1));
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "hw/isa/depth_scale.h"
 #include "sim/judges/meant.h"
 #include "sim/judges/solid_ray.h"
 #include "sim/judges/tree_on_ray.h"

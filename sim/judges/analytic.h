@@ -7,6 +7,7 @@
 #include "host/facet/faceting.h"
 #include "host/model/tree.h"
 #include "host/view/camera.h"
+#include "hw/isa/depth_scale.h"
 #include "hw/isa/program.h"
 #include "sim/judges/solid_ray.h"
 #include "sim/judges/truth.h"

@@ -10,6 +10,7 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
 
@@ -35,7 +36,7 @@ Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Progr
   if (frame.width != truth.width || frame.height != truth.height) {
     throw std::invalid_argument("the picture and the truth have different sizes");
   }
-  const unsigned bits = program.facts.compile.z_bits;
+  const unsigned bits = program.facts->compile.z_bits;
   const std::uint32_t farthest = static_cast<std::uint32_t>((1ULL << bits) - 1);
   Errors errors;
   errors.pixels = truth.owner.size();
@@ -57,8 +58,8 @@ Errors measure(const Truth& truth, const observe::Frame& frame, const isa::Progr
       wrong = false;
     }
     if (!wrong && expected != nothing) {
-      model_units.push_back(std::abs(isa::distance_of(program.facts.depth_scale, bits, depth) - truth.distance[i]));
-      steps.push_back(std::abs(isa::depth_of(program.facts.depth_scale, bits, truth.distance[i]) - depth));
+      model_units.push_back(std::abs(isa::distance_of(program.facts->depth_scale, bits, depth) - truth.distance[i]));
+      steps.push_back(std::abs(isa::depth_of(program.facts->depth_scale, bits, truth.distance[i]) - depth));
       if constexpr (!std::is_same_v<Allowed, NoBounds>) {
         const Steps may = allowed(truth.plane[i], place);
         wrong = depth < std::max<std::int64_t>(may.low, 0) || depth > std::max<std::int64_t>(may.high, 0);

@@ -1,5 +1,7 @@
 #include "sim/judges/exact_camera.h"
 
+#include "hw/isa/depth_scale.h"
+
 namespace csgsim::judges {
 
 namespace {

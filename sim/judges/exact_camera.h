@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "host/view/camera.h"
+#include "hw/isa/depth_scale.h"
 #include "hw/isa/program.h"
 #include "sim/judges/dyadic.h"
 

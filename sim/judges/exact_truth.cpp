@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "hw/isa/depth_scale.h"
 #include "sim/judges/sight.h"
 #include "sim/judges/tiles.h"
 #include "sim/judges/tree_on_ray.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hw/isa/facts.h"
 #include "sim/judges/truth.h"
 
 namespace csgsim::judges {
@@ -17,8 +18,8 @@ constexpr int edge_bits = 8;
 constexpr double rectangle_margin = 1.0 / 64;
 
 DepthLine depth_line(const isa::Program& program, double unit) {
-  const isa::DepthScale& scale = program.facts.depth_scale;
-  const isa::CompileFacts& facts = program.facts.compile;
+  const isa::DepthScale& scale = program.facts->depth_scale;
+  const isa::CompileFacts& facts = program.facts->compile;
   const double steps = std::ldexp(1.0, static_cast<int>(facts.z_bits)) - 4.0;
   DepthLine line;
   line.z_bits = facts.z_bits;
@@ -59,7 +60,7 @@ Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, c
                      const isa::Program& program)
     : Explainer(tree, geometry,
                 std::make_unique<Sight>(geometry, camera, program.shape.width, program.shape.height,
-                                        program.facts.depth_scale),
+                                        program.facts->depth_scale),
                 program) {}
 
 Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, std::unique_ptr<const Sight> sight,

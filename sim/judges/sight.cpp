@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "hw/isa/depth_scale.h"
+
 namespace csgsim::judges {
 
 namespace {

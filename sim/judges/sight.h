@@ -7,6 +7,7 @@
 
 #include "host/facet/geometry.h"
 #include "host/view/camera.h"
+#include "hw/isa/depth_scale.h"
 #include "hw/isa/program.h"
 #include "sim/judges/exact_camera.h"
 #include "sim/judges/quadric_sight.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/text.h"
 
@@ -23,7 +24,7 @@ bool bit_at(const std::vector<std::uint64_t>& words, const isa::Region& region, 
 
 StateComparison::StateComparison(const isa::Program& names, std::uint32_t memory_bits) {
   std::vector<bool> covered(memory_bits);
-  for (const isa::NamedField& named : names.facts.fields) {
+  for (const isa::NamedField& named : names.facts->fields) {
     if (named.field.end() > memory_bits) continue;
     parts_.push_back({named.name, named.field});
     std::fill_n(covered.begin() + named.field.base, named.field.width, true);

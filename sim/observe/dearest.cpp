@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
@@ -60,14 +61,14 @@ std::vector<std::uint32_t> places_of(const std::vector<PrimitiveCost>& dearest, 
 
 /// A half-space is counted once, in however many segments and pieces' surfaces it is.
 void count_halfspaces(const isa::Program& program, std::vector<PrimitiveCost>& dearest) {
-  const std::vector<std::uint32_t> places = places_of(dearest, program.facts.primitives.size());
+  const std::vector<std::uint32_t> places = places_of(dearest, program.facts->primitives.size());
   std::vector<PictureSurface> found;
   for (const isa::Segment& segment : program.segments) {
     for (std::size_t i = 0; i < segment.instructions.size(); ++i) {
       const isa::Instruction& one = segment.instructions[i];
       const isa::Instruction* const squares = isa::pending_squares(segment, i);
       if (!is_halfspace(one) || (squares == nullptr && is_pixel_edge(one.linear))) continue;
-      const std::uint32_t place = places[isa::primitive_of(program.facts, one.origin.primitive)];
+      const std::uint32_t place = places[isa::primitive_of(*program.facts, one.origin.primitive)];
       if (place != not_dear)
         found.push_back(
             in_picture(place, squares == nullptr ? isa::Linear{} : squares->linear, one.linear, segment.region));
@@ -93,7 +94,7 @@ std::uint64_t sum_of(const std::vector<Cost>& costs) {
 
 std::vector<EffectCost> effects_of(const isa::Program& program, const Stats& stats) {
   std::vector<EffectCost> effects;
-  const std::vector<std::string>& names = program.facts.compile.effects;
+  const std::vector<std::string>& names = program.facts->compile.effects;
   for (std::size_t i = 1; i < names.size(); ++i) {
     if (stats.by_effect[i].clocks > 0) effects.push_back({printable(names[i]), stats.by_effect[i].clocks});
   }
@@ -115,10 +116,10 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
   const std::size_t shown = std::min(order.size(), most_dearest);
   for (std::size_t i = 0; i < shown; ++i) {
     const std::uint32_t index = order[i];
-    const std::string name = printable(program.facts.primitives[index]);
+    const std::string name = printable(program.facts->primitives[index]);
     shares.dearest.push_back({index, name, source_of(name), costs[index].clocks,
                               static_cast<double>(costs[index].clocks) / static_cast<double>(shares.whole),
-                              isa::pieces_of(program.facts, index).count, 0});
+                              isa::pieces_of(*program.facts, index).count, 0});
   }
   count_halfspaces(program, shares.dearest);
   shares.other_primitives = order.size() - shown;
@@ -130,10 +131,10 @@ ClockShares clock_shares(const isa::Program& program, const engine::RunResult& r
 }
 
 std::vector<std::uint64_t> pixels_seen(const Frame& frame, const isa::Program& program) {
-  std::vector<std::uint64_t> pixels(program.facts.primitives.size());
+  std::vector<std::uint64_t> pixels(program.facts->primitives.size());
   for (const std::uint32_t piece : frame.owner) {
     if (piece == no_owner) continue;
-    const std::uint32_t primitive = isa::primitive_of(program.facts, piece);
+    const std::uint32_t primitive = isa::primitive_of(*program.facts, piece);
     if (primitive < pixels.size()) ++pixels[primitive];
   }
   return pixels;

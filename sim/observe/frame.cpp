@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hw/base/pages.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::observe {
@@ -61,10 +62,10 @@ FrameObserver::FrameObserver(const isa::Program& program)
 }
 
 void FrameObserver::find_panes(const isa::Program& program) {
-  const std::vector<std::string>& effects = program.facts.compile.effects;
+  const std::vector<std::string>& effects = program.facts->compile.effects;
   for (std::size_t i = 0; i < effects.size() && nearest_.width == 0 && depth_.width > 0; ++i) {
-    nearest_ = field_named(program.facts, effects[i], "nearest_depth");
-    nearest_colour_ = field_named(program.facts, effects[i], "nearest_colour");
+    nearest_ = field_named(*program.facts, effects[i], "nearest_depth");
+    nearest_colour_ = field_named(*program.facts, effects[i], "nearest_colour");
     pane_effect_ = static_cast<std::uint8_t>(i);
   }
   if (nearest_.width == 0) return;

@@ -12,6 +12,7 @@
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "sim/pictures/encode.h"
 
@@ -68,7 +69,7 @@ void write_depth(OutputFile& file, const Frame& frame, const isa::Program& progr
   pixels.reserve(frame.depth.size());
   const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
   for (const std::uint32_t step : frame.depth) {
-    pixels.push_back(static_cast<float>(isa::distance_of(program.facts.depth_scale, bits, step)));
+    pixels.push_back(static_cast<float>(isa::distance_of(program.facts->depth_scale, bits, step)));
   }
   write(file, exr, floats(frame, "Z", pixels));
 }
@@ -128,7 +129,7 @@ Frame of_primitives(Frame frame, const isa::Facts& facts) {
 }
 
 void write_legend(OutputFile& file, const Frame& frame, const isa::Program& program) {
-  const std::vector<std::string>& names = program.facts.primitives;
+  const std::vector<std::string>& names = program.facts->primitives;
   std::vector<std::uint64_t> pixels(names.size(), 0);
   std::uint64_t nothing = 0;
   for (const std::uint32_t owner : frame.owner) ++(owner < pixels.size() ? pixels[owner] : nothing);

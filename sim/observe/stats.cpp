@@ -1,5 +1,7 @@
 #include "sim/observe/stats.h"
 
+#include "hw/isa/facts.h"
+
 namespace csgsim::observe {
 
 namespace {
@@ -16,13 +18,13 @@ Cost& Cost::operator+=(const Cost& other) {
   return *this;
 }
 
-StatsObserver::StatsObserver(const isa::Program& program) : primitive_of_piece_(program.facts.primitive_of_piece) {
+StatsObserver::StatsObserver(const isa::Program& program) : primitive_of_piece_(program.facts->primitive_of_piece) {
   for (const isa::Segment& segment : program.segments) {
     pixels_of_segment_.push_back(static_cast<std::uint64_t>(segment.region.width) * segment.region.height);
   }
-  stats_.by_primitive.resize(program.facts.primitives.size());
-  stats_.plain_by_primitive.resize(program.facts.primitives.size());
-  stats_.by_effect.resize(program.facts.compile.effects.size() + 1);
+  stats_.by_primitive.resize(program.facts->primitives.size());
+  stats_.plain_by_primitive.resize(program.facts->primitives.size());
+  stats_.by_effect.resize(program.facts->compile.effects.size() + 1);
 }
 
 void StatsObserver::after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) {

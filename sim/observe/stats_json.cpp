@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
@@ -36,7 +38,7 @@ Json model_json(const isa::Facts& facts) {
 
 Json machine_json(const Report& report) {
   const machines::Machine& machine = report.machine;
-  const isa::CompileFacts& compile = report.program.facts.compile;
+  const isa::CompileFacts& compile = report.program.facts->compile;
   return {{"name", machine.name},
           {"kind", machine.kind->name},
           {"picture", {{"width", report.program.shape.width}, {"height", report.program.shape.height}}},
@@ -66,7 +68,7 @@ Json instructions_json(const Report& report) {
 
 Json memory_json(const Report& report) {
   Json fields = Json::array();
-  for (const isa::NamedField& named : report.program.facts.fields) {
+  for (const isa::NamedField& named : report.program.facts->fields) {
     fields.push_back({{"name", printable(named.name)},
                       {"base", named.field.base},
                       {"width", named.field.width},
@@ -74,8 +76,8 @@ Json memory_json(const Report& report) {
   }
   return {{"memory_bits", report.machine.array.memory_bits},
           {"used_bits", used_memory_bits(report.program)},
-          {"classification_bits", report.program.facts.compile.stack_bits},
-          {"tree_depth", report.program.facts.compile.tree_depth},
+          {"classification_bits", report.program.facts->compile.stack_bits},
+          {"tree_depth", report.program.facts->compile.tree_depth},
           {"memory_map", fields}};
 }
 
@@ -90,7 +92,7 @@ Json purposes_json(const Report& report) {
 }
 
 Json effects_json(const Report& report) {
-  const std::vector<std::string>& names = report.program.facts.compile.effects;
+  const std::vector<std::string>& names = report.program.facts->compile.effects;
   Json effects = Json::object();
   effects["none"] = cost_json(report.stats.by_effect.back());
   for (std::size_t i = 0; i < names.size(); ++i) effects[printable(names[i])] = cost_json(report.stats.by_effect[i]);
@@ -99,7 +101,7 @@ Json effects_json(const Report& report) {
 
 Json primitives_json(const Report& report) {
   Json primitives = Json::array();
-  const isa::Facts& facts = report.program.facts;
+  const isa::Facts& facts = *report.program.facts;
   for (std::uint32_t i = 0; i < facts.primitives.size(); ++i) {
     Json entry{{"index", i}, {"name", printable(facts.primitives[i])}, {"pieces", isa::pieces_of(facts, i).count}};
     entry.update(cost_json(report.stats.by_primitive[i]));
@@ -126,7 +128,7 @@ Json segments_json(const isa::Program& program) {
   const double count = program.segments.empty() ? 1.0 : static_cast<double>(program.segments.size());
   const auto mean = [&](std::uint32_t isa::SegmentFacts::*member) {
     double sum = 0;
-    for (const isa::Segment& segment : program.segments) sum += segment.facts.*member;
+    for (const isa::Segment& segment : program.segments) sum += (*segment.facts).*member;
     return sum / count;
   };
   const auto drawn = std::count_if(program.segments.begin(), program.segments.end(),
@@ -182,14 +184,14 @@ double frames_per_second(const Report& report, std::uint64_t interval) {
 
 std::uint32_t used_memory_bits(const isa::Program& program) {
   std::uint32_t used = 0;
-  for (const isa::NamedField& named : program.facts.fields) used += named.field.width;
+  for (const isa::NamedField& named : program.facts->fields) used += named.field.width;
   return used;
 }
 
 nlohmann::ordered_json to_json(const Report& report) {
-  const isa::CompileFacts& compile = report.program.facts.compile;
+  const isa::CompileFacts& compile = report.program.facts->compile;
   Json json;
-  json["model"] = model_json(report.program.facts);
+  json["model"] = model_json(*report.program.facts);
   json["machine"] = machine_json(report);
   json["level"] = report.level;
   json["strategy_used"] = printable(compile.strategy);

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
@@ -194,7 +195,7 @@ std::string text_of(const Held& held) {
 
 py::list fields_of(const Held& held) {
   py::list rows;
-  for (const isa::NamedField& named : held->program.facts.fields) {
+  for (const isa::NamedField& named : held->program.facts->fields) {
     py::dict row;
     row["name"] = named.name;
     row["base"] = named.field.base;
@@ -254,7 +255,7 @@ void define_program(py::module_& module) {
       .def("instructions", [](const Held& held) { return instructions_of(held->program, held->machine); })
       .def("__len__", [](const Held& held) { return csgsim::isa::first_numbers(held->program).back(); })
       .def("fields", &fields_of)
-      .def("primitives", [](const Held& held) { return held->program.facts.primitives; })
+      .def("primitives", [](const Held& held) { return held->program.facts->primitives; })
       .def("size", [](const Held& held) { return std::pair(held->program.shape.width, held->program.shape.height); })
       .def("memory_bits", [](const Held& held) { return held->program.shape.memory_bits; })
       .def("machine", [](const Held& held) { return description_of(held->machine); });

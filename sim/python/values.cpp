@@ -6,6 +6,7 @@
 
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
@@ -74,7 +75,7 @@ py::array depth_of(const observe::Frame& frame, const isa::Program& program) {
   py::array_t<double> depth = image<double>(frame);
   double* at = depth.mutable_data();
   const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
-  for (const std::uint32_t step : frame.depth) *at++ = isa::distance_of(program.facts.depth_scale, bits, step);
+  for (const std::uint32_t step : frame.depth) *at++ = isa::distance_of(program.facts->depth_scale, bits, step);
   return depth;
 }
 
@@ -83,7 +84,7 @@ py::array owner_of(const observe::Frame& frame, const isa::Program& program) {
   std::int32_t* at = owners.mutable_data();
   for (const std::uint32_t owner : frame.owner) {
     const bool is_nothing = owner == observe::no_owner;
-    *at++ = is_nothing ? -1 : static_cast<std::int32_t>(isa::primitive_of(program.facts, owner));
+    *at++ = is_nothing ? -1 : static_cast<std::int32_t>(isa::primitive_of(*program.facts, owner));
   }
   return owners;
 }
@@ -130,7 +131,7 @@ py::list instructions_of(const isa::Program& program, const machines::Machine& m
       py::dict row;
       row["instruction"] = number++;
       row["segment"] = segment;
-      row.attr("update")(row_of(instruction, program.facts, machine));
+      row.attr("update")(row_of(instruction, *program.facts, machine));
       rows.append(row);
     }
   }

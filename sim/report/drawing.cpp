@@ -12,6 +12,7 @@
 
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
@@ -104,8 +105,8 @@ class Recorder {
     run_->advance(boundary, observers);
     DrawingStep step{numbers_.of(run_->place()), "", "", progress_.clocks(), look(run_->place().segment, *run_), ""};
     if (progress_.last()) {
-      step.text = isa::text_of(*progress_.last(), program_.facts.fields);
-      step.serves = served_by(*progress_.last(), program_.facts);
+      step.text = isa::text_of(*progress_.last(), program_.facts->fields);
+      step.serves = served_by(*progress_.last(), *program_.facts);
     }
     step.changes = changes(kept_, states_);
     kept_ = states_;

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
@@ -48,7 +49,7 @@ Json opcodes_json() {
 
 Json fields_json(const isa::Program& program) {
   Json fields = Json::array();
-  for (const isa::NamedField& named : program.facts.fields)
+  for (const isa::NamedField& named : program.facts->fields)
     fields.push_back({{"name", printable(named.name)},
                       {"token", printable(isa::word_or_quoted(named.name))},
                       {"base", named.field.base},
@@ -74,8 +75,8 @@ class Stream {
   void put(std::uint32_t segment, std::size_t index) {
     const isa::Instruction& instruction = program_.segments[segment].instructions[index];
     if (!lines_.empty()) lines_ += '\n';
-    lines_ += printable(isa::text_of(instruction, program_.facts.fields)) + '\t' +
-              isa::text_of(instruction.origin, program_.facts);
+    lines_ += printable(isa::text_of(instruction, program_.facts->fields)) + '\t' +
+              isa::text_of(instruction.origin, *program_.facts);
     if (model_ != nullptr && instruction.linear.width > 0) put_geometry(segment, index);
   }
 
@@ -106,7 +107,7 @@ class Stream {
 Json places_json(const isa::Program& program, const story::HalfspaceFinder* model) {
   Json places = Json::array();
   if (model == nullptr) return places;
-  for (std::uint32_t piece = 0; piece < isa::piece_count(program.facts); ++piece) {
+  for (std::uint32_t piece = 0; piece < isa::piece_count(*program.facts); ++piece) {
     const view::PixelRect& pixels = model->rectangle_of(piece);
     Json place{{"front", model->set_of(piece).front()}};
     if (!pixels.empty()) place["pixels"] = {pixels.x0, pixels.y0, pixels.x1, pixels.y1};
@@ -119,7 +120,7 @@ Json places_json(const isa::Program& program, const story::HalfspaceFinder* mode
 
 nlohmann::ordered_json program_json(const isa::Program& program, std::span<const std::uint64_t> skips,
                                     const story::HalfspaceFinder* model) {
-  const isa::Facts& facts = program.facts;
+  const isa::Facts& facts = *program.facts;
   Json json{{"width", program.shape.width},
             {"height", program.shape.height},
             {"memoryBits", program.shape.memory_bits},

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "sim/observe/dearest.h"
 #include "sim/observe/pictures.h"
 #include "sim/report/pictures.h"
@@ -84,7 +85,7 @@ std::pair<std::string, std::string> kind_and_place(const std::string& name) {
 }
 
 OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const isa::Program& program) {
-  const observe::Frame of_primitives = observe::of_primitives(frame, program.facts);
+  const observe::Frame of_primitives = observe::of_primitives(frame, *program.facts);
   const Json& primitives = data["by_primitive"];
   OwnerPicture owners{
       picture_of(frame, program, "", "The picture that the machine drew"),
@@ -146,7 +147,7 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   page.data = without_wall_times(stats);
   const Json& data = page.data;
   page.command = context.command;
-  page.title = std::filesystem::path(program.facts.model.file).filename().native() + " on " + machine.name;
+  page.title = std::filesystem::path(program.facts->model.file).filename().native() + " on " + machine.name;
   Section picture{"Picture", in_words(data)};
   picture.parts.emplace_back(owner_picture(data, frame, program));
   page.sections.push_back(std::move(picture));

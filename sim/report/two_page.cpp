@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "sim/report/drawing.h"
 #include "sim/report/run_counts.h"
 
@@ -65,7 +66,7 @@ Section pictures_section(const ShownRun& a, const ShownRun& b, Difference differ
 
 std::string title(const isa::Program& a, const isa::Program& b) {
   const auto file = [](const isa::Program& program) {
-    return std::filesystem::path(program.facts.model.file).filename().native();
+    return std::filesystem::path(program.facts->model.file).filename().native();
   };
   return file(a) == file(b) ? "Two runs of " + file(a) : "Runs of " + file(a) + " and " + file(b);
 }

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/machines/kind.h"
 #include "sim/observe/bound.h"
 #include "sim/observe/dearest.h"
@@ -163,10 +164,10 @@ void print_knobs(const observe::Report& report, const Advice& advice) {
 }  // namespace
 
 void print_summary(const observe::Report& report) {
-  const isa::CompileFacts& compile = report.program.facts.compile;
+  const isa::CompileFacts& compile = report.program.facts->compile;
   const observe::Cost& total = report.stats.total;
   const double simulated = static_cast<double>(report.result.clocks) / static_cast<double>(report.machine.clock_hz);
-  print_model(report.program.facts.model);
+  print_model(report.program.facts->model);
   print_machine(report);
   fmt::print("{:<18}{} = {} at the machine's clock rate\n", "clocks", grouped(report.result.clocks),
              time_text(simulated));

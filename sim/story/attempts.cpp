@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "hw/isa/facts.h"
 #include "sim/story/events.h"
 
 namespace csgsim::story {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "sim/observe/frame.h"
@@ -96,7 +97,7 @@ class Narrator {
   }
 
   [[nodiscard]] bool has_role(isa::Field field, FieldRole role) const {
-    return std::any_of(program_.facts.fields.begin(), program_.facts.fields.end(), [&](const isa::NamedField& named) {
+    return std::any_of(program_.facts->fields.begin(), program_.facts->fields.end(), [&](const isa::NamedField& named) {
       return named.role == role && field.width > 0 && named.field.overlaps(field);
     });
   }
@@ -197,7 +198,7 @@ class Narrator {
 
   /// What quadrics are worked out in, or a part of a depth, is no surface's depth.
   [[nodiscard]] bool is_scratch(isa::Field field) const {
-    return std::any_of(program_.facts.fields.begin(), program_.facts.fields.end(), [&](const isa::NamedField& named) {
+    return std::any_of(program_.facts->fields.begin(), program_.facts->fields.end(), [&](const isa::NamedField& named) {
       return named.field.overlaps(field) &&
              (named.role == FieldRole::scratch || (named.role == FieldRole::candidate_depth && named.field != field));
     });

@@ -9,6 +9,7 @@
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
 #include "sim/observe/frame.h"
@@ -24,7 +25,7 @@ constexpr std::array<std::string_view, 8> fate_names{"outside",    "no_depth", "
 constexpr std::array<std::string_view, 3> quadric_names{"ellipsoid", "cylinder", "cone"};
 
 const isa::NamedField* find(const isa::Program& program, isa::Field field) {
-  const auto& fields = program.facts.fields;
+  const auto& fields = program.facts->fields;
   const auto found =
       std::find_if(fields.begin(), fields.end(), [&](const isa::NamedField& named) { return named.field == field; });
   return found == fields.end() ? nullptr : &*found;
@@ -38,12 +39,12 @@ std::string_view name_of(facet::QuadricKind kind) { return quadric_names.at(stat
 
 std::string primitive_text(const isa::Program& program, std::uint32_t primitive) {
   if (primitive == observe::no_owner) return "nothing";
-  return isa::piece_name(program.facts, primitive);
+  return isa::piece_name(*program.facts, primitive);
 }
 
 std::optional<double> distance_of(const isa::Program& program, std::uint32_t steps) {
   const unsigned bits = isa::field_of(program, isa::FieldRole::depth).width;
-  const double distance = isa::distance_of(program.facts.depth_scale, bits, steps);
+  const double distance = isa::distance_of(program.facts->depth_scale, bits, steps);
   return std::isfinite(distance) ? std::optional(distance) : std::nullopt;
 }
 
@@ -92,10 +93,10 @@ std::string field_name(const isa::Program& program, isa::Field field) {
 
 std::string decision_text(const isa::Program& program, const Decision& decision) {
   std::string text =
-      fmt::format("i{} {}", decision.number, printable(isa::text_of(decision.instruction, program.facts.fields)));
+      fmt::format("i{} {}", decision.number, printable(isa::text_of(decision.instruction, program.facts->fields)));
   if (decision.squares) {
     text += fmt::format(", after i{} {}", decision.number - 1,
-                        printable(isa::text_of(*decision.squares, program.facts.fields)));
+                        printable(isa::text_of(*decision.squares, program.facts->fields)));
   }
   if (decision.instruction.linear.width > 0) text += fmt::format(": F = {}", decision.value);
   return text;

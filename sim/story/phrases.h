@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "hw/isa/field_role.h"
 #include "sim/story/halfspaces.h"
 #include "sim/story/story.h"
 

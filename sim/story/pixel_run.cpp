@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/runs_on.h"
@@ -147,7 +148,7 @@ class Runner {
 isa::Field named_around(const isa::Program& program, isa::Field field) {
   isa::Field smallest = field;
   bool is_found = false;
-  for (const isa::NamedField& named : program.facts.fields) {
+  for (const isa::NamedField& named : program.facts->fields) {
     const bool is_depth = named.role == isa::FieldRole::depth || named.role == isa::FieldRole::candidate_depth;
     const bool holds =
         is_depth ? named.field == field : named.field.base <= field.base && named.field.end() >= field.end();

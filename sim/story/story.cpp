@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/machines/kind.h"
 #include "sim/story/events.h"
@@ -27,7 +28,7 @@ machines::ClockSpan clocks_of(const Event& event, std::uint64_t first_number,
 const Change* Event::change_of(const isa::Program& program, isa::FieldRole role) const {
   for (const Change& change : changes) {
     const bool has_role =
-        std::any_of(program.facts.fields.begin(), program.facts.fields.end(),
+        std::any_of(program.facts->fields.begin(), program.facts->fields.end(),
                     [&](const isa::NamedField& named) { return named.role == role && named.field == change.field; });
     if (has_role) return &change;
   }

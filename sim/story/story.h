@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/field_role.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/timeline.h"

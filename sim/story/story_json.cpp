@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
 #include "sim/observe/frame.h"
@@ -15,10 +16,10 @@ using Json = nlohmann::ordered_json;
 
 Json primitive_json(const isa::Program& program, std::uint32_t piece) {
   if (piece == observe::no_owner) return nullptr;
-  const std::uint32_t primitive = isa::primitive_of(program.facts, piece);
+  const std::uint32_t primitive = isa::primitive_of(*program.facts, piece);
   Json json{{"index", primitive}};
-  if (primitive < program.facts.primitives.size()) json["name"] = printable(program.facts.primitives[primitive]);
-  const isa::PieceRange pieces = isa::pieces_of(program.facts, primitive);
+  if (primitive < program.facts->primitives.size()) json["name"] = printable(program.facts->primitives[primitive]);
+  const isa::PieceRange pieces = isa::pieces_of(*program.facts, primitive);
   if (pieces.count > 1) json["piece"] = piece - pieces.first;
   return json;
 }
@@ -69,7 +70,7 @@ Json working_json(const QuadricDepth& depth) {
 
 Json decision_json(const Subject& subject, const Decision& decision) {
   Json json{{"instruction", decision.number},
-            {"text", printable(isa::text_of(decision.instruction, subject.program.facts.fields))}};
+            {"text", printable(isa::text_of(decision.instruction, subject.program.facts->fields))}};
   if (decision.instruction.linear.width > 0) {
     const isa::Linear& linear = decision.instruction.linear;
     json["plane"] = {{"a", linear.a}, {"b", linear.b}, {"c", linear.c}, {"shift", linear.shift}};
@@ -100,7 +101,7 @@ Json event_json(const Subject& subject, const Event& event) {
   json["purpose"] = isa::info(event.origin.purpose).name;
   if (event.origin.primitive != isa::no_primitive) json["primitive"] = primitive_json(program, event.origin.primitive);
   if (event.origin.node != isa::no_node) json["against"] = primitive_json(program, event.origin.node);
-  const std::vector<std::string>& effects = program.facts.compile.effects;
+  const std::vector<std::string>& effects = program.facts->compile.effects;
   if (event.origin.effect < effects.size()) json["effect"] = printable(effects[event.origin.effect]);
   json["enabled"] = {event.enabled_before, event.enabled_after};
   if (event.decision) json["decision"] = decision_json(subject, *event.decision);
@@ -127,7 +128,7 @@ Json attempt_json(const Subject& subject, const Story& story, const Attempt& att
 nlohmann::ordered_json to_json(const Subject& subject, const Story& story) {
   const isa::Program& program = subject.program;
   Json json{{"pixel", {story.x, story.y}},
-            {"model", printable(program.facts.model.file)},
+            {"model", printable(program.facts->model.file)},
             {"segments", Json::array()},
             {"owner", primitive_json(program, story.owner)},
             {"depth", depth_json(program, story.depth)}};

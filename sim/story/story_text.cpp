@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "sim/observe/frame.h"
 #include "sim/story/why_not.h"
@@ -20,14 +21,14 @@ constexpr std::size_t most_beside = 6;  ///< names of surfaces that are beside t
 
 /// The line of the model's file that a name like cylinder@9:9 tells; nothing for another name.
 std::string line_text(const isa::Program& program, std::uint32_t piece) {
-  const std::uint32_t primitive = isa::primitive_of(program.facts, piece);
-  if (primitive >= program.facts.primitives.size()) return "";
-  const std::string& name = program.facts.primitives[primitive];
+  const std::uint32_t primitive = isa::primitive_of(*program.facts, piece);
+  if (primitive >= program.facts->primitives.size()) return "";
+  const std::string& name = program.facts->primitives[primitive];
   const std::size_t at = name.find('@');
   const std::size_t colon = name.find(':', at == std::string::npos ? 0 : at);
-  if (at == std::string::npos || colon == std::string::npos || program.facts.model.file.empty()) return "";
+  if (at == std::string::npos || colon == std::string::npos || program.facts->model.file.empty()) return "";
   return fmt::format(", line {} of {}", printable(name.substr(at + 1, colon - at - 1)),
-                     printable(program.facts.model.file));
+                     printable(program.facts->model.file));
 }
 
 std::string clocks_text(const Event& event) {
@@ -162,7 +163,7 @@ class Writer {
   }
 
   [[nodiscard]] std::string effect_text(const Event& event) const {
-    const std::vector<std::string>& effects = program_.facts.compile.effects;
+    const std::vector<std::string>& effects = program_.facts->compile.effects;
     if (event.origin.effect == isa::no_effect || event.origin.effect >= effects.size()) return "";
     return fmt::format("[{}] ", printable(effects[event.origin.effect]));
   }

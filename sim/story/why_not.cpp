@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "sim/observe/frame.h"
 
 namespace csgsim::story {
@@ -82,7 +83,7 @@ std::string covered_text(const Subject& subject, const Event& by) {
 
 /// Names the primitive, not a piece of it.
 std::string name_text(const Subject& subject, const WhyNot& answer) {
-  const isa::Facts& facts = subject.program.facts;
+  const isa::Facts& facts = *subject.program.facts;
   const std::uint32_t primitive = isa::primitive_of(facts, answer.pieces.first);
   if (answer.pieces.count == 1) return primitive_text(subject.program, answer.pieces.first);
   return fmt::format("p{} {}", primitive, printable(facts.primitives[primitive]));
@@ -117,7 +118,7 @@ std::string nowhere_text(const Subject& subject, const Story& story, const WhyNo
 }  // namespace
 
 WhyNot why_not(const Subject& subject, const Story& story, std::uint32_t primitive) {
-  const isa::Facts& facts = subject.program.facts;
+  const isa::Facts& facts = *subject.program.facts;
   WhyNot answer;
   answer.pieces = isa::pieces_of(facts, primitive);
   std::vector<std::uint32_t> drawn;
@@ -159,7 +160,7 @@ std::string text_of(const Subject& subject, const Story& story, const WhyNot& an
   if (answer.attempts.empty()) text += fmt::format("  {}\n", nowhere_text(subject, story, answer));
   for (const std::size_t i : answer.attempts) {
     const Attempt& attempt = story.attempts[i];
-    if (!is_whole) text += "  " + isa::piece_label(subject.program.facts, attempt.primitive) + ":";
+    if (!is_whole) text += "  " + isa::piece_label(*subject.program.facts, attempt.primitive) + ":";
     text += (is_whole ? "  " : " ") + fate_text(subject, story, attempt);
     if (attempt.fate == Fate::seen && !answer.is_seen)
       text += "; the facet seen here is of " + primitive_text(subject.program, story.owner);

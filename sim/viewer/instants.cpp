@@ -10,6 +10,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
 #include "sim/debug/field_picture.h"
@@ -75,15 +76,15 @@ Instants::~Instants() = default;
 
 std::vector<std::string> Instants::fields() const {
   std::vector<std::string> names{enable};
-  for (const isa::NamedField& field : program_.facts.fields) names.push_back(field.name);
+  for (const isa::NamedField& field : program_.facts->fields) names.push_back(field.name);
   return names;
 }
 
 isa::Field Instants::field_named(const std::string& name) const {
   if (name.empty()) return program_.colour;
   if (name == enable) return {};
-  const auto found = std::ranges::find(program_.facts.fields, name, &isa::NamedField::name);
-  if (found == program_.facts.fields.end())
+  const auto found = std::ranges::find(program_.facts->fields, name, &isa::NamedField::name);
+  if (found == program_.facts->fields.end())
     throw InputError(fmt::format("there is no field '{}'; there are {}", name, fmt::join(fields(), ", ")));
   return found->field;
 }
@@ -102,7 +103,7 @@ std::uint64_t Instants::first_of(std::uint64_t primitive) const {
   for (const isa::Segment& segment : program_.segments) {
     for (const isa::Instruction& one : segment.instructions) {
       const std::uint32_t piece = one.origin.primitive;
-      if (piece != isa::no_primitive && isa::primitive_of(program_.facts, piece) == primitive) return number;
+      if (piece != isa::no_primitive && isa::primitive_of(*program_.facts, piece) == primitive) return number;
       ++number;
     }
   }
@@ -146,12 +147,12 @@ nlohmann::ordered_json Instants::told_of(std::uint64_t number) const {
   const engine::Place place = numbers_.place(number);
   const isa::Instruction& instruction = program_.segments[place.segment].instructions[place.index];
   nlohmann::ordered_json told{{"number", number},
-                              {"text", isa::text_of(instruction, program_.facts.fields)},
-                              {"serves", report::served_by(instruction, program_.facts)}};
+                              {"text", isa::text_of(instruction, program_.facts->fields)},
+                              {"serves", report::served_by(instruction, *program_.facts)}};
   const std::uint32_t piece = instruction.origin.primitive;
-  if (piece != isa::no_primitive) told["primitive"] = isa::primitive_of(program_.facts, piece);
+  if (piece != isa::no_primitive) told["primitive"] = isa::primitive_of(*program_.facts, piece);
   const std::uint32_t against = instruction.origin.node;
-  if (against != isa::no_primitive) told["against"] = isa::primitive_of(program_.facts, against);
+  if (against != isa::no_primitive) told["against"] = isa::primitive_of(*program_.facts, against);
   return told;
 }
 

@@ -10,6 +10,7 @@
 #include "host/read/source.h"
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
+#include "hw/isa/facts.h"
 #include "hw/kinds/load.h"
 #include "sim/observe/stats_json.h"
 #include "sim/report/configuration.h"
@@ -185,7 +186,7 @@ Json Session::instant(const Json& wish, Evaluation& evaluation) {
 
 Json Session::tree(const Json& wish, Evaluation& evaluation) {
   const std::shared_ptr<Drawing> drawing = drawings_.compiled(wish, evaluation);
-  return {{"tree", tree_of(drawing->model.tree, drawing->model.program.facts)}};
+  return {{"tree", tree_of(drawing->model.tree, *drawing->model.program.facts)}};
 }
 
 std::string Session::recorded_of(const isa::Program& program, const std::vector<std::string>& options) {

@@ -9,6 +9,7 @@
 
 #include "host/emit/divided.h"
 #include "host/view/projection.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/machines/kind.h"
 
@@ -117,7 +118,7 @@ std::optional<Json> ActiveTrees::of(std::uint32_t piece, std::uint32_t segment) 
   };
   const auto found = std::ranges::find_if(plan_->surfaces, draws);
   if (found == plan_->surfaces.end()) return std::nullopt;
-  return rows_of(found->active, model_.program.facts);
+  return rows_of(found->active, *model_.program.facts);
 }
 
 }  // namespace csgsim::viewer

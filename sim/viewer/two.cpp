@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/text.h"
 #include "sim/engine/numbers.h"
 #include "sim/lockstep/comparison.h"
@@ -20,7 +21,7 @@ std::string instruction_text(const isa::Program& program, std::uint64_t number) 
   const engine::Numbers numbers(program);
   if (number >= numbers.count()) return "nothing more";
   const engine::Place place = numbers.place(number);
-  return isa::text_of(program.segments[place.segment].instructions[place.index], program.facts.fields);
+  return isa::text_of(program.segments[place.segment].instructions[place.index], program.facts->fields);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "hw/array/pixel_replay.h"
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
@@ -76,7 +77,7 @@ using Belongs = std::function<bool(const isa::Instruction&)>;
 
 Belongs belongs_to(const WindowRequest& request, const isa::Program& program) {
   if (request.kind == WindowRequest::Kind::primitive) {
-    const isa::PieceRange pieces = isa::pieces_of(program.facts, static_cast<std::uint32_t>(request.begin));
+    const isa::PieceRange pieces = isa::pieces_of(*program.facts, static_cast<std::uint32_t>(request.begin));
     return [pieces](const isa::Instruction& one) {
       const std::uint32_t piece = one.origin.primitive;
       return piece >= pieces.first && piece - pieces.first < pieces.count;
@@ -90,7 +91,7 @@ Belongs belongs_to(const WindowRequest& request, const isa::Program& program) {
       return static_cast<std::size_t>(one.origin.purpose) == index;
     };
   }
-  const std::vector<std::string>& effects = program.facts.compile.effects;
+  const std::vector<std::string>& effects = program.facts->compile.effects;
   return [index = index_of("effect", request.name, std::vector<std::string_view>(effects.begin(), effects.end()))](
              const isa::Instruction& one) { return one.origin.effect == index; };
 }
@@ -155,8 +156,8 @@ isa::Field field_named(std::string_view what, const isa::Program& program) {
     throw InputError(fmt::format("the Program has no field for the {}", is_colour ? "colour" : "depth"));
   }
   std::vector<std::string_view> names;
-  for (const isa::NamedField& named : program.facts.fields) names.push_back(named.name);
-  return program.facts.fields[index_of("field", what, names)].field;
+  for (const isa::NamedField& named : program.facts->fields) names.push_back(named.name);
+  return program.facts->fields[index_of("field", what, names)].field;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "places.h"
 #include "tests/agreement/mesh_depth.h"
 #include "tests/support/drawing.h"
@@ -29,7 +30,7 @@ Difference compare(const std::string& name, const view::Camera& camera) {
   const double limit = testing::diagonal(mesh) / 1000.0;
   Difference difference;
   for (std::size_t i = 0; i < expected.size(); ++i) {
-    const double depth = isa::distance_of(compiled.program.facts.depth_scale, 20, frame.depth[i]);
+    const double depth = isa::distance_of(compiled.program.facts->depth_scale, 20, frame.depth[i]);
     if (std::isfinite(depth) != std::isfinite(expected[i])) {
       ++difference.silhouette;
     } else if (std::isfinite(depth)) {

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/clocks.h"
@@ -60,9 +61,9 @@ std::uint64_t listed(const isa::Program& program, std::uint32_t primitive) {
 void check(const std::string& name, const std::vector<std::uint64_t>& by_hand) {
   const isa::Program program = isa::load_program(budgets::place(name));
   const observe::Stats stats = budgets::measure(program).stats;
-  REQUIRE(program.facts.primitives.size() == by_hand.size());
+  REQUIRE(program.facts->primitives.size() == by_hand.size());
   for (std::uint32_t i = 0; i < by_hand.size(); ++i) {
-    CAPTURE(program.facts.primitives[i]);
+    CAPTURE(program.facts->primitives[i]);
     CHECK(stats.by_primitive[i].clocks == by_hand[i]);
     CHECK(listed(program, i) == by_hand[i]);
   }

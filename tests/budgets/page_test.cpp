@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/format.h>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/program_file.h"
 #include "tests/budgets/measure.h"
 #include "tests/support/drawing.h"
@@ -39,7 +40,7 @@ TEST_CASE("the page of budgets has what spheres of facets take") {
   const view::Camera camera = testing::camera({0, -1286.98, 0}, {0, 0, 0}, view::Projection::orthographic);
   for (const int facets : {16, 32}) {
     const isa::Program program = compiled(budgets::place(fmt::format("sphere_{}.csg", facets)), camera);
-    budgets::check_row(fmt::format("sphere of {} facets", program.facts.model.halfspaces), budgets::published_sphere,
+    budgets::check_row(fmt::format("sphere of {} facets", program.facts->model.halfspaces), budgets::published_sphere,
                        budgets::dearest_primitive(budgets::measure(program).stats));
   }
 }

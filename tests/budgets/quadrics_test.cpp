@@ -7,6 +7,7 @@
 #include "host/csg/positive_tree.h"
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/clocks.h"
@@ -82,7 +83,7 @@ TEST_CASE("a sphere without facets takes 993 clocks of Pixel-Powers, 773 of them
   CHECK(sphere.stats.by_primitive.at(0).clocks == 465 + 61 + 247);
   CHECK(sphere.clocks == 993);  // the promise is 1,000; what takes fewer is to be explained too
   unsigned bits = 0;
-  for (const isa::NamedField& one : sphere.program.facts.fields)
+  for (const isa::NamedField& one : sphere.program.facts->fields)
     bits = std::max<unsigned>(bits, one.field.base + one.field.width);
   CHECK(bits == 88);
 }
@@ -106,7 +107,7 @@ TEST_CASE("the page of budgets has what spheres without facets take") {
 
 TEST_CASE("the page of budgets has what the connecting rod takes") {
   const Drawn rod = draw("connecting_rod", "pixel-powers");
-  CHECK(rod.program.facts.primitives.size() == 24);
+  CHECK(rod.program.facts->primitives.size() == 24);
   CHECK(count(rod.program, isa::Opcode::squares) == 132);
   budgets::check_row("connecting rod", 75'000, rod.clocks);
 }

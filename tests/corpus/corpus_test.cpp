@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "tests/corpus/reference.h"
 #include "tests/support/drawing.h"
 #include "tests/support/error_of.h"
@@ -18,7 +19,7 @@ observe::Frame draw_as(const testing::Reference& reference, const std::string& p
   sampling.width = reference.size;
   sampling.height = reference.size;
   const testing::Compiled compiled = testing::compile_file(path, {reference.camera, sampling, 72});
-  scale = compiled.program.facts.depth_scale;
+  scale = compiled.program.facts->depth_scale;
   return testing::draw(compiled.program);
 }
 

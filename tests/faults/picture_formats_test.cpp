@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hw/base/output_file.h"
+#include "hw/isa/facts.h"
 #include "sim/observe/pictures.h"
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
@@ -38,7 +39,7 @@ isa::Program program() {
   isa::Program program;
   program.shape = {16, 12, 48};
   program.colour = {20, 24};
-  program.facts.fields = {{"Z2", {0, 20}, isa::FieldRole::depth}, {"colour", {20, 24}, isa::FieldRole::colour}};
+  program.facts->fields = {{"Z2", {0, 20}, isa::FieldRole::depth}, {"colour", {20, 24}, isa::FieldRole::colour}};
   return program;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/text.h"
 #include "sim/debug/command.h"
 #include "sim/debug/condition.h"
@@ -25,7 +26,7 @@ const isa::Program& program() {
 
 bool is_sound(const debug::Target& target) {
   if (const auto* at = std::get_if<debug::AtPrimitive>(&target))
-    return at->primitive < program().facts.primitives.size();
+    return at->primitive < program().facts->primitives.size();
   if (const auto* condition = std::get_if<debug::Condition>(&target))
     return condition->what.x < 30 && condition->what.y < 20 && condition->what.field.end() <= 40;
   return true;

@@ -1,3 +1,5 @@
+#include "hw/isa/facts.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -7,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
@@ -55,10 +58,10 @@ TEST_CASE(
     CAPTURE(path);
     const isa::Program whole = isa::load_program(path);
     const isa::Program bare = isa::parse(testing::bare_text(whole), "bare");
-    CHECK(bare.facts == isa::Facts{});
+    CHECK(*bare.facts == isa::Facts{});
     REQUIRE(bare.segments.size() == whole.segments.size());
     for (const isa::Segment& segment : bare.segments) {
-      CHECK(segment.facts == isa::SegmentFacts{});
+      CHECK(*segment.facts == isa::SegmentFacts{});
       CHECK(std::ranges::all_of(segment.instructions,
                                 [](const isa::Instruction& one) { return one.origin == isa::Origin{}; }));
     }

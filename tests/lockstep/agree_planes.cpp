@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
 #include "hw/pixel_planes/timing.h"
@@ -58,7 +59,7 @@ std::vector<isa::Program> arbitrary_frames(const machines::Machine& machine, uns
     const unsigned most = *rc::gen::inRange(0U, instructions + 1);
     isa::Program& frame = frames.emplace_back(
         first_allowed([&] { return *arbitrary_program(shape, most, machine.evaluator_degree); }, allowed));
-    frame.facts.fields.clear();
+    frame.facts->fields.clear();
     const auto base = static_cast<std::uint16_t>(*rc::gen::inRange(0U, shape.memory_bits - width + 1));
     frame.colour = coloured ? isa::Field{base, width} : isa::Field{};
   }

@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/drawing.h"
 
@@ -38,7 +39,7 @@ class TraceObserver : public engine::Observer {
     values_.resize(static_cast<std::size_t>(region.width) * region.height);
     enable_.resize(static_cast<std::size_t>((region.width + 63) / 64) * region.height);
     std::size_t bits = 0;
-    for (const isa::NamedField& named : program_.facts.fields) {
+    for (const isa::NamedField& named : program_.facts->fields) {
       state.read_field(named.field, values_);
       mix(bits, values_);
     }

@@ -13,6 +13,8 @@
 #include "hw/division/divide.h"
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/kinds/load.h"
 #include "hw/multi_processor/figures.h"
 #include "sim/engine/engine.h"
@@ -95,10 +97,10 @@ TEST_CASE("the machine counts its own tests: what a Program says of them changes
   const engine::RunResult before = engine->run(program, {});
   CHECK(before.clocks == engine::make_functional_engine(machine)->run(program, {}).clocks);
   for (isa::Segment& segment : program.segments) {
-    segment.division.steps.push_back({.halfspaces = 3, .nodes = 2});
-    segment.division.group_boxes += 1;
+    segment.division->steps.push_back({.halfspaces = 3, .nodes = 2});
+    segment.division->group_boxes += 1;
   }
-  program.facts.model = {};
+  program.facts->model = {};
   const engine::RunResult after = engine->run(program, {});
   CHECK(after.clocks == before.clocks);
   CHECK(after.account == before.account);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/timing.h"
 #include "hw/pixel_planes/figures.h"
@@ -391,7 +392,7 @@ TEST_CASE("a window of a run is recorded, and what lies outside it is not") {
   RunListener nobody;
   Program program = program_of(
       {segment_of({{.opcode = Opcode::enable_all}, pixel_number({3, 6}), {.opcode = Opcode::enable_invert}})});
-  program.facts.fields = {{"the z", {3, 6}, {}}};
+  program.facts->fields = {{"the z", {3, 6}, {}}};
   dump.begin(program, {{5, 12}}, {{3, 2}, {7, 7}});
   machine.run(program, nobody);
   CHECK(dump.finish());
@@ -466,7 +467,7 @@ TEST_CASE("a window beyond the program's end is closed with the program, and wha
   Dump dump(machine);
   Stopwatch watch(machine);
   Program program = program_of({segment_of({{.opcode = Opcode::enable_all}, constant({0, 4}, 5)})});
-  program.facts.fields = {{"k", {0, 4}, {}}};
+  program.facts->fields = {{"k", {0, 4}, {}}};
   dump.begin(program, {{0, 1000}}, {{0, 0}});
   machine.run(program, watch);
   CHECK(dump.finish());

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/timeline.h"
@@ -93,7 +94,7 @@ WaveCheck::WaveCheck(const isa::Program& program, const machines::Machine& machi
   State zero{{"enable", 0}};
   for (isa::NamedField& named : slices(program.shape.memory_bits)) {
     zero[named.name] = 0;
-    program_.facts.fields.push_back(std::move(named));
+    program_.facts->fields.push_back(std::move(named));
   }
   states_.push_back(std::move(zero));
   Watch watch(*this);

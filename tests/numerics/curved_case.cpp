@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/read/read.h"
+#include "hw/isa/facts.h"
 #include "sim/engine/engine.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
@@ -69,7 +70,7 @@ judges::Errors errors_of(const Compiled& compiled, const observe::Frame& frame) 
   const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.view.camera, compiled.program);
   const judges::Truth truth =
       judges::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
-                          compiled.program.shape.height, compiled.program.facts.depth_scale);
+                          compiled.program.shape.height, compiled.program.facts->depth_scale);
   return judges::judge(truth, frame, compiled.program, explainer);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host/read/read.h"
+#include "hw/isa/facts.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/engine/engine.h"
 #include "sim/judges/errors.h"
@@ -103,7 +104,7 @@ Verdict& Verdict::operator+=(const Verdict& other) {
 
 judges::Truth truth_of(const Compiled& compiled) {
   return judges::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
-                             compiled.program.shape.height, compiled.program.facts.depth_scale);
+                             compiled.program.shape.height, compiled.program.facts->depth_scale);
 }
 
 observe::Frame picture_of(const std::string& csg, const view::Camera& camera, const Look& how) {

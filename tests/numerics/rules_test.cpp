@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "hw/isa/facts.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
@@ -39,7 +40,7 @@ void check_models(const view::Camera& camera, std::uint64_t first_seed,
     const testing::Compiled compiled = testing::compile_text(model, how);
     CAPTURE(seed);
     CHECK(wrong_pixels(compiled) == 0);
-    covered += compiled.program.facts.compile.rendered;
+    covered += compiled.program.facts->compile.rendered;
   }
   CHECK(covered > 50);
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "hw/isa/facts.h"
 #include "hw/machines/regions.h"
 #include "tests/rtl/commands.h"
 #include "tests/support/random_program.h"
@@ -21,7 +22,7 @@ rc::Gen<std::vector<isa::Program>> arbitrary_frames(const machines::Machine& mac
       frame = *test::arbitrary_program(shape, instructions / frames.size(), machine.evaluator_degree);
       if (!machines::has_global_or(machine))
         for (isa::Segment& segment : frame.segments) test::erase_questions(segment.instructions);
-      frame.facts.fields.clear();
+      frame.facts->fields.clear();
       frame.colour = {static_cast<std::uint16_t>(pick(0, shape.memory_bits - width)),
                       static_cast<std::uint16_t>(width)};
     }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/stats.h"
@@ -28,7 +29,7 @@ TEST_CASE("the bills of a scene's effects add up to the frame's clocks") {
     observe::Cost sum;
     for (const observe::Cost& one : stats.stats().by_effect) sum += one;
     CHECK(sum == stats.stats().total);
-    CHECK(stats.stats().by_effect.size() == program.facts.compile.effects.size() + 1);
+    CHECK(stats.stats().by_effect.size() == program.facts->compile.effects.size() + 1);
     std::uint64_t besides = result.latency_clocks;
     for (const machines::PartAccount& part : result.account.parts) {
       if (part.part != "controller") continue;

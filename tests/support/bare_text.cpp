@@ -5,12 +5,13 @@
 #include <regex>
 #include <sstream>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/text.h"
 
 namespace csgsim::testing {
 
 std::string bare_text(isa::Program program) {
-  program.facts.fields.clear();
+  program.facts->fields.clear();
   std::ostringstream text;
   isa::print(text, program);
   const std::regex comment(R"( *[;#].*)");

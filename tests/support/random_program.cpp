@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/text.h"
@@ -289,8 +291,8 @@ isa::Segment pick_segment(const isa::Region& region, std::uint32_t memory_bits, 
                           std::uint32_t primitives, unsigned degree) {
   isa::Segment segment;
   segment.region = region;
-  segment.facts.primitives = pick(0U, primitives);
-  segment.facts.halfspaces = segment.facts.primitives * 6;
+  segment.facts->primitives = pick(0U, primitives);
+  segment.facts->halfspaces = segment.facts->primitives * 6;
   segment.instructions = pick_instructions(region, memory_bits, max_instructions, primitives, degree);
   return segment;
 }
@@ -306,15 +308,15 @@ double pick_positive() {
 }
 
 void pick_facts(isa::Program& program) {
-  program.facts.depth_scale.perspective = pick(0, 1) == 1;
-  program.facts.depth_scale.near = pick_positive();
-  program.facts.depth_scale.far = program.facts.depth_scale.near + pick_positive() + program.facts.depth_scale.near;
-  program.facts.model = {pick_name(), pick<std::uint64_t>(0, ~0ULL >> 1U), 2, 3, 4, 5};
-  program.facts.compile.strategy = pick_name();
-  program.facts.compile.z_bits = pick(0U, 32U);
-  program.facts.compile.edge_on_fraction = 1 / pick_positive();
-  program.facts.compile.depth_tests = pick<std::uint64_t>(0, 1ULL << 40U);
-  while (pick(0, 1) == 1) program.facts.compile.effects.push_back(pick_name());
+  program.facts->depth_scale.perspective = pick(0, 1) == 1;
+  program.facts->depth_scale.near = pick_positive();
+  program.facts->depth_scale.far = program.facts->depth_scale.near + pick_positive() + program.facts->depth_scale.near;
+  program.facts->model = {pick_name(), pick<std::uint64_t>(0, ~0ULL >> 1U), 2, 3, 4, 5};
+  program.facts->compile.strategy = pick_name();
+  program.facts->compile.z_bits = pick(0U, 32U);
+  program.facts->compile.edge_on_fraction = 1 / pick_positive();
+  program.facts->compile.depth_tests = pick<std::uint64_t>(0, 1ULL << 40U);
+  while (pick(0, 1) == 1) program.facts->compile.effects.push_back(pick_name());
 }
 
 /// Each name is unique, as it begins with its number.
@@ -330,10 +332,10 @@ void pick_names(isa::Program& program) {
     isa::Field field{static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)};
     if (role == isa::FieldRole::colour && program.colour.width > 0) field = program.colour;
     if (role == isa::FieldRole::colour) program.colour = field;
-    program.facts.fields.push_back({name, field, role});
+    program.facts->fields.push_back({name, field, role});
   }
   const unsigned primitives = pick(0U, 4U);
-  for (unsigned i = 0; i < primitives; ++i) program.facts.primitives.push_back(pick_name());
+  for (unsigned i = 0; i < primitives; ++i) program.facts->primitives.push_back(pick_name());
 }
 
 /// Whatever the instructions serve: machines go by what is said.
@@ -410,8 +412,8 @@ isa::Preparation pick_preparation() {
 /// What the host does; often nothing.
 void pick_preparations(isa::Program& program) {
   if (pick(0U, 1U) == 0) return;
-  program.preparation = pick_preparation();
-  for (isa::Segment& segment : program.segments) segment.preparation = pick_preparation();
+  *program.preparation = pick_preparation();
+  for (isa::Segment& segment : program.segments) *segment.preparation = pick_preparation();
 }
 
 /// Any bytes in place of a display model, and what its division takes; often neither.
@@ -420,12 +422,12 @@ void pick_division(isa::Program& program) {
   for (std::uint8_t& byte : program.display_model) byte = static_cast<std::uint8_t>(pick(0U, 255U));
   if (program.display_model.empty()) return;
   for (isa::Segment& segment : program.segments) {
-    segment.division = {.steps = pick_steps(segment.instructions.size()),
-                        .group_boxes = pick(0U, 9U),
-                        .group_lists = pick(0U, 9U),
-                        .group_halfspaces = pick(0U, 99U),
-                        .group_cells = pick(0U, 9U),
-                        .group_entries = pick(0U, 9U)};
+    *segment.division = {.steps = pick_steps(segment.instructions.size()),
+                         .group_boxes = pick(0U, 9U),
+                         .group_lists = pick(0U, 9U),
+                         .group_halfspaces = pick(0U, 99U),
+                         .group_cells = pick(0U, 9U),
+                         .group_entries = pick(0U, 9U)};
   }
 }
 
@@ -440,7 +442,7 @@ rc::Gen<isa::Program> arbitrary_program(isa::ArrayShape shape, std::size_t max_i
     pick_extents(program);
     pick_machine(program);
     const int segments = pick(1, 3);
-    const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
+    const auto primitives = static_cast<std::uint32_t>(program.facts->primitives.size());
     for (int i = 0; i < segments; ++i) {
       program.segments.push_back(
           pick_segment(pick_region(shape), shape.memory_bits, max_instructions, primitives, degree));
@@ -463,11 +465,11 @@ rc::Gen<isa::Program> arbitrary_program_in_parts(const machines::Machine& machin
     pick_facts(program);
     pick_names(program);
     pick_extents(program);
-    program.facts.model.primitives = pick(0U, 4U);
-    program.facts.model.halfspaces = pick(0U, 30U);
+    program.facts->model.primitives = pick(0U, 4U);
+    program.facts->model.halfspaces = pick(0U, 30U);
     const unsigned colour_bits = program.colour.width;
     program.background = pick(0U, (1U << std::min(colour_bits, isa::most_colour_bits)) - 1);
-    const auto primitives = static_cast<std::uint32_t>(program.facts.primitives.size());
+    const auto primitives = static_cast<std::uint32_t>(program.facts->primitives.size());
     const unsigned without = std::min(pick(0U, 12U), 10U);  // of ten segments
     for (const isa::Region& region : machines::regions(machine)) {
       program.segments.push_back(pick_segment(region, program.shape.memory_bits, max_instructions, primitives, degree));

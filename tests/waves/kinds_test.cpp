@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
 #include "tests/cli/cli.h"
@@ -70,7 +71,7 @@ void hold(const Case& one) {
     REQUIRE(shown("instruction") == state.instruction_at(clock));
     const auto enable = state.enable_at(clock);
     if (enable) REQUIRE(shown("enable") == static_cast<std::uint64_t>(*enable));
-    for (const isa::NamedField& named : program.facts.fields) {
+    for (const isa::NamedField& named : program.facts->fields) {
       CAPTURE(named.name);
       const auto expected = state.field_at(named.field, clock);
       if (expected) REQUIRE(shown(named.name) == expected);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
@@ -51,7 +52,7 @@ std::vector<isa::Instruction> ellipsoid(const isa::Region& region) {
 isa::Program drawn_on(const machines::Machine& machine) {
   isa::Program program;
   program.shape = {machine.picture.width, machine.picture.height, 64};
-  program.facts.fields = {{"root", root_field}, {"depth", depth, isa::FieldRole::depth}};
+  program.facts->fields = {{"root", root_field}, {"depth", depth, isa::FieldRole::depth}};
   for (const isa::Region& region : machines::regions(machine))
     program.segments.push_back({.region = region, .instructions = ellipsoid(region)});
   return program;
@@ -115,7 +116,7 @@ void hold(const Case& one) {
     };
     CAPTURE(clock);
     if (const auto enable = state.enable_at(clock)) REQUIRE(shown("enable") == static_cast<std::uint64_t>(*enable));
-    for (const isa::NamedField& named : frame.program.facts.fields) {
+    for (const isa::NamedField& named : frame.program.facts->fields) {
       CAPTURE(named.name);
       const auto expected = state.field_at(named.field, clock);
       if (expected) REQUIRE(shown(named.name) == expected);

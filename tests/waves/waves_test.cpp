@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
@@ -67,7 +68,7 @@ std::size_t hold_against_engine(const Case& one, const std::string& top) {
       const std::uint64_t middle = (clock + 1) * period + period / 2;
       CAPTURE(clock);
       CAPTURE(part);
-      for (const isa::NamedField& named : program.facts.fields) {
+      for (const isa::NamedField& named : program.facts->fields) {
         const auto expected = state.field_at(named.field, clock);
         if (!expected) continue;
         CAPTURE(named.name);
@@ -123,7 +124,7 @@ TEST_CASE("the instruction at the pixels is the one whose clocks they are, with 
     if (instruction.origin.primitive == isa::no_primitive) {
       CHECK(primitive == "-");
     } else {
-      CHECK(primitive.find(program.facts.primitives[instruction.origin.primitive]) != std::string::npos);
+      CHECK(primitive.find(program.facts->primitives[instruction.origin.primitive]) != std::string::npos);
     }
   }
   CHECK(instructions > 1500);
@@ -233,7 +234,7 @@ TEST_CASE("the wave of the last write of a field ends with the clock that shows 
   machines::Machine machine = kinds::load(one.machine);
   machines::adopt(machine, program);
   const EngineState state(program, machine, 12, 8);
-  const auto z2 = std::ranges::find(program.facts.fields, "Z2", &isa::NamedField::name)->field;
+  const auto z2 = std::ranges::find(program.facts->fields, "Z2", &isa::NamedField::name)->field;
   const std::uint64_t period = 100'000;
   const std::uint64_t last = vcd.last_time() / period - 2;
   const auto written = vcd.number_at("frame_buffer.pixel_12_8.Z2", (last + 1) * period + period / 2);

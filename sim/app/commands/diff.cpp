@@ -13,6 +13,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/text.h"
 #include "sim/app/commands/commands.h"
 #include "sim/lockstep/comparison.h"
@@ -113,7 +114,7 @@ std::string instruction_text(const isa::Program& program, std::uint64_t number) 
   if (number >= numbers.count()) return "nothing more";
   const auto [segment, index] = numbers.place(number);
   const isa::Segment& part = program.segments[segment];
-  std::string text = isa::text_of(part.instructions[index], program.facts.fields);
+  std::string text = isa::text_of(part.instructions[index], program.facts->fields);
   if (program.segments.size() == 1) return text;
   return fmt::format("{}  (segment {}, {} x {} at {},{})", text, segment, part.region.width, part.region.height,
                      part.region.x, part.region.y);
@@ -197,7 +198,7 @@ std::vector<std::string> told_of(const lockstep::Comparison& comparison, const S
 
 report::ShownRun shown(const Subject& side, const lockstep::SideResult& run) {
   const observe::Report told{side.program, side.machine, side.level, run.result, run.stats};
-  const std::string& strategy = side.program.facts.compile.strategy;
+  const std::string& strategy = side.program.facts->compile.strategy;
   std::string name = side.name + " on " + side.machine.name;
   if (!strategy.empty()) name += ", strategy " + printable(strategy);
   return {std::move(name), {side.program, run.frame}, side.machine, observe::to_json(told)};

@@ -11,6 +11,7 @@
 
 #include "hw/base/output_file.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "sim/app/commands/commands.h"
 #include "sim/observe/pictures.h"
 #include "sim/observe/stats.h"
@@ -87,7 +88,7 @@ std::int64_t difference(std::uint64_t with, std::uint64_t without) {
 Bill make_bill(const ModelRequest& options, const machines::Machine& machine) {
   Bill bill;
   bill.all = draw_without(options, {}, machine);
-  const std::vector<std::string>& all = bill.all.program.facts.compile.effects;
+  const std::vector<std::string>& all = bill.all.program.facts->compile.effects;
   const std::vector<std::string> called(all.begin() + 1, all.end());
   bill.none = draw_without(options, called, machine);
   bill.rows.push_back({all.front(), bill.all.drawn.stats.by_effect.front()});

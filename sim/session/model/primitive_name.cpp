@@ -10,6 +10,7 @@
 
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/usage.h"
 
@@ -62,7 +63,7 @@ std::vector<std::uint32_t> all_that(const std::vector<std::string>& names, Is is
 }  // namespace
 
 std::uint32_t primitive_named(const isa::Program& program, const std::string& text, const std::string& option) {
-  const std::vector<std::string>& names = program.facts.primitives;
+  const std::vector<std::string>& names = program.facts->primitives;
   if (const std::optional<std::uint32_t> index = index_in(text)) {
     if (*index < names.size()) return *index;
     throw UsageError(option,

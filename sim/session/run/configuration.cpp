@@ -11,6 +11,7 @@
 #include <system_error>
 #include <variant>
 
+#include "hw/isa/facts.h"
 #include "hw/machines/hash.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/schema.h"
@@ -62,7 +63,7 @@ std::string value_of(const machines::Figure& figure, const machines::Machine& ma
 Json vector_json(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json camera_json(const RunSubject& subject) {
-  const isa::DepthScale& depth = subject.program.facts.depth_scale;
+  const isa::DepthScale& depth = subject.program.facts->depth_scale;
   Json json;
   if (subject.camera != nullptr) {
     json["eye"] = vector_json(subject.camera->eye);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hw/base/messages.h"
+#include "hw/isa/facts.h"
 
 namespace csgsim::session {
 
@@ -30,7 +31,7 @@ std::string short_of_memory(std::span<const isa::Program> programs, const isa::A
   std::uint64_t halfspaces = 0;
   for (const isa::Program& program : programs) {
     instructions += isa::instructions_in(program);
-    halfspaces = std::max(halfspaces, program.facts.model.halfspaces);
+    halfspaces = std::max(halfspaces, program.facts->model.halfspaces);
   }
   const std::uint64_t pixels = std::uint64_t{array.width} * array.height;
   if (instructions * sizeof(isa::Instruction) <= pixels * (functional_bytes + array.memory_bits / 8)) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "sim/observe/pictures.h"
 #include "sim/report/page.h"
 #include "sim/session/options/paths.h"
@@ -43,7 +44,7 @@ void RunOutputs::write_pictures(const observe::Frame& frame, const isa::Program&
   const observe::Frame surfaces = of_opaque_ ? observe::of_opaque(frame) : frame;
   if (files_[depth]) observe::write_depth(*files_[depth], surfaces, program);
   if (!files_[owner]) return;
-  const observe::Frame of_primitives = observe::of_primitives(surfaces, program.facts);
+  const observe::Frame of_primitives = observe::of_primitives(surfaces, *program.facts);
   observe::write_owner(*files_[owner], of_primitives);
   if (files_[legend]) observe::write_legend(*files_[legend], of_primitives, program);
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "hw/isa/facts.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/truth.h"
@@ -14,7 +15,7 @@ std::string verdict(const CompiledModel& compiled, const ModelRequest& options, 
   refuse_see_through(options, compiled.tree, compiled.camera);
   const isa::Program& program = compiled.program;
   const judges::Truth truth = judges::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width,
-                                                  program.shape.height, program.facts.depth_scale);
+                                                  program.shape.height, program.facts->depth_scale);
   const judges::Explainer explainer(compiled.tree, compiled.scene, compiled.camera, program);
   const judges::Errors errors = judges::judge(truth, frame, program, explainer);
   json = {{"wrong", errors.wrong()},

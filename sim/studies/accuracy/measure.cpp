@@ -14,6 +14,7 @@
 #include "host/view/projection.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/judges/errors.h"
@@ -139,7 +140,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, session::ample_memory_bits);
   Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
-  const isa::DepthScale depth = drawn.program.facts.depth_scale;
+  const isa::DepthScale depth = drawn.program.facts->depth_scale;
   auto made = std::make_unique<Subject>(Subject{std::move(scene), nullptr, {}, {}, std::move(drawn.frame)});
   made->sight = std::make_unique<judges::Sight>(made->scene, cameras_[camera], sampling.width, sampling.height, depth);
   made->exact = judges::exact_truth(tree_, made->scene, *made->sight);
@@ -189,7 +190,7 @@ Measurement Meter::measure_anew(const Settings& settings) {
     const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);
     const judges::Errors facets = judges::compare(subject.analytic, drawn.frame, drawn.program);
     sum.clocks += drawn.clocks;
-    sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts.model.halfspaces);
+    sum.halfspaces = std::max(sum.halfspaces, drawn.program.facts->model.halfspaces);
     sum.used_bits = std::max(sum.used_bits, observe::used_memory_bits(drawn.program));
     sum.covered += errors.covered;
     sum.wrong += errors.wrong();

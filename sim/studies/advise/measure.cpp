@@ -11,6 +11,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/machines/regions.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
@@ -167,7 +168,7 @@ class Family {
   void count(const Fitted& fitted, AdviceRow& row) {
     const machines::FrameTiming timing = timer_.time(fitted.program, fitted.machine);
     row.used_bits = fitted.machine.array.memory_bits;
-    row.classification_bits = fitted.program.facts.compile.stack_bits;
+    row.classification_bits = fitted.program.facts->compile.stack_bits;
     row.clocks = timing.clocks;
     row.interval_clocks = timing.interval_clocks;
     row.frames_per_second = static_cast<double>(fitted.machine.clock_hz) / static_cast<double>(timing.interval_clocks);

@@ -5,6 +5,7 @@
 
 #include "host/emit/compile.h"
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
 #include "hw/process/price.h"
@@ -24,8 +25,8 @@ namespace csgsim::studies {
 namespace {
 
 void count(const isa::Program& program, const machines::Machine& machine, ComparisonRow& row) {
-  row.primitives = program.facts.model.primitives;
-  row.halfspaces = program.facts.model.halfspaces;
+  row.primitives = program.facts->model.primitives;
+  row.halfspaces = program.facts->model.halfspaces;
   row.segments = program.segments.size();
   for (const isa::Segment& segment : program.segments) {
     row.instructions += segment.instructions.size();

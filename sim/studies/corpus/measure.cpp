@@ -5,6 +5,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/bound.h"
@@ -32,9 +33,9 @@ constexpr auto columns = std::to_array<CorpusColumn>({
 });
 
 void count(const isa::Program& program, CorpusRow& row) {
-  row.primitives = program.facts.model.primitives;
-  row.pieces = isa::piece_count(program.facts);
-  row.halfspaces = program.facts.model.halfspaces;
+  row.primitives = program.facts->model.primitives;
+  row.pieces = isa::piece_count(*program.facts);
+  row.halfspaces = program.facts->model.halfspaces;
   row.used_bits = observe::used_memory_bits(program);
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/program.h"
 #include "hw/machines/area.h"
 #include "hw/machines/kind.h"
@@ -36,7 +37,7 @@ machines::Resources resources_of(const Fitted& fitted) {
 void count(const Fitted& fitted, ExploreRow& row) {
   const isa::Program& program = fitted.program;
   const machines::Machine& machine = fitted.machine;
-  row.halfspaces = program.facts.model.halfspaces;
+  row.halfspaces = program.facts->model.halfspaces;
   row.instructions = isa::instructions_in(program);
   row.used_bits = observe::used_memory_bits(program);
   const machines::Resources resources = resources_of(fitted);
@@ -91,7 +92,7 @@ const judges::Truth& ExploreMeter::truth_of(const Job& job, const isa::Program& 
   }
   std::call_once(exact->once, [&] {
     exact->truth = judges::exact_truth(subject.tree, subject.scene, job.camera, size.width, size.height,
-                                       program.facts.depth_scale);
+                                       program.facts->depth_scale);
   });
   return exact->truth;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "host/emit/compile.h"
+#include "hw/isa/host_counts.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
@@ -22,12 +23,12 @@ Squares tally(const isa::Program& program, const machines::Machine& machine) {
   std::uint64_t clocks = 0;
   squares.count = program.segments.size();
   for (const isa::Segment& segment : program.segments) {
-    if (segment.facts.primitives > 0) ++squares.touched;
-    squares.primitives += segment.facts.primitives;
-    squares.halfspaces += segment.facts.halfspaces;
-    squares.kept_primitives += segment.facts.kept_primitives;
-    squares.kept_halfspaces += segment.facts.kept_halfspaces;
-    squares.comparisons += segment.facts.comparisons;
+    if (segment.facts->primitives > 0) ++squares.touched;
+    squares.primitives += segment.facts->primitives;
+    squares.halfspaces += segment.facts->halfspaces;
+    squares.kept_primitives += segment.facts->kept_primitives;
+    squares.kept_halfspaces += segment.facts->kept_halfspaces;
+    squares.comparisons += segment.facts->comparisons;
     clocks += machines::clocks(segment.instructions, machine);
   }
   const auto touched = static_cast<double>(std::max<std::uint64_t>(squares.touched, 1));
@@ -122,7 +123,7 @@ SubdivideRow measure_squares(const Subdivided& subdivided, unsigned levels) {
   row.subsegments.instruction_clocks.reset();
   row.stages = stages_of(timing, pixel_clocks(in_subsegments, cut, record.told()), cut);
   row.stages.halfspaces_touching = 0;
-  for (const isa::Segment& segment : in_segments.segments) *row.stages.halfspaces_touching += segment.facts.halfspaces;
+  for (const isa::Segment& segment : in_segments.segments) *row.stages.halfspaces_touching += segment.facts->halfspaces;
   return row;
 }
 

@@ -5,6 +5,7 @@
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/program.h"
 #include "hw/machines/area.h"
 #include "sim/engine/engine.h"
@@ -32,16 +33,16 @@ void draw(const isa::Program& program, const machines::Machine& machine, SweepRo
 }
 
 void count(const isa::Program& program, const machines::Machine& machine, SweepRow& row) {
-  row.strategy_used = program.facts.compile.strategy;
-  row.colouring_used = program.facts.compile.colouring;
-  row.primitives = program.facts.model.primitives;
-  row.halfspaces = program.facts.model.halfspaces;
+  row.strategy_used = program.facts->compile.strategy;
+  row.colouring_used = program.facts->compile.colouring;
+  row.primitives = program.facts->model.primitives;
+  row.halfspaces = program.facts->model.halfspaces;
   row.instructions = isa::instructions_in(program);
-  row.rendered = program.facts.compile.rendered;
-  row.classified = program.facts.compile.classified;
-  row.depth_tests = program.facts.compile.depth_tests;
-  row.tree_depth = program.facts.compile.tree_depth;
-  row.classification_bits = program.facts.compile.stack_bits;
+  row.rendered = program.facts->compile.rendered;
+  row.classified = program.facts->compile.classified;
+  row.depth_tests = program.facts->compile.depth_tests;
+  row.tree_depth = program.facts->compile.tree_depth;
+  row.classification_bits = program.facts->compile.stack_bits;
   row.used_bits = observe::used_memory_bits(program);
   row.pixel_transistors = machines::pixel_transistors(machine, row.used_bits);
   row.memory_map = memory_map(program);

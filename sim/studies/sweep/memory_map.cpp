@@ -6,13 +6,14 @@
 #include <sstream>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "sim/studies/csv.h"
 
 namespace csgsim::studies {
 
 MemoryMap memory_map(const isa::Program& program) {
   MemoryMap map;
-  for (const isa::NamedField& field : program.facts.fields) {
+  for (const isa::NamedField& field : program.facts->fields) {
     const bool is_one_of_many = field.role == isa::FieldRole::stack || field.role == isa::FieldRole::stored;
     MemoryPart part{is_one_of_many ? std::string(isa::name_of(field.role)) : field.name, field.field.base,
                     field.field.width};

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
@@ -45,7 +46,7 @@ isa::Program frame() {
   isa::Program program;
   program.shape = {8, 8, 8};
   program.colour = {2, 4};
-  program.facts.fields = {{"colour", {2, 4}}};
+  program.facts->fields = {{"colour", {2, 4}}};
   program.segments.push_back({.region = {0, 0, 8, 8},
                               .instructions = {all,
                                                {.opcode = Opcode::enable_invert},
@@ -177,7 +178,7 @@ TEST_CASE("a wave shows the bits of the pixels that it is asked for, and has a t
     program.shape = {size.width, size.height, memory.machine.array.memory_bits};
     // Less than 256 pixels, so that F is a pixel's number in eight bits, of which the smallest memory keeps all.
     const auto base = static_cast<std::uint16_t>(program.shape.memory_bits - 8);
-    program.facts.fields = {{"number", {base, 8}}, {"third bit", {static_cast<std::uint16_t>(base + 2), 1}}};
+    program.facts->fields = {{"number", {base, 8}}, {"third bit", {static_cast<std::uint16_t>(base + 2), 1}}};
     const isa::Linear number{.a = 1, .b = size.width, .c = 0, .width = 10, .shift = 0};
     const isa::Linear below_100{.a = 1, .b = size.width, .c = -100, .width = 10, .shift = 0};
     program.segments.push_back(

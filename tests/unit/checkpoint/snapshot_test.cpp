@@ -7,6 +7,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
@@ -115,8 +116,8 @@ isa::Program small_program() {
   isa::Program program;
   program.shape = {70, 4, 16};
   program.colour = {8, 6};
-  program.facts.fields = {{"Z2", {0, 8}, isa::FieldRole::depth}, {"colour", {8, 6}, isa::FieldRole::colour}};
-  program.facts.primitives = {"a"};
+  program.facts->fields = {{"Z2", {0, 8}, isa::FieldRole::depth}, {"colour", {8, 6}, isa::FieldRole::colour}};
+  program.facts->primitives = {"a"};
   const isa::Linear ramp{.a = 1, .b = 2, .c = 0, .width = 12};
   program.segments.push_back(
       {.region = {0, 0, 70, 4},
@@ -145,7 +146,7 @@ isa::Program glass_program() {
       "enable_all; effect\nfield_lt transparency.nearest_depth, Z2; effect\n"
       "set_constant transparency.nearest_depth, 3; effect\n",
       "glass");
-  program.facts.compile.effects = {"flat", "transparency"};
+  program.facts->compile.effects = {"flat", "transparency"};
   auto& instructions = program.segments.front().instructions;
   for (std::size_t i = 6; i < instructions.size(); ++i) instructions[i].origin.effect = 1;
   return program;

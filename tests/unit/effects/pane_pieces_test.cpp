@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "sim/observe/pictures.h"
 #include "tests/support/usual_cases.h"
@@ -116,8 +117,8 @@ struct Tally {
 void judge(const Plate& plate, const testing::Setup& setup, Tally& tally) {
   const auto compiled = testing::compile_text(testing::tinted({1, 1, 1}, alpha, plate.text()), setup);
   RC_PRE(compiled.tree.primitives.size() > 1);
-  RC_ASSERT(compiled.program.facts.primitives.size() == 1);
-  const observe::Frame frame = observe::of_primitives(testing::draw(compiled.program), compiled.program.facts);
+  RC_ASSERT(compiled.program.facts->primitives.size() == 1);
+  const observe::Frame frame = observe::of_primitives(testing::draw(compiled.program), *compiled.program.facts);
   const view::EyeSpace eye = view::eye_space(setup.camera, setup.sampling);
   for (std::size_t i = 0; i < frame.colour.size(); ++i) {
     const glm::dvec2 place(static_cast<double>(i % width), static_cast<double>(i / width));

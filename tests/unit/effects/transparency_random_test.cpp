@@ -14,6 +14,7 @@
 #include "host/read/read.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/depth_scale.h"
+#include "hw/isa/facts.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/support/usual_cases.h"
@@ -219,7 +220,7 @@ Tally screen_doors_of_random_models(std::uint64_t first_seed, view::Projection p
 
 /// Steps of depth at which a surface that far from the eye along the view axis is.
 double steps_at(const isa::Program& program, double distance) {
-  const isa::DepthScale& scale = program.facts.depth_scale;
+  const isa::DepthScale& scale = program.facts->depth_scale;
   const double most = std::exp2(isa::field_of(program, isa::FieldRole::depth).width) - 4;
   const auto place = [&](double at) { return scale.perspective ? 1 / scale.near - 1 / at : at - scale.near; };
   return 1 + most * place(distance) / place(scale.far);

@@ -13,6 +13,7 @@
 #include "host/effects/screen_door.h"
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
+#include "hw/isa/facts.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/scan_line/kind.h"
 #include "tests/support/error_of.h"
@@ -245,7 +246,7 @@ TEST_CASE("a scene of opaque things that calls for transparency has not an instr
   const auto none = testing::compile_text(wall, front_view(side, side, scene_of("")));
   const auto called = testing::compile_text(wall, front_view(side, side, scene_of("[effects.transparency]")));
   CHECK(none.program.segments.front().instructions == called.program.segments.front().instructions);
-  CHECK(none.program.facts.fields == called.program.facts.fields);
+  CHECK(none.program.facts->fields == called.program.facts->fields);
 }
 
 TEST_CASE("squares without a see-through surface pay nothing for those with one") {

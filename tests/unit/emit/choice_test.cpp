@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_planes/kind.h"
 #include "hw/scan_line/kind.h"
@@ -63,8 +64,8 @@ TEST_CASE("auto takes no more clocks than any strategy and colouring, and says w
     testing::Setup how = setup(emit::Strategy::automatic);
     how.options.colouring = emit::Colouring::automatic;
     const isa::Program best = testing::compile_file(testing::model_path(name), how).program;
-    CHECK(best.facts.compile.strategy != "auto");
-    CHECK(best.facts.compile.colouring != "auto");
+    CHECK(best.facts->compile.strategy != "auto");
+    CHECK(best.facts->compile.colouring != "auto");
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
       for (const emit::Strategy strategy :
            {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::bits, emit::Strategy::parallel}) {
@@ -88,10 +89,10 @@ TEST_CASE("auto goes by the clocks that it is told") {
     return emit::compile(model.tree, model.scene, model.view, machine, how.options, count);
   };
   const auto prefer = [](const std::string& strategy) {
-    return [=](const isa::Program& program) { return program.facts.compile.strategy == strategy ? 1ULL : 2ULL; };
+    return [=](const isa::Program& program) { return program.facts->compile.strategy == strategy ? 1ULL : 2ULL; };
   };
-  CHECK(compile_by(prefer("list")).facts.compile.strategy == "list");
-  CHECK(compile_by(prefer("stack")).facts.compile.strategy == "stack");
+  CHECK(compile_by(prefer("list")).facts->compile.strategy == "list");
+  CHECK(compile_by(prefer("stack")).facts->compile.strategy == "stack");
   CHECK(compile_by({}) == model.program);
 }
 
@@ -99,9 +100,9 @@ TEST_CASE("auto takes what fits where the fastest does not") {
   testing::Setup how = setup(emit::Strategy::automatic);
   how.options.colouring = emit::Colouring::automatic;
   how.memory_bits = 72;
-  CHECK(compiled(dimpled(3), how).facts.compile.colouring == "rebroadcast");
+  CHECK(compiled(dimpled(3), how).facts->compile.colouring == "rebroadcast");
   how.memory_bits = 120;
-  CHECK(compiled(dimpled(3), how).facts.compile.colouring == "field");
+  CHECK(compiled(dimpled(3), how).facts->compile.colouring == "field");
   how.memory_bits = 64;
   CHECK_THROWS_AS(compiled(dimpled(3), how), InputError);
 }
@@ -112,7 +113,7 @@ TEST_CASE("auto takes stored depths where there is memory for them, and they tak
   how.memory_bits = 1024;
   const std::string path = testing::model_path("old_example002");
   const isa::Program best = testing::compile_file(path, how).program;
-  CHECK(best.facts.compile.strategy == "stored");
+  CHECK(best.facts->compile.strategy == "stored");
   for (const emit::Strategy strategy : emit::strategies) {
     if (strategy == emit::Strategy::automatic) continue;
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::rebroadcast}) {
@@ -126,15 +127,15 @@ TEST_CASE("auto takes stored depths where there is memory for them, and they tak
 
 TEST_CASE("fifty subtracted intersections compile with every strategy that multiplies nothing out") {
   for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::automatic}) {
-    CHECK(compiled(dimpled(50), setup(strategy)).facts.compile.rendered > 50);
+    CHECK(compiled(dimpled(50), setup(strategy)).facts->compile.rendered > 50);
   }
-  CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).facts.compile.rendered > 50);
+  CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, 5)).facts->compile.rendered > 50);
 }
 
 TEST_CASE("products past the limit are refused, with the primitive's place and what to do instead") {
   std::vector<testing::Setup> setups{setup(emit::Strategy::products)};
   for (const unsigned bits : {3U, 4U}) {
-    CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).facts.compile.rendered > 50);
+    CHECK(compiled(dimpled(50), setup(emit::Strategy::bits, bits)).facts->compile.rendered > 50);
     setups.push_back(setup(emit::Strategy::bits, bits));
     setups.back().options.pruning.sets = false;
   }
@@ -161,7 +162,7 @@ TEST_CASE("surfaces of which each is one product are not counted as products, ho
   how.sampling.width = 512;
   how.sampling.height = 512;
   for (const unsigned bits : {3U, 4U}) {
-    CHECK(compiled(text + "}}", how).facts.compile.rendered > emit::most_products);
+    CHECK(compiled(text + "}}", how).facts->compile.rendered > emit::most_products);
     how.options.strategy = emit::Strategy::bits;
     how.options.stack_bits = bits;
   }
@@ -173,11 +174,12 @@ TEST_CASE("primitives are rendered once by any number of bits, and more never me
       CAPTURE(one.name);
       testing::Setup how = setup(emit::Strategy::stack);
       how.camera = one.camera;
-      const isa::CompileFacts once = testing::compile_file(testing::model_path(one.name), how).program.facts.compile;
+      const isa::CompileFacts once = testing::compile_file(testing::model_path(one.name), how).program.facts->compile;
       isa::CompileFacts before;
       for (unsigned bits = 3; bits <= once.tree_depth + 3; ++bits) {
         how.options = setup(emit::Strategy::bits, bits).options;
-        const isa::CompileFacts facts = testing::compile_file(testing::model_path(one.name), how).program.facts.compile;
+        const isa::CompileFacts facts =
+            testing::compile_file(testing::model_path(one.name), how).program.facts->compile;
         CHECK(facts.rendered == once.rendered);
         if (bits > 3) {
           CHECK(facts.depth_tests <= before.depth_tests);

@@ -14,6 +14,8 @@
 #include "hw/division/division_check.h"
 #include "hw/division/model_sizes.h"
 #include "hw/isa/binary.h"
+#include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/runs_on.h"
@@ -53,8 +55,8 @@ TEST_CASE("a Program for a machine that divides has the model that is divided in
     std::uint64_t boxes = 0;
     std::uint64_t group_boxes = 0;
     for (const isa::Segment& segment : program.segments) {
-      boxes += segment.division.sum().boxes;
-      group_boxes += segment.division.group_boxes;
+      boxes += segment.division->sum().boxes;
+      group_boxes += segment.division->group_boxes;
     }
     CHECK(group_boxes == (levels == 1 ? 0 : 2 * 6));
     CHECK((levels == 1 ? boxes == 2 * 24 : boxes < 2 * 24));
@@ -138,5 +140,5 @@ TEST_CASE("a machine that divides has one strategy") {
         }).starts_with("the machine divides the model itself, by the strategy stack alone, not list"));
   options.strategy = emit::Strategy::automatic;
   options.colouring = emit::Colouring::automatic;
-  CHECK(divided(machine_with(1), options).facts.compile.strategy == "stack");
+  CHECK(divided(machine_with(1), options).facts->compile.strategy == "stack");
 }

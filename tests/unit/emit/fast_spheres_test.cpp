@@ -15,6 +15,7 @@
 
 #include "host/emit/compile.h"
 #include "host/read/read.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/clocks.h"
@@ -358,7 +359,7 @@ TEST_CASE(
   sampling.width = 120;
   sampling.height = 90;
   const auto has_field = [](const isa::Program& program, const std::string& name) {
-    return std::any_of(program.facts.fields.begin(), program.facts.fields.end(),
+    return std::any_of(program.facts->fields.begin(), program.facts->fields.end(),
                        [&](const isa::NamedField& one) { return one.name == name; });
   };
   for (const unsigned colour_bits : {24U, 15U}) {
@@ -402,7 +403,7 @@ TEST_CASE(
     CHECK(emit::squares_bits({0, 0, width, height}) == bits);
     const isa::Program program = draw(model, sampling).program;
     Look look;
-    for (const isa::NamedField& one : program.facts.fields)
+    for (const isa::NamedField& one : program.facts->fields)
       if (one.name == "squares") look.field = one.field;
     REQUIRE(look.field.width == bits);
     const std::array<engine::Observer*, 1> observers{&look};

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "sim/functional/clocks.h"
@@ -73,12 +74,12 @@ TEST_CASE("with three bits a primitive is rendered once, and its depth tested on
     const std::ptrdiff_t of_plate = std::ptrdiff_t{1} << count;
     CHECK(depth_tests(three, 0) == of_plate);
     for (std::uint32_t i = 1; i <= 2 * static_cast<std::uint32_t>(count); ++i) CHECK(depth_tests(three, i) == 1);
-    CHECK(three.facts.compile.depth_tests == static_cast<std::uint64_t>(of_plate + 2 * count));
-    CHECK(three.facts.compile.rendered == static_cast<std::uint64_t>(1 + 2 * count));
+    CHECK(three.facts->compile.depth_tests == static_cast<std::uint64_t>(of_plate + 2 * count));
+    CHECK(three.facts->compile.rendered == static_cast<std::uint64_t>(1 + 2 * count));
     CHECK(of_purpose(three, isa::Purpose::render) == of_purpose(stack, isa::Purpose::render));
     CHECK(depth_tests(stack, 0) == 1);
-    CHECK(products.facts.compile.rendered == three.facts.compile.depth_tests);
-    CHECK(three.facts.compile.stack_bits == 1);
+    CHECK(products.facts->compile.rendered == three.facts->compile.depth_tests);
+    CHECK(three.facts->compile.stack_bits == 1);
   }
 }
 
@@ -93,8 +94,8 @@ TEST_CASE(
     const isa::Program stack = testing::compile_file(testing::model_path(one.name), how).program;
     how.options.strategy = emit::Strategy::products;
     const isa::Program products = testing::compile_file(testing::model_path(one.name), how).program;
-    CHECK(three.facts.compile.rendered == stack.facts.compile.rendered);
-    CHECK(three.facts.compile.depth_tests >= stack.facts.compile.depth_tests);
+    CHECK(three.facts->compile.rendered == stack.facts->compile.rendered);
+    CHECK(three.facts->compile.depth_tests >= stack.facts->compile.depth_tests);
     CHECK(of_purpose(three, isa::Purpose::render) == of_purpose(stack, isa::Purpose::render));
     const machines::Machine machine = testing::machine_of(three.shape);
     CHECK(functional::clocks_of_run(three, machine) <= functional::clocks_of_run(products, machine));

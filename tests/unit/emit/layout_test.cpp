@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/field_role.h"
 
 using namespace csgsim;
 

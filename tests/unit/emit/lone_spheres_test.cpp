@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "tests/support/drawing.h"
@@ -77,7 +78,7 @@ testing::Setup setup_of(const glm::dvec3& eye, std::uint32_t width, std::uint32_
 }
 
 bool has_field(const isa::Program& program, const std::string& name) {
-  return std::any_of(program.facts.fields.begin(), program.facts.fields.end(),
+  return std::any_of(program.facts->fields.begin(), program.facts->fields.end(),
                      [&](const isa::NamedField& one) { return one.name == name; });
 }
 

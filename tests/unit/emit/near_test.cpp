@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host/emit/near_cap.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
 #include "tests/support/drawing.h"
@@ -26,9 +27,9 @@ testing::Setup along_y(double eye, view::Projection projection) {
 
 /// Constants that are written to a field, for a purpose.
 std::vector<std::uint64_t> constants_to(const isa::Program& program, const std::string& field, isa::Purpose purpose) {
-  const auto named = std::find_if(program.facts.fields.begin(), program.facts.fields.end(),
+  const auto named = std::find_if(program.facts->fields.begin(), program.facts->fields.end(),
                                   [&](const isa::NamedField& one) { return one.name == field; });
-  REQUIRE(named != program.facts.fields.end());
+  REQUIRE(named != program.facts->fields.end());
   std::vector<std::uint64_t> constants;
   for (const isa::Instruction& one : program.segments.at(0).instructions) {
     if (one.opcode == isa::Opcode::set_constant && one.fields[0] == named->field && one.origin.purpose == purpose)

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/pixel_square/kind.h"
@@ -56,8 +57,8 @@ TEST_CASE("a face of a cube is compared with the faces beside it, and of those a
   // Of two faces at the front one has the edge between them: three edges.
   CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_le; }) == 3);
   CHECK(count(program, [](const Instruction& one) { return one.opcode == Opcode::linear_lt && compares(one); }) == 3);
-  CHECK(program.facts.compile.strategy == "polygons");
-  CHECK(program.facts.compile.depth_tests == 3);
+  CHECK(program.facts->compile.strategy == "polygons");
+  CHECK(program.facts->compile.depth_tests == 3);
 }
 
 TEST_CASE("a face of a cylinder of many sides is compared with few of them") {

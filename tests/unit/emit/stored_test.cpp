@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/pixel_square/kind.h"
@@ -71,7 +72,7 @@ std::vector<std::uint32_t> stored_in(const isa::Segment& segment) {
 
 unsigned stored_fields(const isa::Program& program) {
   return static_cast<unsigned>(
-      std::ranges::count(program.facts.fields, isa::FieldRole::stored, &isa::NamedField::role));
+      std::ranges::count(program.facts->fields, isa::FieldRole::stored, &isa::NamedField::role));
 }
 
 std::string refusal(const std::string& text, const testing::Setup& how) {
@@ -94,8 +95,8 @@ TEST_CASE("stored depths take a front and a back for each primitive that is comp
   CHECK(stored_in(program.segments.at(0)) == std::vector<std::uint32_t>{0, 1, 2});
   CHECK(stored_fields(program) == 6);
   // The mask, and nothing pending.
-  CHECK(program.facts.compile.stack_bits == 1 + 2 * 3 * z_bits);
-  CHECK(program.facts.compile.rendered == 4);
+  CHECK(program.facts->compile.stack_bits == 1 + 2 * 3 * z_bits);
+  CHECK(program.facts->compile.rendered == 4);
 }
 
 TEST_CASE("just those primitives are stored that a stack would compare, as many as the region with the most of them") {
@@ -123,9 +124,9 @@ TEST_CASE("just those primitives are stored that a stack would compare, as many 
       most = std::max(most, kept.size());
     }
     CHECK(stored_fields(stored) == 2 * most);
-    CHECK(stored.facts.compile.stack_bits == stack.facts.compile.stack_bits + 2 * most * z_bits);
-    CHECK(stored.facts.compile.classified == stack.facts.compile.classified);
-    CHECK(stored.facts.compile.depth_tests == stack.facts.compile.depth_tests);
+    CHECK(stored.facts->compile.stack_bits == stack.facts->compile.stack_bits + 2 * most * z_bits);
+    CHECK(stored.facts->compile.classified == stack.facts->compile.classified);
+    CHECK(stored.facts->compile.depth_tests == stack.facts->compile.depth_tests);
     most_of_all = std::max(most_of_all, most);
   }
   CHECK(most_of_all >= 5);
@@ -150,8 +151,8 @@ TEST_CASE("half-spaces of what is compared are broadcast once, and a comparison 
     for (const auto& [who, count] : comparisons) CHECK(count <= 2);
     // Each is scan-converted once, whether for its own surface or for those of others.
     how.options.strategy = emit::Strategy::stack;
-    CHECK(program.facts.compile.rendered ==
-          testing::compile_file(testing::model_path(one.name), how).program.facts.compile.rendered);
+    CHECK(program.facts->compile.rendered ==
+          testing::compile_file(testing::model_path(one.name), how).program.facts->compile.rendered);
   }
 }
 

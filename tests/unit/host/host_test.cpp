@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hw/host/recipes.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
@@ -61,10 +62,10 @@ TEST_CASE("an ideal host compiles in no time") {
 TEST_CASE("the host of a machine compiles all of its segments, each with what it took to prepare it") {
   const machines::Machine machine = machine_named("scan-line");
   const isa::Program program = drawn_on(machine);
-  isa::Preparation sum = program.preparation;
+  isa::Preparation sum = *program.preparation;
   double instructions = 0;
   for (const isa::Segment& segment : program.segments) {
-    sum += segment.preparation;
+    sum += *segment.preparation;
     for (const isa::Instruction& one : segment.instructions)
       instructions += clocks_on_mc68000(host::operations_of(one, machine.link.width));
   }
@@ -83,11 +84,11 @@ TEST_CASE("the host of a machine that divides the model makes that model, whatev
     const machines::Machine machine = machine_named(name);
     const isa::Program program = drawn_on(machine);
     REQUIRE(!program.display_model.empty());
-    for (const isa::Segment& segment : program.segments) CHECK(segment.preparation == isa::Preparation{});
+    for (const isa::Segment& segment : program.segments) CHECK(*segment.preparation == isa::Preparation{});
     const std::uint64_t longs = (program.display_model.size() + 3) / 4;
     double clocks = static_cast<double>(longs) * clocks_on_mc68000(host::of_model_long());
     for (const host::Recipe& recipe : host::recipes())
-      clocks += static_cast<double>(program.preparation.*recipe.count) * clocks_on_mc68000(recipe.each);
+      clocks += static_cast<double>(program.preparation->*recipe.count) * clocks_on_mc68000(recipe.each);
     clocks *= static_cast<double>(machine.clock_hz) / 8e6;
     CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(clocks).epsilon(1e-5));
   }
@@ -123,7 +124,7 @@ TEST_CASE("a host that takes longer than the machine bounds the frame, and else 
 TEST_CASE("a Program that says it took more than any clock can tell is refused") {
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program = drawn_on(machine);
-  program.preparation.planes = 1'000'000'000'000;
+  program.preparation->planes = 1'000'000'000'000;
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine), doctest::Contains("more than can be told"), InputError);
 }
 
@@ -131,11 +132,11 @@ TEST_CASE("a host's operations are those of a Program's numbers, of its segments
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program;
   program.shape = machine.array;
-  program.preparation = {.planes = 2, .points = 3};
+  *program.preparation = {.planes = 2, .points = 3};
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
   program.segments.push_back({.region = {0, 0, 64, 64}, .instructions = {{.opcode = isa::Opcode::enable_all}}});
-  program.segments[0].preparation.boxes = 5;
-  program.segments[1].preparation.boxes = 7;
+  program.segments[0].preparation->boxes = 5;
+  program.segments[1].preparation->boxes = 7;
   processors::Operations sum = 2 * host::operations_of(program.segments[0].instructions[0], machine.link.width);
   for (const host::Recipe& recipe : host::recipes()) {
     if (recipe.name == "planes") sum += 2 * recipe.each;
@@ -160,13 +161,13 @@ TEST_CASE("the largest work whose clocks a double holds is accepted, and more is
   const machines::Machine machine = machine_named("pixel-planes-4");
   isa::Program program;
   program.shape = machine.array;
-  program.preparation.planes = 1'000'000;
+  program.preparation->planes = 1'000'000;
   const auto of_million = static_cast<double>(host::compile_clocks(program, machine));
   // The limit is 9e15 clocks.
   const double most = 9e15 / of_million * 1e6;
-  program.preparation.planes = static_cast<std::uint64_t>(most * 0.9999);
+  program.preparation->planes = static_cast<std::uint64_t>(most * 0.9999);
   CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(9e15).epsilon(0.001));
-  program.preparation.planes = static_cast<std::uint64_t>(most * 1.0001);
+  program.preparation->planes = static_cast<std::uint64_t>(most * 1.0001);
   CHECK_THROWS_WITH_AS(host::compile_clocks(program, machine),
                        doctest::Contains("take a faster one, by host.processor"), InputError);
 }
@@ -187,9 +188,9 @@ TEST_CASE("work of 9e15 clocks is accepted, and of the fewest clocks more that t
   const std::uint64_t value = clocks_of("values");
   constexpr std::uint64_t most = 9'000'000'000'000'000;
   const auto work_of = [&](std::uint64_t clocks) {
-    std::uint64_t& values = program.preparation.values;
+    std::uint64_t& values = program.preparation->values;
     for (values = 0; (clocks - values * value) % plane != 0; ++values) REQUIRE(values < plane);
-    program.preparation.planes = (clocks - values * value) / plane;
+    program.preparation->planes = (clocks - values * value) / plane;
   };
   work_of(most);
   CHECK(host::compile_clocks(program, machine) == most);

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 
 #include "host/emit/compile.h"
+#include "hw/isa/host_counts.h"
 #include "tests/support/drawing.h"
 
 using namespace csgsim;
@@ -23,7 +24,7 @@ isa::Program compiled(const std::string& csg, const csg::Pruning& pruning = {}) 
 /// Of all segments.
 isa::Preparation of_segments(const isa::Program& program) {
   isa::Preparation sum;
-  for (const isa::Segment& segment : program.segments) sum += segment.preparation;
+  for (const isa::Segment& segment : program.segments) sum += *segment.preparation;
   return sum;
 }
 
@@ -34,9 +35,9 @@ const std::string moved = "multmatrix([[1, 0, 0, 5], [0, 1, 0, 5], [0, 0, 1, 5],
 
 TEST_CASE("to see a cube the host transforms six planes and eight corners") {
   const isa::Program program = compiled(cube);
-  CHECK(program.preparation.planes == 6);
-  CHECK(program.preparation.points == 8);
-  CHECK(program.preparation.nodes == 1);
+  CHECK(program.preparation->planes == 6);
+  CHECK(program.preparation->points == 8);
+  CHECK(program.preparation->nodes == 1);
 }
 
 TEST_CASE("a cube alone is held against the picture and its faces against the corners of its rectangle") {

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/instruction.h"
 #include "hw/isa/opcodes.h"
 #include "hw/processors/processor.h"

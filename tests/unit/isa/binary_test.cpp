@@ -11,6 +11,7 @@
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/extents.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
 #include "places.h"

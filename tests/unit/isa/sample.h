@@ -3,6 +3,7 @@
 #include <string>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 
@@ -18,13 +19,13 @@ inline isa::Program sample_program() {
   program.colour = {17, 12};
   program.background = 0x00a0b0;
   program.extents = {{0, 3}, {2, 2}};
-  program.facts.fields = {{"Z1", {0, 8}, isa::FieldRole::candidate_depth},
-                          {"in", {16, 1}, isa::FieldRole::stack},
-                          {"two words", {8, 8}, isa::FieldRole::depth}};
-  program.facts.primitives = {"cube \"a\"", "ball\n"};
-  program.facts.depth_scale = {true, 0.1, 1e300};
-  program.facts.model = {"dir/model.csg", 2, 1, 0, 0, 12};
-  program.facts.compile = {"auto", "field", 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
+  program.facts->fields = {{"Z1", {0, 8}, isa::FieldRole::candidate_depth},
+                           {"in", {16, 1}, isa::FieldRole::stack},
+                           {"two words", {8, 8}, isa::FieldRole::depth}};
+  program.facts->primitives = {"cube \"a\"", "ball\n"};
+  program.facts->depth_scale = {true, 0.1, 1e300};
+  program.facts->model = {"dir/model.csg", 2, 1, 0, 0, 12};
+  program.facts->compile = {"auto", "field", 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
   isa::Segment segment{{1, 0, 7, 4}, {}, {2, 12, 1, 9, 4}};
   const auto add = [&](const isa::Instruction& instruction) { segment.instructions.push_back(instruction); };
   add({Opcode::enable_all, {}, {}, 0, {}});

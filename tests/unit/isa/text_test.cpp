@@ -7,6 +7,7 @@
 #include <limits>
 #include <sstream>
 
+#include "hw/isa/facts.h"
 #include "tests/support/random_program.h"
 #include "tests/unit/isa/sample.h"
 
@@ -81,8 +82,8 @@ TEST_CASE("every Program is printed the same after it was read") {
 TEST_CASE("doubles survive bit by bit") {
   for (const double value : {0.1, 1.0 / 3, 5e-324, 1.7976931348623157e308, 123456789012345678.0}) {
     Program program = sample_program();
-    program.facts.compile.edge_on_fraction = value;
-    CHECK(parse(printed(program), "t").facts.compile.edge_on_fraction == value);
+    program.facts->compile.edge_on_fraction = value;
+    CHECK(parse(printed(program), "t").facts->compile.edge_on_fraction == value);
   }
 }
 
@@ -90,11 +91,11 @@ TEST_CASE("names of any bytes survive") {
   Program program = sample_program();
   std::string all;
   for (int c = 0; c < 256; ++c) all += static_cast<char>(c);
-  program.facts.model.file = all;
-  program.facts.primitives[0] = all;
-  program.facts.fields[0].name = all;
-  program.facts.fields[1].name = "x";
-  program.facts.compile.effects = {all, "", all};
+  program.facts->model.file = all;
+  program.facts->primitives[0] = all;
+  program.facts->fields[0].name = all;
+  program.facts->fields[1].name = "x";
+  program.facts->compile.effects = {all, "", all};
   CHECK(parse(printed(program), "t") == program);
 }
 
@@ -135,7 +136,7 @@ TEST_CASE("a hundred thousand named fields are read and printed in no time, and 
   text += ".segment width=8 height=8\n";
   for (std::size_t i = 0; i < count; ++i) text += fmt::format("enable_load f{}\n", count - 1 - i);
   const Program program = parse(text, "t");
-  CHECK(program.facts.fields.size() == count);
+  CHECK(program.facts->fields.size() == count);
   CHECK(program.segments[0].instructions.size() == count);
   const std::string again = printed(program);
   CHECK(again.find("  enable_load f0 ") != std::string::npos);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "tests/unit/isa/sample.h"
 
@@ -228,16 +229,16 @@ TEST_CASE("regions are not empty and lie inside the picture") {
 
 TEST_CASE("named fields lie inside the memory and have names of their own") {
   Program program = sample_program();
-  program.facts.fields[0].field = {33, 8};
+  program.facts->fields[0].field = {33, 8};
   CHECK(refusal_of(program).starts_with("field 'Z1': "));
   program = sample_program();
-  program.facts.fields[1].name = "Z1";
+  program.facts->fields[1].name = "Z1";
   CHECK(contains(refusal_of(program), "named twice"));
   program = sample_program();
-  program.facts.fields[1].name.clear();
+  program.facts->fields[1].name.clear();
   CHECK(contains(refusal_of(program), "empty name"));
   program = sample_program();
-  program.facts.fields[1].role = static_cast<FieldRole>(200);
+  program.facts->fields[1].role = static_cast<FieldRole>(200);
   CHECK(contains(refusal_of(program), "role 200"));
 }
 
@@ -251,11 +252,11 @@ TEST_CASE("depth runs between finite distances, in perspective before the eye") 
                                  {true, 0, 1},
                                  {true, -1, 1}}) {
     Program program = sample_program();
-    program.facts.depth_scale = scale;
+    program.facts->depth_scale = scale;
     CHECK_FALSE(refusal_of(program).empty());
   }
   Program program = sample_program();
-  program.facts.depth_scale = {false, -1, 0};
+  program.facts->depth_scale = {false, -1, 0};
   CHECK(refusal_of(program).empty());
 }
 

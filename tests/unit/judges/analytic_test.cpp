@@ -11,6 +11,7 @@
 #include <numbers>
 #include <string>
 
+#include "hw/isa/depth_scale.h"
 #include "tests/numerics/solids.h"
 #include "tests/unit/judges/scenery.h"
 

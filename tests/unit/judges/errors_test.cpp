@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "hw/isa/facts.h"
 #include "sim/judges/truth.h"
 
 using namespace csgsim;
@@ -21,8 +22,8 @@ constexpr std::size_t pixel = 1234;
 /// Depth step d stands for the distance d - 1.
 isa::Program unit_steps() {
   isa::Program program;
-  program.facts.compile.z_bits = z_bits;
-  program.facts.depth_scale = {false, 0, farthest - 3};
+  program.facts->compile.z_bits = z_bits;
+  program.facts->depth_scale = {false, 0, farthest - 3};
   return program;
 }
 
@@ -97,7 +98,7 @@ TEST_CASE("a depth that is off is measured in steps and in model units") {
   CHECK(errors_of(p).wrong() == 0);
   CHECK(errors_of(p).steps.max == 3);
   CHECK(errors_of(p).model_units.max == 3);
-  coarse.facts.depth_scale.far *= 4;
+  coarse.facts->depth_scale.far *= 4;
   for (double& distance : p.truth.distance) distance *= 4;
   CHECK(compare(p.truth, p.frame, coarse).steps.max == 3);
   CHECK(compare(p.truth, p.frame, coarse).model_units.max == 12);
@@ -106,7 +107,7 @@ TEST_CASE("a depth that is off is measured in steps and in model units") {
 TEST_CASE("in perspective a depth step is as long as the depth scale says") {
   Pictures p = identical();
   isa::Program program = unit_steps();
-  program.facts.depth_scale = {true, 10, 40};
+  program.facts->depth_scale = {true, 10, 40};
   for (std::size_t i = 0; i < p.truth.owner.size(); ++i) {
     // Depth 1 at 10, farthest - 2 at 40, linear in the reciprocal of the distance.
     const double part = (p.frame.depth[i] - 1.0) / (farthest - 3.0);

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
@@ -35,14 +36,14 @@ struct Trial {
   explicit Trial(Compiled from)
       : compiled(std::move(from)),
         truth(judges::exact_truth(compiled.tree, compiled.scene, compiled.view.camera, compiled.program.shape.width,
-                                  compiled.program.shape.height, compiled.program.facts.depth_scale)),
+                                  compiled.program.shape.height, compiled.program.facts->depth_scale)),
         explainer(compiled.tree, compiled.scene, compiled.view.camera, compiled.program),
         frame(draw(compiled.program)) {}
   Trial(const Trial&) = delete;
   Trial& operator=(const Trial&) = delete;
 
   [[nodiscard]] Errors judge() const { return judges::judge(truth, frame, compiled.program, explainer); }
-  [[nodiscard]] std::uint32_t farthest() const { return (1U << compiled.program.facts.compile.z_bits) - 1; }
+  [[nodiscard]] std::uint32_t farthest() const { return (1U << compiled.program.facts->compile.z_bits) - 1; }
 
   /// Puts a pixel so many depth steps towards the middle of the range.
   void move(std::size_t at, std::uint32_t by) {

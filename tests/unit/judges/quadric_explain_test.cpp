@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host/view/projection.h"
+#include "hw/isa/facts.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
@@ -33,10 +34,10 @@ struct Trial {
       : scenery(make_curved_scenery(csg, camera, size)),
         view(view::make_view(scenery.scene, scenery.tree, camera, sampling)) {
     program.shape = {size.width, size.height, 128};
-    program.facts.depth_scale = view.depth;
-    program.facts.compile.z_bits = sampling.z_bits;
-    program.facts.compile.fraction_bits = sampling.fraction_bits;
-    program.facts.compile.edge_on_fraction = sampling.edge_on_fraction;
+    program.facts->depth_scale = view.depth;
+    program.facts->compile.z_bits = sampling.z_bits;
+    program.facts->compile.fraction_bits = sampling.fraction_bits;
+    program.facts->compile.edge_on_fraction = sampling.edge_on_fraction;
     truth = judges::exact_truth(scenery.tree, scenery.scene, camera, size.width, size.height, view.depth);
     frame = {size.width, size.height, {}, {}, {}};
     for (std::int32_t y = 0; y < static_cast<std::int32_t>(size.height); ++y) {
@@ -56,7 +57,7 @@ struct Trial {
                          judges::Explainer(scenery.tree, scenery.scene, scenery.camera, program));
   }
 
-  [[nodiscard]] std::uint32_t farthest() const { return (1U << program.facts.compile.z_bits) - 1; }
+  [[nodiscard]] std::uint32_t farthest() const { return (1U << program.facts->compile.z_bits) - 1; }
 
  private:
   struct Interval {
@@ -204,10 +205,10 @@ TEST_CASE("a ray on a ball's outline may meet it or miss it, and a ray beside it
   const Scenery scenery = make_curved_scenery(ball({4, 0, 0}, 4, 64), straight(21), {21, 21});
   isa::Program program;
   program.shape = {21, 21, 128};
-  program.facts.depth_scale = {false, straight_distance(21) - 4, straight_distance(21) + 4};
-  program.facts.compile.z_bits = 20;
-  program.facts.compile.fraction_bits = 12;
-  program.facts.compile.edge_on_fraction = 1.0 / 256;
+  program.facts->depth_scale = {false, straight_distance(21) - 4, straight_distance(21) + 4};
+  program.facts->compile.z_bits = 20;
+  program.facts->compile.fraction_bits = 12;
+  program.facts->compile.edge_on_fraction = 1.0 / 256;
   const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
   // Half of the 2^20 - 4 steps behind the first.
   constexpr std::uint32_t half_way = (1U << 19) - 1;
@@ -222,10 +223,10 @@ TEST_CASE("a primitive is nowhere outside the rectangle of its vertices, however
   const Scenery scenery = make_curved_scenery(ball({0, 0, 0}, 4, 64), straight(41), {41, 41});
   isa::Program program;
   program.shape = {41, 41, 128};
-  program.facts.depth_scale = {false, straight_distance(41) - 4, straight_distance(41) + 4};
-  program.facts.compile.z_bits = 4;
-  program.facts.compile.fraction_bits = 0;
-  program.facts.compile.edge_on_fraction = 1.0 / 256;
+  program.facts->depth_scale = {false, straight_distance(41) - 4, straight_distance(41) + 4};
+  program.facts->compile.z_bits = 4;
+  program.facts->compile.fraction_bits = 0;
+  program.facts->compile.edge_on_fraction = 1.0 / 256;
   const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
   CHECK(explainer.may_show(20, 20, 0, 1));
   for (const std::uint32_t column : {27U, 13U, 0U, 40U}) {
@@ -239,10 +240,10 @@ TEST_CASE("a cone that is seen along its axis has its depths where its apex is i
   const Scenery scenery = make_curved_scenery(cone, straight(21), {21, 21});
   isa::Program program;
   program.shape = {21, 21, 128};
-  program.facts.depth_scale = {false, straight_distance(21) - 8, straight_distance(21) + 8};
-  program.facts.compile.z_bits = 20;
-  program.facts.compile.fraction_bits = 12;
-  program.facts.compile.edge_on_fraction = 1.0 / 256;
+  program.facts->depth_scale = {false, straight_distance(21) - 8, straight_distance(21) + 8};
+  program.facts->compile.z_bits = 20;
+  program.facts->compile.fraction_bits = 12;
+  program.facts->compile.edge_on_fraction = 1.0 / 256;
   const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
   // Three pixels beside the axis it is met 4 units behind the apex.
   constexpr std::uint32_t there = 1 + ((1U << 20) - 4) / 4 * 3;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "host/read/read.h"
+#include "hw/isa/depth_scale.h"
 #include "sim/judges/analytic.h"
 #include "tests/oracle/tree_rules.h"
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
 #include "tests/support/random_program.h"
@@ -37,7 +38,7 @@ isa::Program two_columns() {
   isa::Program program;
   program.shape = {5, 2, 20};
   program.colour = colour;
-  program.facts.fields = {{"Z2", z2, isa::FieldRole::depth}, {"colour", colour, isa::FieldRole::colour}};
+  program.facts->fields = {{"Z2", z2, isa::FieldRole::depth}, {"colour", colour, isa::FieldRole::colour}};
   program.segments.push_back(
       {.region = {0, 0, 5, 2},
        .instructions = {{.opcode = Opcode::enable_all},

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hw/isa/host_counts.h"
 #include "hw/pixel_square/timing_division.h"
 #include "tests/support/error_of.h"
 #include "tests/unit/machines/square_timing.h"
@@ -14,7 +15,7 @@ using testing::error_of;
 TEST_CASE("a divider takes the model, tests a square, and then it is sent") {
   isa::Program program = program_of(3, {square(2, {})});
   program.display_model = model_bytes();
-  program.segments[0].division = {.steps = {{.boxes = 2, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
+  *program.segments[0].division = {.steps = {{.boxes = 2, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
   const Machine machine = machine_of(2, dividing());
   // Of two words of 256 bits the last is taken at 3. A clock for each node of the tree; each box is read and tested in
   // two; a half-space is read, with its plane, in two clocks and tested in four: fourteen for three. Then cells, nodes
@@ -33,7 +34,7 @@ TEST_CASE("a divider takes the model, tests a square, and then it is sent") {
 TEST_CASE("half-spaces, nodes and planes that a divider's memories do not hold cost clocks, each its own") {
   isa::Program program = program_of(3, {square(2, {})});
   program.display_model = model_bytes();
-  program.segments[0].division = {.steps = {{.boxes = 1, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
+  *program.segments[0].division = {.steps = {{.boxes = 1, .lists = 1, .halfspaces = 3, .cells = 5, .nodes = 7}}};
   const auto clocks = [&](const auto& change) {
     Machine machine = machine_of(2, dividing());
     machine.link.latency = 6;
@@ -53,7 +54,7 @@ TEST_CASE("half-spaces, nodes and planes that a divider's memories do not hold c
 TEST_CASE("a square begins to leave when all of it is stored, or when no more of it fits") {
   isa::Program program = program_of(3, {square(2, {enable, enable, enable})});
   program.display_model = model_bytes();
-  program.segments[0].division = {.steps = {{.boxes = 100, .instructions = 2}, {.boxes = 100, .instructions = 1}}};
+  *program.segments[0].division = {.steps = {{.boxes = 100, .instructions = 2}, {.boxes = 100, .instructions = 1}}};
   const auto time_with = [&](std::uint32_t words) {
     Machine machine = machine_of(2, dividing());
     machines::own<Figures>(machine).store_words = words;
@@ -80,7 +81,7 @@ TEST_CASE("two dividers halve the time of tests that bound a frame, and take squ
   program.display_model = model_bytes();
   for (std::uint32_t i = 0; i < 4; ++i) {
     program.segments[i].region = {2 * (i % 2), i / 2 * 2, 2, 2};
-    program.segments[i].division = {.steps = {{.boxes = 500}}};
+    *program.segments[i].division = {.steps = {{.boxes = 500}}};
   }
   Machine machine = machine_of(2, dividing());
   const std::uint64_t one = time(program, machine).clocks;
@@ -94,11 +95,11 @@ TEST_CASE("two dividers halve the time of tests that bound a frame, and take squ
 TEST_CASE("tests whose clocks would not fit their counter are refused") {
   isa::Program program = program_of(2, {square(1, {})});
   program.display_model.resize(1);
-  program.segments[0].division.steps = {{.cells = ~std::uint64_t{0}}};
+  program.segments[0].division->steps = {{.cells = ~std::uint64_t{0}}};
   CHECK(error_of([&] {
           pixel_square::check_countable(program, machine_of(1, {}));
         }).starts_with("the divider would test for more than"));
-  program.segments[0].division.steps = {{.cells = std::uint64_t{1} << 36U}};
+  program.segments[0].division->steps = {{.cells = std::uint64_t{1} << 36U}};
   program.segments.assign(1 << 5, program.segments[0]);
   CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(1, {})));
   CHECK(error_of([&] {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hw/division/model_sizes.h"
+#include "hw/isa/host_counts.h"
 #include "hw/kinds/load.h"
 #include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/timing_division.h"
@@ -147,7 +148,7 @@ TEST_CASE("each number of a divider's tests is taken up to 2^36, and refused one
     CAPTURE(operand);
     // The last step of the last square has the number.
     isa::Program program = with_model({square(2, {}), square(2, {})});
-    isa::DivisionCounts& counts = program.segments.back().division;
+    isa::DivisionCounts& counts = *program.segments.back().division;
     counts.steps.resize(2);
     operands[operand](counts, most);
     CHECK_NOTHROW(pixel_square::check_countable(program, machine_of(2, dividing())));
@@ -165,8 +166,8 @@ TEST_CASE("a frame's tests may take 2^60 clocks, its groups, surfaces and tree t
   // 2^36 cells of a million clocks: 16 of them are less than 2^60, 17 are more.
   const auto check = [&](std::size_t steps, std::size_t groups) {
     isa::Program program = with_model(std::vector<isa::Segment>(steps + groups, square(2, {})));
-    for (std::size_t i = 0; i < steps; ++i) program.segments[i].division.steps = {{.cells = many}};
-    for (std::size_t i = steps; i < steps + groups; ++i) program.segments[i].division.group_cells = many;
+    for (std::size_t i = 0; i < steps; ++i) program.segments[i].division->steps = {{.cells = many}};
+    for (std::size_t i = steps; i < steps + groups; ++i) program.segments[i].division->group_cells = many;
     return error_of([&] { pixel_square::check_countable(program, machine_of(2, figures)); });
   };
   CHECK(check(16, 0) == "");
@@ -195,7 +196,7 @@ TEST_CASE("a model and what surfaces spill have to fit the divider's memory, to 
   CHECK(refusal(model_bits - 8 * planes - 1).starts_with("the display model has "));
   // A half-space beyond the two has 251 bits and 15 places among two; a node beyond the five 98.
   const auto spilling = [&](std::uint64_t halfspaces, std::uint64_t nodes, std::uint64_t bits) {
-    program.segments[0].division.steps = {{.halfspaces = halfspaces, .nodes = nodes}};
+    program.segments[0].division->steps = {{.halfspaces = halfspaces, .nodes = nodes}};
     CHECK(refusal(model_bits + bits) == "");
     if (bits > 0) CHECK(refusal(model_bits + bits - 1).starts_with("the square at 0,0 has ") == (bits > 8 * planes));
   };

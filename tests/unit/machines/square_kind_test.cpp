@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hw/division/divide.h"
+#include "hw/isa/host_counts.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/runs_on.h"
@@ -183,7 +184,7 @@ TEST_CASE(
   Figures small = dividing();
   small.model_bits = 1;
   CHECK(refusal(program, machine_of(2, small)).starts_with("the display model has "));
-  program.segments[3].division.steps = {{.cells = ~std::uint64_t{0}}};
+  program.segments[3].division->steps = {{.cells = ~std::uint64_t{0}}};
   CHECK(refusal(program, dividing_machine).starts_with("the divider would test for more than"));
 }
 
@@ -210,7 +211,7 @@ TEST_CASE("however many half-spaces or nodes a surface has beyond those at hand,
   constexpr std::uint64_t many = std::uint64_t{1} << 63U;
   for (const isa::DivisionStep& surface :
        {isa::DivisionStep{.halfspaces = many + 2}, isa::DivisionStep{.nodes = many + 3}}) {
-    program.segments[0].division.steps = {surface};
+    program.segments[0].division->steps = {surface};
     CHECK(error_of([&] { pixel_square::check_storage(program, machine_of(2, figures)); })
               .starts_with("the square at 4,2 has " + std::to_string(surface.halfspaces) + " half-spaces and " +
                            std::to_string(surface.nodes) + " nodes of the tree"));
@@ -245,7 +246,7 @@ TEST_CASE("a group's first square counts what the group takes, if it has boxes t
   const auto clocks = [&](const isa::DivisionCounts& counts) {
     isa::Program program = program_of(3, {square(2, {})});
     program.display_model = model_bytes();
-    program.segments[0].division = counts;
+    *program.segments[0].division = counts;
     return time(program, machine_of(2, figures)).clocks;
   };
   const std::uint64_t none = clocks({});

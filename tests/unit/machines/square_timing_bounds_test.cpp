@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "hw/isa/host_counts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
@@ -63,12 +64,12 @@ isa::Program any_divided_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
   program.display_model = model_bytes();
   for (isa::Segment& one : program.segments) {
-    one.division = {.steps = {{.boxes = pick(0, 9),
-                               .lists = pick(0, 9),
-                               .halfspaces = pick(0, 9),
-                               .cells = pick(0, 9),
-                               .nodes = pick(0, 9),
-                               .instructions = one.instructions.size()}}};
+    *one.division = {.steps = {{.boxes = pick(0, 9),
+                                .lists = pick(0, 9),
+                                .halfspaces = pick(0, 9),
+                                .cells = pick(0, 9),
+                                .nodes = pick(0, 9),
+                                .instructions = one.instructions.size()}}};
   }
   return program;
 }
@@ -79,7 +80,7 @@ std::uint64_t dividing_clocks(const isa::Program& program, const Machine& machin
   constexpr std::uint64_t nodes = 3;
   std::uint64_t clocks = nodes * figures.node_clocks;
   for (const isa::Segment& one : program.segments) {
-    const isa::DivisionStep& tests = one.division.steps.front();
+    const isa::DivisionStep& tests = one.division->steps.front();
     const std::uint64_t test = figures.halfspace_clocks;
     clocks += (1 + figures.box_clocks) * tests.boxes + std::max<std::uint64_t>(2, test) * tests.halfspaces +
               std::min<std::uint64_t>(2, test) * tests.lists + figures.cell_clocks * tests.cells +

@@ -13,6 +13,7 @@
 #include "hw/division/divide.h"
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/multi_processor/clocks.h"
@@ -103,7 +104,7 @@ bool alike(const isa::Instruction& one, const isa::Instruction& other) {
 void check_list(const division::Divided& divided, const isa::Segment& expected) {
   RC_ASSERT(std::equal(divided.instructions.begin(), divided.instructions.end(), expected.instructions.begin(),
                        expected.instructions.end(), alike));
-  const isa::DivisionStep facts = expected.division.sum();
+  const isa::DivisionStep facts = expected.division->sum();
   const division::Counts counts = divided.counts();
   RC_ASSERT(counts.boxes == facts.boxes);
   RC_ASSERT(counts.halfspaces == facts.halfspaces);

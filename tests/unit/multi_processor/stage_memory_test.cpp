@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "hw/base/error.h"
+#include "hw/isa/host_counts.h"
 #include "hw/machines/runs_on.h"
 #include "tests/unit/multi_processor/stage_timing.h"
 
@@ -34,7 +35,7 @@ TEST_CASE("a list that is more than half of what is left of a node's memory is m
   isa::Program program = program_for(machine);
   isa::Segment& first = program.segments.front();
   first.instructions.push_back(first.instructions.back());
-  first.division.steps.front().instructions = 3;
+  first.division->steps.front().instructions = 3;
   const FrameAccount whole = account_of(program, machine);
   figures(machine).memory_words = 34 + 32;
   const FrameAccount account = account_of(program, machine);

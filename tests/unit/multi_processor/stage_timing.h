@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/division/encoding.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
@@ -89,12 +90,12 @@ inline isa::Program program_for(const Machine& machine) {
   first.instructions.push_back({.opcode = Opcode::enable_all});
   first.instructions.push_back(
       {.opcode = Opcode::load_linear, .fields = {isa::Field{0, 8}}, .linear = {1, 2, 3, 20, 4}});
-  for (isa::Segment& segment : program.segments) segment.division.steps = {{.boxes = 1}};
-  first.division = {.steps = {{.boxes = 1, .halfspaces = 3, .cells = 1, .nodes = 2, .instructions = 2}},
-                    .group_boxes = 2,
-                    .group_halfspaces = 3,
-                    .group_cells = 2,
-                    .group_entries = 1 + 3};
+  for (isa::Segment& segment : program.segments) segment.division->steps = {{.boxes = 1}};
+  *first.division = {.steps = {{.boxes = 1, .halfspaces = 3, .cells = 1, .nodes = 2, .instructions = 2}},
+                     .group_boxes = 2,
+                     .group_halfspaces = 3,
+                     .group_cells = 2,
+                     .group_entries = 1 + 3};
   return program;
 }
 
@@ -134,14 +135,14 @@ inline isa::Program any_program(const Machine& machine) {
   isa::Program program = *test::arbitrary_program_in_parts(machine, 8);
   program.display_model = model_bytes();
   for (isa::Segment& segment : program.segments)
-    segment.division = {.steps = {{.boxes = below(3),
-                                   .halfspaces = below(20),
-                                   .cells = below(20),
-                                   .nodes = below(5),
-                                   .instructions = segment.instructions.size()}},
-                        .group_boxes = below(3),
-                        .group_halfspaces = below(9),
-                        .group_cells = below(30)};
+    *segment.division = {.steps = {{.boxes = below(3),
+                                    .halfspaces = below(20),
+                                    .cells = below(20),
+                                    .nodes = below(5),
+                                    .instructions = segment.instructions.size()}},
+                         .group_boxes = below(3),
+                         .group_halfspaces = below(9),
+                         .group_cells = below(30)};
   return program;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/host_counts.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
 
@@ -114,7 +115,7 @@ TEST_CASE("a segment of which nothing is left is neither pruned by the nodes nor
   const Machine machine = machine_4x4();
   isa::Program program = program_for(machine);
   program.segments[0].instructions.clear();
-  for (isa::Segment& segment : program.segments) segment.division = {.steps = {}, .group_boxes = 2};
+  for (isa::Segment& segment : program.segments) *segment.division = {.steps = {}, .group_boxes = 2};
   const FrameAccount account = account_of(program, machine);
   CHECK(account.active_segments == 0);
   CHECK(account.broadcast_words == 17 + 4);
@@ -193,7 +194,7 @@ TEST_CASE("a frame that is longer than SystemC's time is refused") {
   machine.clock_hz = 1;
   figures(machine).transform_clocks = 1'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
-  program.segments[0].division.steps = {{.cells = ~0ULL}};
+  program.segments[0].division->steps = {{.cells = ~0ULL}};
   machine.clock_hz = 1'000'000'000;
   CHECK_THROWS_AS(machines::check_runs_on(program, machine), InputError);
 }

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "tests/unit/observe/fake_pixels.h"
 
@@ -34,12 +35,12 @@ isa::Program program(bool second_colour = false) {
   isa::Program program;
   program.shape = {width, height, 14};
   program.colour = colour;
-  program.facts.fields = {{"Z2", depth, isa::FieldRole::depth},
-                          {"Z1", candidate, isa::FieldRole::candidate_depth},
-                          {"colour", colour, isa::FieldRole::colour}};
-  if (second_colour) program.facts.fields.push_back({"colour1", candidate_colour, isa::FieldRole::candidate_colour});
+  program.facts->fields = {{"Z2", depth, isa::FieldRole::depth},
+                           {"Z1", candidate, isa::FieldRole::candidate_depth},
+                           {"colour", colour, isa::FieldRole::colour}};
+  if (second_colour) program.facts->fields.push_back({"colour1", candidate_colour, isa::FieldRole::candidate_colour});
   program.background = background;
-  program.facts.primitives = {"a", "b", "c"};
+  program.facts->primitives = {"a", "b", "c"};
   program.segments = {{{0, 0, 67, 3}, {merge_of_2}}, {{67, 1, 3, 2}, {merge_of_2}}};
   return program;
 }
@@ -182,8 +183,8 @@ TEST_CASE(
   constexpr std::uint8_t glass = 1;
   isa::Program with_panes = program();
   with_panes.shape.memory_bits = 18;
-  with_panes.facts.compile.effects = {"flat", "glass", "mirrors"};
-  with_panes.facts.fields.push_back({"glass.nearest_depth", nearest, isa::FieldRole::effect});
+  with_panes.facts->compile.effects = {"flat", "glass", "mirrors"};
+  with_panes.facts->fields.push_back({"glass.nearest_depth", nearest, isa::FieldRole::effect});
   const Instruction pane{Opcode::copy, {nearest, candidate}, {}, 0, {isa::Purpose::merge, 1, isa::no_node, glass}};
   const Instruction in_mirror{Opcode::copy, {nearest, candidate}, {}, 0, {isa::Purpose::merge, 0, isa::no_node, 2}};
   const isa::Origin composing{isa::Purpose::effect, isa::no_primitive, isa::no_node, glass};

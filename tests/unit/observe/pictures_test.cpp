@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "places.h"
 
 using namespace csgsim;
@@ -42,8 +43,8 @@ isa::Program program() {
   isa::Program program;
   program.shape = {3, 2, 12};
   program.colour = {6, 6};
-  program.facts.fields = {{"Z2", {0, 6}, isa::FieldRole::depth}, {"colour", {6, 6}, isa::FieldRole::colour}};
-  program.facts.depth_scale = {false, 10, 70};
+  program.facts->fields = {{"Z2", {0, 6}, isa::FieldRole::depth}, {"colour", {6, 6}, isa::FieldRole::colour}};
+  program.facts->depth_scale = {false, 10, 70};
   return program;
 }
 
@@ -168,7 +169,7 @@ TEST_CASE("an owner picture for ordinary tools has the colours that its legend t
   const Scratch scratch(".png");
   const Scratch beside(".json");
   isa::Program named = program();
-  named.facts.primitives = {"cube@1:1", "ball", "cube@3:1"};
+  named.facts->primitives = {"cube@1:1", "ball", "cube@3:1"};
   observe::Frame seen = frame();
   seen.owner = {0, 1, 1, 2, observe::no_owner, 1};
   write_to(scratch.path(), [&](OutputFile& file) { observe::write_owner(file, seen); });

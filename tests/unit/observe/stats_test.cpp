@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/observe/stats_json.h"
@@ -27,7 +28,7 @@ const Instruction merges{Opcode::copy, {}, {}, 0, {Purpose::merge, 1, isa::no_no
 isa::Program program() {
   isa::Program program;
   program.shape = {8, 4, 16};
-  program.facts.primitives = {"a", "b", "c"};
+  program.facts->primitives = {"a", "b", "c"};
   program.segments = {{{0, 0, 5, 3}, {}}, {{5, 0, 1, 1}, {}}};
   return program;
 }
@@ -69,7 +70,7 @@ TEST_CASE("an instruction costs its clocks at every pixel of its segment, and at
 
 TEST_CASE("what an effect calls for at a primitive is the effect's, not the primitive's alone") {
   isa::Program one = program();
-  one.facts.compile.effects = {"flat", "shadows"};
+  one.facts->compile.effects = {"flat", "shadows"};
   observe::StatsObserver observer(one);
   const testing::FakePixels pixels({0, 0, 5, 3});
   const Instruction shadow{Opcode::copy, {}, {}, 0, {Purpose::render, 1, isa::no_node, 1}};
@@ -109,7 +110,7 @@ TEST_CASE("opcodes add up to the total, and so do purposes, and primitives with 
 
 TEST_CASE("the stats say what is used, and give the account of the machine") {
   isa::Program one = program();
-  one.facts.fields = {{"Z2", {0, 7}, isa::FieldRole::depth}, {"mask", {9, 1}, isa::FieldRole::mask}};
+  one.facts->fields = {{"Z2", {0, 7}, isa::FieldRole::depth}, {"mask", {9, 1}, isa::FieldRole::mask}};
   machines::Machine machine = machines::blank(pixel_planes::kind);
   machine.array = {8, 4, 16};
   machine.clock_hz = 1000;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
@@ -71,7 +72,7 @@ Drawn draw(const std::string& machine_name, const std::string& model, const emit
               testing::compile_default_view(testing::model_path(model), setup, view::Projection::orthographic).program,
               {},
               {},
-              Ledger(drawn.program.facts)};
+              Ledger(*drawn.program.facts)};
   machines::set_picture_size(drawn.machine, {60, 44});
   observe::StatsObserver stats(drawn.program);
   const std::array<engine::Observer*, 2> observers{&stats, &drawn.ledger};
@@ -132,7 +133,7 @@ TEST_CASE("the half-spaces of the primitives are those that pruning leaves, coun
   std::uint64_t halfspaces = 0;
   const observe::ClockShares shares = observe::clock_shares(whole.program, whole.result, whole.stats);
   for (const observe::PrimitiveCost& one : shares.dearest) halfspaces += one.halfspaces;
-  CHECK(halfspaces == whole.program.segments.front().facts.kept_halfspaces);
+  CHECK(halfspaces == whole.program.segments.front().facts->kept_halfspaces);
   const Drawn squares = draw("pixel-square", "thesis_fig_2_3");
   for (const observe::PrimitiveCost& one :
        observe::clock_shares(squares.program, squares.result, squares.stats).dearest) {

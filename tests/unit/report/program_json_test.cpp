@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/instruction_numbers.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/text.h"
@@ -42,8 +43,8 @@ TEST_CASE("a Program for a page has each instruction as the text form has it, an
       CHECK(json["segments"][s][0] == program.segments[s].region.x);
       CHECK(json["segments"][s][4] == program.segments[s].instructions.size());
       for (const isa::Instruction& instruction : program.segments[s].instructions)
-        CHECK(lines[at++] ==
-              isa::text_of(instruction, program.facts.fields) + '\t' + isa::text_of(instruction.origin, program.facts));
+        CHECK(lines[at++] == isa::text_of(instruction, program.facts->fields) + '\t' +
+                                 isa::text_of(instruction.origin, *program.facts));
     }
     CHECK(json["opcodes"].size() == isa::opcode_table.size());
     CHECK(json["opcodes"]["keep_max"] == Json{"target", "linear"});

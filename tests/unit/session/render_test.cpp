@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hw/base/messages.h"
+#include "hw/isa/facts.h"
 #include "places.h"
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/run/run_request.h"
@@ -99,7 +100,7 @@ TEST_CASE("a model is compiled with what was read of it: the file and what it im
   CHECK(of_text.is_text);
   CHECK(of_text.subject(asked.options).is_in_place);
   CHECK(of_text.inputs == std::vector<std::filesystem::path>{model});
-  CHECK(of_text.model.program.facts.primitives.size() == 1);
+  CHECK(of_text.model.program.facts->primitives.size() == 1);
   CHECK(of_text.machine.picture.width == 24);
   CHECK(of_text.machine.picture.height == 20);
   std::filesystem::remove_all(folder);
@@ -143,7 +144,7 @@ TEST_CASE("the bits that a number of wrong pixels allows are the cheapest that k
     CHECK(output.text() == "chosen            " + bits + ": the cheapest with at most " + most + " wrong pixels\n");
     CHECK(wrong_of(asked.options.model.z_bits, asked.options.model.fraction_bits) <= std::stoul(most));
     // What is compiled has them: the depth fields are as wide.
-    for (const isa::NamedField& field : compiled.model.program.facts.fields) {
+    for (const isa::NamedField& field : compiled.model.program.facts->fields) {
       if (field.name == "Z1") CHECK(field.field.width == asked.options.model.z_bits);
     }
     // The more may be wrong, the fewer bits it takes.

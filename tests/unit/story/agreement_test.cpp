@@ -10,6 +10,7 @@
 
 #include "host/read/read.h"
 #include "hw/base/error.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "sim/judges/explain.h"

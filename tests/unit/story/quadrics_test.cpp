@@ -10,6 +10,7 @@
 
 #include "host/emit/compile.h"
 #include "host/read/read.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
@@ -97,7 +98,7 @@ void check_working(const Drawn& drawn, const story::Story& story, const story::Q
   CHECK(made.opcode == (depth.far ? isa::Opcode::linear_plus : isa::Opcode::linear_minus));
   CHECK(((made.linear.a * x + made.linear.b * y + made.linear.c) >> made.linear.shift) == depth.middle);
   CHECK(depth.offset % depth.root == 0);
-  const auto farthest = (std::int64_t{1} << drawn.program.facts.compile.z_bits) - 1;
+  const auto farthest = (std::int64_t{1} << drawn.program.facts->compile.z_bits) - 1;
   const auto offset = static_cast<std::int64_t>(depth.offset);
   const std::int64_t at = depth.far ? depth.middle + offset : depth.middle - offset;
   CHECK(std::clamp<std::int64_t>(at, 0, farthest) == story.depth);

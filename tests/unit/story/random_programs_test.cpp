@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "sim/engine/engine.h"
 #include "sim/story/pixel_run.h"
 #include "sim/story/story.h"
@@ -98,7 +99,7 @@ TEST_CASE("of any Program a story can be told, as text and as JSON") {
     const story::Story story = story::Teller(program, quadratic_machine(program.shape)).story_of(4, 2);
     RC_ASSERT(!text_of(subject, story).empty());
     RC_ASSERT(story::to_json(subject, story).dump().size() > 2U);
-    for (std::uint32_t p = 0; p < program.facts.primitives.size(); ++p)
+    for (std::uint32_t p = 0; p < program.facts->primitives.size(); ++p)
       RC_ASSERT(!text_of(subject, story, story::why_not(subject, story, p)).empty());
   }));
 }

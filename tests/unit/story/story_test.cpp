@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host/scene/scene.h"
+#include "hw/isa/field_role.h"
 #include "hw/isa/text.h"
 #include "hw/machines/timeline.h"
 #include "sim/engine/engine.h"

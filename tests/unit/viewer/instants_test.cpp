@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
@@ -71,7 +72,7 @@ TEST_CASE("fields at an instant are those that the reference has there, forwards
     const std::unique_ptr<engine::Engine> reference = engine::make_reference_engine(of.machine);
     const std::unique_ptr<engine::Run> run = reference->begin(of.program);
     run->advance(number, {});
-    for (const isa::NamedField& field : of.program.facts.fields) {
+    for (const isa::NamedField& field : of.program.facts->fields) {
       CAPTURE(field.name);
       const nlohmann::ordered_json instant = instants.at({.number = number, .field = field.name});
       CHECK(instant["number"] == number);
@@ -82,7 +83,7 @@ TEST_CASE("fields at an instant are those that the reference has there, forwards
     const auto& listed = instant["instructions"];
     const auto here = std::ranges::find_if(listed, [&](const auto& one) { return one["number"] == number; });
     REQUIRE(here != listed.end());
-    CHECK((*here)["text"] == isa::text_of(all[number], of.program.facts.fields));
+    CHECK((*here)["text"] == isa::text_of(all[number], of.program.facts->fields));
   }
 }
 
@@ -101,13 +102,13 @@ TEST_CASE("enabled pixels are tinted, and no others") {
 TEST_CASE("a primitive's first instruction is the first whose origin names it") {
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
-  for (std::uint32_t primitive = 0; primitive < of.program.facts.primitives.size(); ++primitive) {
+  for (std::uint32_t primitive = 0; primitive < of.program.facts->primitives.size(); ++primitive) {
     const nlohmann::ordered_json instant = instants.at({.number = 0, .field = {}, .primitive = primitive});
     const auto number = instant["number"].get<std::uint64_t>();
     const std::vector<isa::Instruction>& all = of.program.segments.front().instructions;
     const auto serves = [&](const isa::Instruction& one) {
       return one.origin.primitive != isa::no_primitive &&
-             isa::primitive_of(of.program.facts, one.origin.primitive) == primitive;
+             isa::primitive_of(*of.program.facts, one.origin.primitive) == primitive;
     };
     CHECK(serves(all[number]));
     CHECK(std::none_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(number), serves));
@@ -196,7 +197,7 @@ TEST_CASE("a tinted picture has half of the mark's colour where the enable regis
       const std::unique_ptr<engine::Engine> reference = engine::make_reference_engine(of.machine);
       const std::unique_ptr<engine::Run> run = reference->begin(of.program);
       run->advance(instant["number"].get<std::uint64_t>(), {});
-      const auto field = std::ranges::find(of.program.facts.fields, std::string("Z1"), &isa::NamedField::name)->field;
+      const auto field = std::ranges::find(of.program.facts->fields, std::string("Z1"), &isa::NamedField::name)->field;
       std::vector<std::uint8_t> expected = rgb_of(debug::picture_of(field, *run, of.program).picture);
       const observe::Picture enabled = debug::picture_of({}, *run, of.program).picture;
       REQUIRE(enabled.channels == 1);
@@ -219,7 +220,7 @@ TEST_CASE("an instant has the next instruction, its primitive, its segment, and 
   for (const char* const machine : {"pixel-planes-4", "scan-line", "pixel-square"}) {
     CAPTURE(machine);
     const Subject of = subject(machine);
-    const isa::Facts& facts = of.program.facts;
+    const isa::Facts& facts = *of.program.facts;
     viewer::Instants instants(of.program, of.machine);
     const std::vector<engine::Place> places = places_of(of.program);
     std::size_t compared = 0;
@@ -281,7 +282,7 @@ TEST_CASE(
   const Subject of = subject("pixel-planes-4");
   viewer::Instants instants(of.program, of.machine);
   std::vector<std::string> names{"E"};
-  for (const isa::NamedField& field : of.program.facts.fields) names.push_back(field.name);
+  for (const isa::NamedField& field : of.program.facts->fields) names.push_back(field.name);
   CHECK(instants.fields() == names);
   const nlohmann::ordered_json colour = instants.at({.number = 0, .field = {}});
   CHECK(colour["fields"] == names);

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "places.h"
 #include "sim/session/model/compiled_model.h"
@@ -84,7 +85,7 @@ TEST_CASE("the active tree of a surface has what the Program compares it with, o
       viewer::ActiveTrees trees(one.model, one.options, one.machine);
       const isa::Program& program = one.model.program;
       for (std::uint32_t segment = 0; segment < program.segments.size(); ++segment) {
-        for (const auto& known : compared_in(program.segments[segment], program.facts)) {
+        for (const auto& known : compared_in(program.segments[segment], *program.facts)) {
           const std::uint32_t piece = known.first;
           CAPTURE(segment);
           CAPTURE(piece);
@@ -101,7 +102,7 @@ TEST_CASE("the active tree of a surface has what the Program compares it with, o
 
 TEST_CASE("the model's tree has each node of the file once, operands behind their operator") {
   const Compiled one = compiled("carburettor", {"--size", "32x32", "--view-all"});
-  const Json rows = viewer::tree_of(one.model.tree, one.model.program.facts);
+  const Json rows = viewer::tree_of(one.model.tree, *one.model.program.facts);
   std::vector<std::uint32_t> primitives;
   std::size_t deepest = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -190,7 +191,7 @@ std::string rows_text(const Json& rows) {
 TEST_CASE("a tree has its operators' names, and operands one deeper, in their order") {
   const auto tree = [](const std::string& text) {
     const Compiled one = small_compiled(text);
-    return rows_text(viewer::tree_of(one.model.tree, one.model.program.facts));
+    return rows_text(viewer::tree_of(one.model.tree, *one.model.program.facts));
   };
   CHECK(tree(cube_a) == "p0\n");
   CHECK(tree("difference(){" + cube_a + sphere_b + cylinder_c + "}") == "difference\n  p0\n  p1\n  p2\n");

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hw/isa/depth_scale.h"
+#include "hw/isa/field_role.h"
+#include "hw/isa/program.h"
+
+namespace csgsim::isa {
+
+/// What the host knows of the model and tells in the stats.
+struct ModelFacts {
+  std::string file;
+  std::uint64_t primitives = 0;
+  std::uint64_t unions = 0;
+  std::uint64_t differences = 0;
+  std::uint64_t intersections = 0;
+  std::uint64_t halfspaces = 0;
+
+  bool operator==(const ModelFacts&) const = default;
+};
+
+/// How the host compiled.
+struct CompileFacts {
+  std::string strategy;
+  std::string colouring;
+  std::uint32_t z_bits = 0;
+  std::uint32_t fraction_bits = 0;
+  double edge_on_fraction = 0;       ///< of a pixel
+  std::uint32_t stack_bits = 0;      ///< bits of pixel memory that the classification uses
+  std::uint32_t tree_depth = 0;      ///< levels of the deepest active tree
+  std::uint64_t rendered = 0;        ///< scan-conversions: primitives whose surface goes into Z1
+  std::uint64_t classified = 0;      ///< scan-conversions: primitives of active trees compared with Z1
+  std::uint64_t depth_tests = 0;     ///< comparisons of Z1 with Z2
+  std::vector<std::string> effects;  ///< flat shading first, then those that the scene calls for
+
+  bool operator==(const CompileFacts&) const = default;
+};
+
+/// Names and figures of a Program for stats, pictures and waves. No hardware reads them.
+struct Facts {
+  std::vector<NamedField> fields;
+  std::vector<std::string> primitives;  ///< a name for each
+  /// Of each piece that origins name the primitive it belongs to, in order (hw/isa/pieces.h); none: each primitive is
+  /// one piece.
+  std::vector<std::uint32_t> primitive_of_piece{};
+  DepthScale depth_scale;
+  ModelFacts model;
+  CompileFacts compile;
+
+  bool operator==(const Facts&) const = default;
+};
+
+/// The first named field of that role, or one of width 0 if there is none.
+Field field_of(const Program& program, FieldRole role);
+
+}  // namespace csgsim::isa
