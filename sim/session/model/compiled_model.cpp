@@ -32,60 +32,60 @@ namespace csgsim::session {
 
 namespace {
 
-void refuse_other_subjects(const ModelRequest& options) {
-  if (is_program(options.model))
-    throw InputError(options.model + ": that is a Program; use csgsim run " + shell_word(options.model));
-  if (!options.imports_from.empty() && !std::filesystem::is_directory(options.imports_from))
-    throw InputError(fmt::format("--imports-from: {} is no folder", printable(options.imports_from)));
+void refuse_other_subjects(const ModelRequest& request) {
+  if (is_program(request.model))
+    throw InputError(request.model + ": that is a Program; use csgsim run " + shell_word(request.model));
+  if (!request.imports_from.empty() && !std::filesystem::is_directory(request.imports_from))
+    throw InputError(fmt::format("--imports-from: {} is no folder", printable(request.imports_from)));
 }
 
 /// Of the text as it is read: what OpenSCAD makes of a source.
-ModelFile read_text(const ModelRequest& options, Subject subject, const std::string& text) {
-  const std::string name = shown_name(options.model);
+ModelFile read_text(const ModelRequest& request, Subject subject, const std::string& text) {
+  const std::string name = shown_name(request.model);
   Hash hash;
   hash.add(text);
-  hash.add(options.scene_text());
-  if (options.snap) hash.add("--snap");
-  const read::Options how{options.snap, options.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
-                          work_of(options)};
+  hash.add(request.scene_text());
+  if (request.snap) hash.add("--snap");
+  const read::Options how{request.snap, request.imports_from, [&](std::string_view bytes) { hash.add(bytes); },
+                          work_of(request)};
   model::Tree tree = subject == Subject::commands
                          ? commands::read_text(text, name, how)
                          : read::read_csg_text(text, subject == Subject::scad ? name + " (as .csg)" : name, how);
   tree.file = name;
-  return {effects::reshaped(std::move(tree), options.scene()), hash.text()};
+  return {effects::reshaped(std::move(tree), request.scene()), hash.text()};
 }
 
 }  // namespace
 
-ModelFile read_model_file(const ModelRequest& options) {
-  refuse_other_subjects(options);
-  return with_memory_for("the model " + options.model, [&] {
-    const Subject subject = subject_in(options.model);
-    return read_text(options, subject,
-                     subject == Subject::scad ? csg_of_scad(options.model, options.openscad_time())
-                                              : read_file(options.model, read::model_file));
+ModelFile read_model_file(const ModelRequest& request) {
+  refuse_other_subjects(request);
+  return with_memory_for("the model " + request.model, [&] {
+    const Subject subject = subject_in(request.model);
+    return read_text(request, subject,
+                     subject == Subject::scad ? csg_of_scad(request.model, request.openscad_time())
+                                              : read_file(request.model, read::model_file));
   });
 }
 
-ModelFile read_model_text(const ModelRequest& options, const std::string& text) {
-  refuse_other_subjects(options);
-  return with_memory_for("the model " + options.model, [&] {
-    const Subject subject = subject_in(options.model);
-    return read_text(options, subject,
-                     subject == Subject::scad ? csg_of_scad(options.model, text, options.openscad_time()) : text);
+ModelFile read_model_text(const ModelRequest& request, const std::string& text) {
+  refuse_other_subjects(request);
+  return with_memory_for("the model " + request.model, [&] {
+    const Subject subject = subject_in(request.model);
+    return read_text(request, subject,
+                     subject == Subject::scad ? csg_of_scad(request.model, text, request.openscad_time()) : text);
   });
 }
 
-model::Tree read_model(const ModelRequest& options) { return read_model_file(options).tree; }
+model::Tree read_model(const ModelRequest& request) { return read_model_file(request).tree; }
 
 namespace {
 
-CompiledModel compile(ModelFile file, const ModelRequest& options, const machines::Machine& machine) {
+CompiledModel compile(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
   model::Tree& tree = file.tree;
-  facet::Geometry scene = facet::make_geometry(tree, faceting_of(options, machine, tree));
-  const view::Camera camera = camera_of(options, machine, tree, scene);
+  facet::Geometry scene = facet::make_geometry(tree, faceting_of(request, machine, tree));
+  const view::Camera camera = camera_of(request, machine, tree, scene);
   CompiledModel model{std::move(file.hash), std::move(tree), std::move(scene), camera, {}};
-  model.program = compile_seen_by(model.camera, model, options, machine);
+  model.program = compile_seen_by(model.camera, model, request, machine);
   return model;
 }
 
@@ -98,22 +98,22 @@ void warn_of_coarse_depth(const view::View& view) {
 }
 
 /// What the picture shows in place of what it would with more memory. Once, however often it is compiled.
-void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& options, const machines::Machine& machine) {
+void warn_of_pattern(const emit::NoRoom& layers, const ModelRequest& request, const machines::Machine& machine) {
   static std::mutex mutex;
   static std::set<std::string> told;
   const std::string line = fmt::format(
       "{}: warning: what is see-through is drawn by a pattern, screen-door: in layers the picture would need {} memory "
       "bits a pixel, and the machine has {}; take --memory-bits {}, or say --set "
       "effects.transparency.method=screen-door",
-      shown_name(options.model), layers.needed, machine.array.memory_bits, layers.needed);
+      shown_name(request.model), layers.needed, machine.array.memory_bits, layers.needed);
   const std::lock_guard lock(mutex);
   if (told.insert(line).second) tell_line(line);
 }
 
 /// Where colours of the model alone let something through, and there is no room to blend it, by screen-door.
 isa::Program compile_with_room(const CompiledModel& model, const view::Camera& camera, view::View view,
-                               const ModelRequest& options, const machines::Machine& machine) {
-  emit::Options emit = emit_options_of(options);
+                               const ModelRequest& request, const machines::Machine& machine) {
+  emit::Options emit = emit_options_of(request);
   const auto compiled = [&](view::View seen) {
     return emit::compile(model.tree, model.scene, std::move(seen), machine, emit,
                          [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
@@ -124,40 +124,40 @@ isa::Program compile_with_room(const CompiledModel& model, const view::Camera& c
     std::optional<scene::Scene> by_pattern = effects::by_screen_door(emit.scene);
     if (!by_pattern || see_through(emit, model.tree, camera) == nullptr) throw;
     emit.scene = std::move(*by_pattern);
-    isa::Program program = compiled(view::make_view(model.scene, model.tree, camera, sampling_of(options, machine)));
-    warn_of_pattern(layers, options, machine);
+    isa::Program program = compiled(view::make_view(model.scene, model.tree, camera, sampling_of(request, machine)));
+    warn_of_pattern(layers, request, machine);
     return program;
   }
 }
 
 }  // namespace
 
-view::View view_of(const CompiledModel& model, const ModelRequest& options, const machines::Machine& machine) {
-  return view::make_view(model.scene, model.tree, model.camera, sampling_of(options, machine));
+view::View view_of(const CompiledModel& model, const ModelRequest& request, const machines::Machine& machine) {
+  return view::make_view(model.scene, model.tree, model.camera, sampling_of(request, machine));
 }
 
-story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequest& options,
+story::HalfspaceFinder halfspaces_of(const CompiledModel& model, const ModelRequest& request,
                                      const machines::Machine& machine) {
-  return {model.tree, model.scene, view_of(model, options, machine)};
+  return {model.tree, model.scene, view_of(model, request, machine)};
 }
 
-isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelRequest& options,
+isa::Program compile_seen_by(const view::Camera& camera, const CompiledModel& model, const ModelRequest& request,
                              const machines::Machine& machine) {
-  view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(options, machine));
+  view::View view = view::make_view(model.scene, model.tree, camera, sampling_of(request, machine));
   warn_of_coarse_depth(view);
   std::size_t halfspaces = 0;
   for (const facet::Convex& solid : model.scene.solids) halfspaces += solid.halfspaces.size();
-  return with_memory([&] { return short_of_memory(options.model, halfspaces); },
-                     [&] { return compile_with_room(model, camera, std::move(view), options, machine); });
+  return with_memory([&] { return short_of_memory(request.model, halfspaces); },
+                     [&] { return compile_with_room(model, camera, std::move(view), request, machine); });
 }
 
-CompiledModel compile_model(ModelFile file, const ModelRequest& options, const machines::Machine& machine) {
-  return with_memory_for("the half-spaces of " + options.model,
-                         [&] { return compile(std::move(file), options, machine); });
+CompiledModel compile_model(ModelFile file, const ModelRequest& request, const machines::Machine& machine) {
+  return with_memory_for("the half-spaces of " + request.model,
+                         [&] { return compile(std::move(file), request, machine); });
 }
 
-CompiledModel compile_model(const ModelRequest& options, const machines::Machine& machine) {
-  return compile_model(read_model_file(options), options, machine);
+CompiledModel compile_model(const ModelRequest& request, const machines::Machine& machine) {
+  return compile_model(read_model_file(request), request, machine);
 }
 
 }  // namespace csgsim::session

@@ -72,9 +72,9 @@ Tolerance parse_tolerance(const std::string& text) {
 
 constexpr InputKind scene_input{"name a scene's .toml file", 1'000'000, "split the model's look into fewer materials"};
 
-view::Projection projection_of(const ModelRequest& options) {
-  if (!options.projection.empty()) return projections.at(options.projection);
-  const bool is_perspective = options.scene().camera.is_perspective.value_or(false);
+view::Projection projection_of(const ModelRequest& request) {
+  if (!request.projection.empty()) return projections.at(request.projection);
+  const bool is_perspective = request.scene().camera.is_perspective.value_or(false);
   return is_perspective ? view::Projection::perspective : view::Projection::orthographic;
 }
 
@@ -91,8 +91,8 @@ view::Camera camera_in(const std::string& text) {
 }
 
 /// As the scene says it; an orthographic view has none.
-std::optional<double> near_of(const ModelRequest& options) {
-  return projection_of(options) == view::Projection::perspective ? options.scene().camera.near : std::nullopt;
+std::optional<double> near_of(const ModelRequest& request) {
+  return projection_of(request) == view::Projection::perspective ? request.scene().camera.near : std::nullopt;
 }
 
 /// Whatever the scene or the model calls for.
@@ -149,127 +149,127 @@ std::vector<std::string> strategy_names() {
   return names;
 }
 
-void ModelRequest::add_to(OptionList& command, const std::string& what) {
-  command.option("MODEL", model, what).required();
-  command
+void ModelRequest::add_to(OptionList& options, const std::string& what) {
+  options.option("MODEL", model, what).required();
+  options
       .option("--machine", machine,
               "A machine's name (see csgsim manual machines) or its .toml file; with figures changed: "
               "NAME+KEY=VALUE")
       .check(is_read_by(check_machine));
-  command.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
+  options.option("--memory-bits", memory_bits, "Memory bits a pixel; the machine's own if not given")
       .between(1U, isa::max_memory_bits);
-  add_view_to(command);
-  command.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
-  command
+  add_view_to(options);
+  options.option("--z-bits", z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
+  options
       .option("--strategy", strategy,
               "How classifications are worked out; bits with --stack-bits, auto: the fewest clocks that fit")
       .one_of(strategy_names());
-  command
+  options
       .option("--stack-bits", stack_bits,
               "Bits of the traversal that --strategy bits makes, as the thesis counts them: 3 tests a "
               "primitive's depth for each product, 4 sums products, each more keeps the results of one more level")
       .between(emit::fewest_stack_bits, most_stack_bits);
-  command
+  options
       .option("--colouring", colouring,
               "How colours get to the pixels: rebroadcast (facets again after the merge), field (a second colour "
               "beside Z1)")
       .one_of(by_name(emit::colourings));
-  command
+  options
       .option("--pruning", pruning,
               "Prunings that are done: all, none, those named (space+hidden) or all but those (no-space+no-hidden)")
       .words(pruning_words(), is_read_by(pruning_of));
 }
 
-void ModelRequest::add_view_to(OptionList& command) {
-  command.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
-  command.option("--camera", camera,
+void ModelRequest::add_view_to(OptionList& options) {
+  options.option("--size,--imgsize", size, "Picture and array size in pixels, WxH; the machine's own if not given");
+  options.option("--camera", camera,
                  "As OpenSCAD's: eye and centre, ex,ey,ez,cx,cy,cz; or centre, turns and distance, x,y,z,rx,ry,rz,d");
-  command.option("--projection", projection, "ortho (o) or perspective (p); ortho if the scene says nothing either")
+  options.option("--projection", projection, "ortho (o) or perspective (p); ortho if the scene says nothing either")
       .one_of(projections);
-  command.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
-  command
+  options.option("--scene", scene_file, "Lights, materials, background, camera and effects: a .toml file");
+  options
       .option("--colour-scheme,--colorscheme", colour_scheme,
               "Background and usual colours of faces as OpenSCAD's scheme of that name has them")
       .one_of(scheme_names());
-  command.option(
+  options.option(
       "--set", sets,
       "A figure of the machine, as in alu.bits=4, or a key of the scene, as in lights.0.direction=0,0,-1; once for "
       "each");
-  command.option("--imports-from", imports_from,
+  options.option("--imports-from", imports_from,
                  "Folder in which, or below which, the model's imports may be, and are looked for, besides its own "
                  "folder");
-  command.option("--openscad-time", openscad_seconds,
+  options.option("--openscad-time", openscad_seconds,
                  "Seconds after which OpenSCAD is ended if it has not evaluated a model's source; 1800 if not given");
-  command.flag("--snap", snap,
+  options.flag("--snap", snap,
                "Restore rotations by hundredths of a degree from the six digits that OpenSCAD writes, so that planes "
                "that should coincide do");
-  command
+  options
       .option("--limit", limit,
               "Work that reading the model may take, and compiling it again, in millions of steps; what takes more is "
               "refused, with its place")
       .between(1U, most_limit);
-  command.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
-  command.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
-  command.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
+  options.flag("--view-all,--viewall", view_all, "Move the camera so that the whole model just fits");
+  options.option("--near", near, "Perspective: distance of the near plane, model units; solids are capped there");
+  options.option("--fraction-bits", fraction_bits, "Fraction bits of the planes' coefficients")
       .between(0U, view::most_fraction_bits);
-  command.option("--edge-on", edge_on,
+  options.option("--edge-on", edge_on,
                  "Planes that pass the depth range within this part of a pixel become edge tests");
-  command.read_option(
+  options.read_option(
       "--tolerance", [this](const std::string& text) { tolerance = parse_tolerance(text); },
       "Facet curved solids within this distance of their surface, in model units (0.1) or in pixels (0.5px), instead "
       "of as OpenSCAD does");
-  command
+  options
       .option("--curves", curves,
               "How spheres, cylinders and cones are drawn: facets; fast (spheres as circles and paraboloids, on any "
               "machine); exact (without facets, on a machine whose "
               "evaluator.degree is 2); auto (exact where the machine and the scene's effects can)")
       .one_of(by_name(emit::curve_choices), "curve drawing");
-  command.option("--colour-bits", colour_bits, "Bits of a colour")
+  options.option("--colour-bits", colour_bits, "Bits of a colour")
       .between(isa::fewest_colour_bits, isa::most_colour_bits);
 }
 
-machines::Machine machine_of(const ModelRequest& options) {
-  machines::Machine machine = load_machine(options.machine, options.sets);
-  if (!options.size.empty()) {
-    const char between = options.size.find(',') == std::string::npos ? 'x' : ',';
-    const auto size = numbers<std::uint32_t>(options.size, between, 2, "--size", "WxH");
+machines::Machine machine_of(const ModelRequest& request) {
+  machines::Machine machine = load_machine(request.machine, request.sets);
+  if (!request.size.empty()) {
+    const char between = request.size.find(',') == std::string::npos ? 'x' : ',';
+    const auto size = numbers<std::uint32_t>(request.size, between, 2, "--size", "WxH");
     if (std::ranges::any_of(size, [](std::uint32_t side) { return side < 1 || side > isa::max_array_side; })) {
       throw UsageError("--size", fmt::format("the picture's sides have to be 1 to {} pixels", isa::max_array_side));
     }
     machines::set_picture_size(machine, {size[0], size[1]});
   }
-  if (options.memory_bits) machine.array.memory_bits = *options.memory_bits;
+  if (request.memory_bits) machine.array.memory_bits = *request.memory_bits;
   return machine;
 }
 
-Work work_of(const ModelRequest& options) { return Work(options.limit * std::uint64_t{1'000'000}); }
+Work work_of(const ModelRequest& request) { return Work(request.limit * std::uint64_t{1'000'000}); }
 
-emit::Options emit_options_of(const ModelRequest& options) {
+emit::Options emit_options_of(const ModelRequest& request) {
   emit::Options emit;
-  emit.strategy = by_name(emit::strategies).at(options.strategy);
-  emit.stack_bits = options.stack_bits;
-  emit.colouring = by_name(emit::colourings).at(options.colouring);
-  emit.colour_bits = options.colour_bits;
-  emit.scene = options.scene();
+  emit.strategy = by_name(emit::strategies).at(request.strategy);
+  emit.stack_bits = request.stack_bits;
+  emit.colouring = by_name(emit::colourings).at(request.colouring);
+  emit.colour_bits = request.colour_bits;
+  emit.scene = request.scene();
   emit.effects = effects::all();
-  emit.pruning = pruning_of(options.pruning);
-  emit.work = work_of(options);
+  emit.pruning = pruning_of(request.pruning);
+  emit.work = work_of(request);
   return emit;
 }
 
 namespace {
 
 /// As they are asked for, but for curved surfaces.
-facet::Faceting planar_faceting_of(const ModelRequest& options, const machines::Machine& machine,
+facet::Faceting planar_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                    const model::Tree& tree) {
-  if (!options.tolerance) return {};
-  if (!options.tolerance->in_pixels) return {.tolerance = options.tolerance->value};
+  if (!request.tolerance) return {};
+  if (!request.tolerance->in_pixels) return {.tolerance = request.tolerance->value};
   const facet::Geometry scene = facet::make_geometry(tree);
-  const view::Camera camera = camera_of(options, machine, tree, scene);
-  const double nearest = view::make_view(scene, tree, camera, sampling_of(options, machine)).depth.near;
-  const double tolerance = options.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
+  const view::Camera camera = camera_of(request, machine, tree, scene);
+  const double nearest = view::make_view(scene, tree, camera, sampling_of(request, machine)).depth.near;
+  const double tolerance = request.tolerance->value * view::pixel_size(camera, machine.picture.height, nearest);
   print_text(fmt::format("{:<18}--tolerance {:.6g}: {:g} pixels where the model is nearest\n", "chosen", tolerance,
-                         options.tolerance->value));
+                         request.tolerance->value));
   return {.tolerance = tolerance};
 }
 
@@ -288,53 +288,53 @@ std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::Vie
   return any ? unfit : std::vector<bool>{};
 }
 
-facet::Faceting faceting_of(const ModelRequest& options, const machines::Machine& machine, const model::Tree& tree) {
-  facet::Faceting faceting = planar_faceting_of(options, machine, tree);
-  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree) {
+  facet::Faceting faceting = planar_faceting_of(request, machine, tree);
+  const emit::Curves curves = by_name(emit::curve_choices).at(request.curves);
   if (curves == emit::Curves::facets) return faceting;
   if (curves == emit::Curves::automatic && machine.evaluator_degree < 2) return faceting;
-  const emit::Options emit = emit_options_of(options);
-  const view::Camera camera = camera_of(options, machine, tree, facet::make_geometry(tree));
+  const emit::Options emit = emit_options_of(request);
+  const view::Camera camera = camera_of(request, machine, tree, facet::make_geometry(tree));
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
   if (curves == emit::Curves::fast)
-    return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(options, machine), machine, emit, look);
+    return with_fast_spheres(std::move(faceting), tree, camera, sampling_of(request, machine), machine, emit, look);
   const std::optional<std::string> reason = emit::why_no_quadrics(machine, emit, look);
   if (reason && curves == emit::Curves::exact) throw InputError(*reason + ", or draw facets by --curves auto");
   if (reason) return faceting;
   faceting.exact_curves = true;
   if (curves == emit::Curves::exact) return faceting;
   const facet::Geometry scene = facet::make_geometry(tree, faceting);
-  faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(options, machine)));
+  faceting.faceted = unfit_primitives(scene, view::make_view(scene, tree, camera, sampling_of(request, machine)));
   return faceting;
 }
 
-facet::Faceting flat_faceting_of(const ModelRequest& options, const machines::Machine& machine,
+facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                  const model::Tree& tree) {
-  const emit::Curves curves = by_name(emit::curve_choices).at(options.curves);
+  const emit::Curves curves = by_name(emit::curve_choices).at(request.curves);
   if (curves == emit::Curves::exact || curves == emit::Curves::fast)
     throw UsageError("--curves", "this command takes facets alone; leave it out");
-  return planar_faceting_of(options, machine, tree);
+  return planar_faceting_of(request, machine, tree);
 }
 
-view::Sampling sampling_of(const ModelRequest& options, const machines::Machine& machine) {
-  if (options.near && projection_of(options) != view::Projection::perspective) {
+view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine) {
+  if (request.near && projection_of(request) != view::Projection::perspective) {
     throw UsageError("--near", "an orthographic view has no near plane; leave it out");
   }
-  if (options.near && !(*options.near > 0 && std::isfinite(*options.near)))
+  if (request.near && !(*request.near > 0 && std::isfinite(*request.near)))
     throw UsageError("--near", "the near plane has to be at a finite distance above 0");
-  if (!(options.edge_on > 0 && options.edge_on <= 1))
+  if (!(request.edge_on > 0 && request.edge_on <= 1))
     throw UsageError("--edge-on", "the edge-on fraction has to be above 0 and at most 1 pixel");
   const machines::Size picture = machine.picture;
-  const std::optional<double> near = options.near ? options.near : near_of(options);
-  return {picture.width, picture.height, options.z_bits, options.fraction_bits, options.edge_on, near};
+  const std::optional<double> near = request.near ? request.near : near_of(request);
+  return {picture.width, picture.height, request.z_bits, request.fraction_bits, request.edge_on, near};
 }
 
-view::Camera camera_of(const ModelRequest& options, const machines::Machine& machine, const model::Tree& tree,
+view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene) {
   const machines::Size picture = machine.picture;
-  const scene::Camera& seen_by = options.scene().camera;
-  const bool is_given = !options.camera.empty() || (seen_by.eye && seen_by.centre);
-  const bool sees_all = options.view_all || seen_by.view_all.value_or(false);
+  const scene::Camera& seen_by = request.scene().camera;
+  const bool is_given = !request.camera.empty() || (seen_by.eye && seen_by.centre);
+  const bool sees_all = request.view_all || seen_by.view_all.value_or(false);
   // The same picture, whatever curved surfaces are drawn as.
   const bool has_quadrics = !scene.quadrics.quadrics().empty();
   const facet::Box box = is_given && !sees_all ? scene.box
@@ -343,8 +343,8 @@ view::Camera camera_of(const ModelRequest& options, const machines::Machine& mac
   view::Camera camera = view::default_camera(box, picture.width, picture.height);
   camera.eye = seen_by.eye.value_or(camera.eye);
   camera.centre = seen_by.centre.value_or(camera.centre);
-  if (!options.camera.empty()) camera = camera_in(options.camera);
-  camera.projection = projection_of(options);
+  if (!request.camera.empty()) camera = camera_in(request.camera);
+  camera.projection = projection_of(request);
   return sees_all ? view::view_all(camera, box, picture.width, picture.height) : camera;
 }
 

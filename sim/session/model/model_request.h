@@ -65,7 +65,7 @@ struct ModelRequest {
   unsigned colour_bits = isa::most_colour_bits;
   std::string pruning = "all";  ///< see pruning_of
 
-  void add_to(OptionList& command,
+  void add_to(OptionList& options,
               const std::string& what =
                   "The model, an OpenSCAD .csg file (- is standard input), its source, .scad, or commands, .jan");
 
@@ -84,7 +84,7 @@ struct ModelRequest {
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
 
   /// Of these only what the picture shows and how exactly: nothing that a sweep varies.
-  void add_view_to(OptionList& command);
+  void add_view_to(OptionList& options);
 
  private:
   struct LoadedScene {
@@ -106,27 +106,27 @@ ModelRequest model_request_in(std::span<const std::string> words);
 std::vector<std::string> strategy_names();
 
 /// The machine with the array that the options ask for.
-machines::Machine machine_of(const ModelRequest& options);
+machines::Machine machine_of(const ModelRequest& request);
 
 /// A tolerance in pixels is turned into model units by what a pixel covers where the model is nearest to the eye, and
 /// what was chosen is printed.
-facet::Faceting faceting_of(const ModelRequest& options, const machines::Machine& machine, const model::Tree& tree);
+facet::Faceting faceting_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree);
 
 /// The same, of what takes facets alone: throws UsageError if --curves asks for curved surfaces.
-facet::Faceting flat_faceting_of(const ModelRequest& options, const machines::Machine& machine,
+facet::Faceting flat_faceting_of(const ModelRequest& request, const machines::Machine& machine,
                                  const model::Tree& tree);
 
 /// The primitives, if any, whose quadrics do not fit the machine's numbers as the camera sees them.
 std::vector<bool> unfit_primitives(const facet::Geometry& scene, const view::View& view);
 
-view::Sampling sampling_of(const ModelRequest& options, const machines::Machine& machine);
-emit::Options emit_options_of(const ModelRequest& options);
+view::Sampling sampling_of(const ModelRequest& request, const machines::Machine& machine);
+emit::Options emit_options_of(const ModelRequest& request);
 
 /// That reading and compiling the model may take.
-Work work_of(const ModelRequest& options);
+Work work_of(const ModelRequest& request);
 
 /// With --view-all, or without a camera, the extent of the model (convex/extent.h) is seen.
-view::Camera camera_of(const ModelRequest& options, const machines::Machine& machine, const model::Tree& tree,
+view::Camera camera_of(const ModelRequest& request, const machines::Machine& machine, const model::Tree& tree,
                        const facet::Geometry& scene);
 
 }  // namespace csgsim::session

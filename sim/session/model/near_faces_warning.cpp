@@ -7,7 +7,7 @@
 
 namespace csgsim::session {
 
-void warn_of_near_faces(const CompiledModel& model, const ModelRequest& options) {
+void warn_of_near_faces(const CompiledModel& model, const ModelRequest& request) {
   const convex::NearFaces found = convex::near_faces(model.tree, model.scene);
   if (found.pairs == 0) return;
   const std::string others =
@@ -18,7 +18,7 @@ void warn_of_near_faces(const CompiledModel& model, const ModelRequest& options)
       "{}: warning: a face of it and one of {} are nearly in one plane, but not quite{}; specks or a skin may be seen: "
       "{}let one reach well into the other",
       model::place_of(model.tree, found.first[0]), model::place_of(model.tree, found.first[1]), others,
-      options.snap ? "" : "use --snap, or "));
+      request.snap ? "" : "use --snap, or "));
 }
 
 }  // namespace csgsim::session

@@ -6,6 +6,6 @@
 namespace csgsim::session {
 
 /// One line on standard error if faces of two nodes are nearly in one plane, though not quite (convex/near_faces.h).
-void warn_of_near_faces(const CompiledModel& model, const ModelRequest& options);
+void warn_of_near_faces(const CompiledModel& model, const ModelRequest& request);
 
 }  // namespace csgsim::session

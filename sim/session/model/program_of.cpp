@@ -107,27 +107,27 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
   return machine;
 }
 
-void refuse_model_options(const OptionList& command, const std::set<std::string>& own, const std::string& why) {
-  for (const GivenOption& option : command.given()) {
+void refuse_model_options(const OptionList& options, const std::set<std::string>& own, const std::string& why) {
+  for (const GivenOption& option : options.given()) {
     if (option.name != "quiet" && !own.contains(option.name))
       throw UsageError("--" + option.name, "is for models; " + why);
   }
 }
 
-ProgramOnMachine program_of(const ModelRequest& options, const std::string& asked) {
-  if (is_model(options.model)) {
-    machines::Machine machine = machine_of(options);
-    isa::Program program = compile_model(options, machine).program;
+ProgramOnMachine program_of(const ModelRequest& request, const std::string& asked) {
+  if (is_model(request.model)) {
+    machines::Machine machine = machine_of(request);
+    isa::Program program = compile_model(request, machine).program;
     return {std::move(machine), std::move(program)};
   }
-  refuse_scene_sets(options.sets);
-  isa::Program program = read_program(options.model);
-  machines::Machine machine = machine_for(program, options.model, asked, options.sets);
+  refuse_scene_sets(request.sets);
+  isa::Program program = read_program(request.model);
+  machines::Machine machine = machine_for(program, request.model, asked, request.sets);
   return {std::move(machine), std::move(program)};
 }
 
-ProgramOnMachine program_of(const ModelRequest& options, const OptionList& command) {
-  return program_of(options, command.is_given("machine") ? options.machine : "");
+ProgramOnMachine program_of(const ModelRequest& request, const OptionList& options) {
+  return program_of(request, options.is_given("machine") ? request.machine : "");
 }
 
 }  // namespace csgsim::session

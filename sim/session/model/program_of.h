@@ -24,7 +24,7 @@ machines::Machine machine_for(const isa::Program& program, const std::string& fi
 /// For commands that take a model or a Program. A Program has been compiled: what says how to compile has no meaning
 /// for it. Throws UsageError where an option was given that is none of the command's `own`, by their long names
 /// without dashes; `why` ends the message.
-void refuse_model_options(const OptionList& command, const std::set<std::string>& own,
+void refuse_model_options(const OptionList& options, const std::set<std::string>& own,
                           const std::string& why = "a Program has been compiled already");
 
 /// What is run, and what runs it.
@@ -36,9 +36,9 @@ struct ProgramOnMachine {
 /// A model is compiled; anything else is a Program, and its machine the one that it names, or that --machine names.
 /// Both get the array that the Program is for. Throws InputError, or UsageError where a key of the scene is set for a
 /// Program.
-ProgramOnMachine program_of(const ModelRequest& options, const OptionList& command);
+ProgramOnMachine program_of(const ModelRequest& request, const OptionList& options);
 
 /// The same, where `asked` is what --machine of a Program says; empty if it was not given.
-ProgramOnMachine program_of(const ModelRequest& options, const std::string& asked);
+ProgramOnMachine program_of(const ModelRequest& request, const std::string& asked);
 
 }  // namespace csgsim::session

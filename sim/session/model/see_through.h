@@ -13,6 +13,6 @@ const emit::EffectRow* see_through(const emit::Options& emit, const model::Tree&
 
 /// Throws InputError where what is seen through would be held against an exact picture, which knows opaque solids
 /// alone.
-void refuse_see_through(const ModelRequest& options, const model::Tree& tree, const view::Camera& camera);
+void refuse_see_through(const ModelRequest& request, const model::Tree& tree, const view::Camera& camera);
 
 }  // namespace csgsim::session

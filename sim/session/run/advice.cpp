@@ -36,7 +36,7 @@ std::optional<std::string> lower(const char* option, unsigned& bits, unsigned fe
 /// An option that is turned by one step.
 struct TriedSetting {
   /// What it becomes, as on the command line; nothing where it stands at its end.
-  std::optional<std::string> (*turn)(ModelRequest& options);
+  std::optional<std::string> (*turn)(ModelRequest& request);
   const char* but;  ///< what else changes
 };
 
@@ -44,12 +44,12 @@ constexpr const char* same_picture = "the same picture";
 constexpr const char* other_picture = "another picture: csgsim accuracy tells how many pixels become wrong";
 
 constexpr auto tried_settings = std::to_array<TriedSetting>({
-    {[](ModelRequest& options) { return turn("--strategy", options.strategy, std::string("auto")); }, same_picture},
-    {[](ModelRequest& options) { return turn("--colouring", options.colouring, std::string("auto")); }, same_picture},
-    {[](ModelRequest& options) { return lower("--z-bits", options.z_bits, view::fewest_z_bits); }, other_picture},
-    {[](ModelRequest& options) { return lower("--fraction-bits", options.fraction_bits, 0); }, other_picture},
-    {[](ModelRequest& options) {
-       return turn("--colour-bits", options.colour_bits, std::min(options.colour_bits, few_colour_bits));
+    {[](ModelRequest& request) { return turn("--strategy", request.strategy, std::string("auto")); }, same_picture},
+    {[](ModelRequest& request) { return turn("--colouring", request.colouring, std::string("auto")); }, same_picture},
+    {[](ModelRequest& request) { return lower("--z-bits", request.z_bits, view::fewest_z_bits); }, other_picture},
+    {[](ModelRequest& request) { return lower("--fraction-bits", request.fraction_bits, 0); }, other_picture},
+    {[](ModelRequest& request) {
+       return turn("--colour-bits", request.colour_bits, std::min(request.colour_bits, few_colour_bits));
      },
      "coarser colours"},
 });
@@ -60,11 +60,11 @@ std::uint64_t interval_of(const isa::Program& program, const machines::Machine& 
 }
 
 /// Nothing where the model does not fit the machine so.
-std::optional<std::uint64_t> interval_with(const ModelRequest& options, const CompiledModel& model,
+std::optional<std::uint64_t> interval_with(const ModelRequest& request, const CompiledModel& model,
                                            const machines::Machine& machine) {
   try {
     const isa::Program program =
-        emit::compile(model.tree, model.scene, view_of(model, options, machine), machine, emit_options_of(options),
+        emit::compile(model.tree, model.scene, view_of(model, request, machine), machine, emit_options_of(request),
                       [&](const isa::Program& one) { return functional::clocks_of_run(one, machine); });
     return interval_of(program, machine);
   } catch (const InputError&) {
@@ -74,11 +74,11 @@ std::optional<std::uint64_t> interval_with(const ModelRequest& options, const Co
 
 }  // namespace
 
-std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& options,
+std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
                                          const machines::Machine& machine, const engine::RunResult& result) {
   std::vector<observe::Knob> knobs;
   for (const TriedSetting& setting : tried_settings) {
-    ModelRequest turned = options;
+    ModelRequest turned = request;
     const std::optional<std::string> option = setting.turn(turned);
     if (!option) continue;
     const std::optional<std::uint64_t> after = interval_with(turned, model, machine);

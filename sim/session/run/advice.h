@@ -28,7 +28,7 @@ std::vector<observe::Knob> knobs_of(const Advice& advice, const isa::Program& pr
 
 /// What options of csgsim render are worth, each changed by one step. Each is compiled, and, where the run may skip
 /// something, drawn.
-std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& options,
+std::vector<observe::Knob> setting_knobs(const CompiledModel& model, const ModelRequest& request,
                                          const machines::Machine& machine, const engine::RunResult& result);
 
 }  // namespace csgsim::session

@@ -12,13 +12,13 @@
 
 namespace csgsim::session {
 
-void CheckpointOptions::add_to(OptionList& command) {
-  command
+void CheckpointOptions::add_to(OptionList& options) {
+  options
       .option("--checkpoint", checkpoint,
               "Write the state of the run to this file now and then; the one before stays until the next is whole")
       .check(not_empty);
-  command.option("--checkpoint-every", every, "Instructions from one checkpoint to the next; 1000 if not given");
-  command.option("--resume", resume, "Go on from this checkpoint of the same Program and machine").check(not_empty);
+  options.option("--checkpoint-every", every, "Instructions from one checkpoint to the next; 1000 if not given");
+  options.option("--resume", resume, "Go on from this checkpoint of the same Program and machine").check(not_empty);
 }
 
 void CheckpointOptions::check(std::string_view level, std::span<const std::filesystem::path> files) const {

@@ -29,7 +29,7 @@ struct CheckpointOptions {
   std::optional<std::uint64_t> every;
   std::string resume;
 
-  void add_to(OptionList& command);
+  void add_to(OptionList& options);
 
   /// Refuses options that make no sense together, and a checkpoint that cannot be written or is one of these files.
   /// Throws UsageError, InputError.

@@ -141,11 +141,11 @@ Json machine_json(const machines::Machine& machine) {
   return {{"name", machine.name}, {"hash", machines::hash_of(machine)}, {"figures", std::move(figures)}};
 }
 
-Json configuration_of(const OptionList& command, const RunSubject& subject) {
-  Json options = Json::object();
-  for (const OptionValue& option : command.values()) options[option.name] = value_json(option);
-  Json configuration{{"command", command_json(command.arguments())},
-                     {"options", std::move(options)},
+Json configuration_of(const OptionList& options, const RunSubject& subject) {
+  Json values = Json::object();
+  for (const OptionValue& option : options.values()) values[option.name] = value_json(option);
+  Json configuration{{"command", command_json(options.arguments())},
+                     {"options", std::move(values)},
                      {"version", version_and_build()},
                      {"machine", machine_json(subject.machine)},
                      {"camera", camera_json(subject)}};

@@ -26,7 +26,7 @@ struct RunSubject {
   bool is_in_place = false;  ///< the subject's file is a name alone; what stands in its place has the hash
 };
 
-nlohmann::ordered_json configuration_of(const OptionList& command, const RunSubject& subject);
+nlohmann::ordered_json configuration_of(const OptionList& options, const RunSubject& subject);
 
 /// The machine as it was used: `name`, `hash`, and `figures` with value, unit and provenance.
 nlohmann::ordered_json machine_json(const machines::Machine& machine);

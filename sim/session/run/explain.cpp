@@ -20,12 +20,12 @@
 
 namespace csgsim::session {
 
-void ExplainRequest::add_to(OptionList& command) {
-  model.add_to(command, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
-  command.option("--pixel", pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
-  command.option("--point", point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
+void ExplainRequest::add_to(OptionList& options) {
+  model.add_to(options, "The model, .csg, its source, .scad, or commands, .jan; or a Program, .csgt");
+  options.option("--pixel", pixel, "Column and row of the pixel, x,y, counted from 0 at the top left");
+  options.option("--point", point, "A point of the model, X,Y,Z, in place of the pixel that shows it")
       .excludes("--pixel");
-  command
+  options
       .option("--why-not", why_not,
               "Tell too why this primitive is not seen there: its index (p3), its name (cylinder@9:9) or its line (@9)")
       .check(not_empty);
@@ -46,26 +46,26 @@ struct Explained {
   std::optional<CompiledModel> model;  ///< but for its Program
 };
 
-bool is_of_program(const ExplainRequest& options, const InPlace& in_place) {
+bool is_of_program(const ExplainRequest& request, const InPlace& in_place) {
   if (in_place.program != nullptr) return true;
-  return !in_place.text && !is_model(options.model.model);
+  return !in_place.text && !is_model(request.model.model);
 }
 
-ProgramOnMachine program_in_place(const isa::Program& program, const ModelRequest& options, const OptionList& command) {
-  refuse_scene_sets(options.sets);
-  const std::string asked = command.is_given("machine") ? options.machine : "";
-  return {machine_for(program, options.model, asked, options.sets), program};
+ProgramOnMachine program_in_place(const isa::Program& program, const ModelRequest& request, const OptionList& options) {
+  refuse_scene_sets(request.sets);
+  const std::string asked = options.is_given("machine") ? request.machine : "";
+  return {machine_for(program, request.model, asked, request.sets), program};
 }
 
-Explained explained_by(const ExplainRequest& options, const OptionList& command, const InPlace& in_place) {
-  if (is_of_program(options, in_place)) {
-    ProgramOnMachine found = in_place.program ? program_in_place(*in_place.program, options.model, command)
-                                              : program_of(options.model, command);
+Explained explained_by(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
+  if (is_of_program(request, in_place)) {
+    ProgramOnMachine found = in_place.program ? program_in_place(*in_place.program, request.model, options)
+                                              : program_of(request.model, options);
     return {std::move(found.machine), std::move(found.program), {}};
   }
-  Explained subject{machine_of(options.model), {}, {}};
-  ModelFile file = in_place.text ? read_model_text(options.model, *in_place.text) : read_model_file(options.model);
-  subject.model = compile_model(std::move(file), options.model, subject.machine);
+  Explained subject{machine_of(request.model), {}, {}};
+  ModelFile file = in_place.text ? read_model_text(request.model, *in_place.text) : read_model_file(request.model);
+  subject.model = compile_model(std::move(file), request.model, subject.machine);
   subject.program = std::move(subject.model->program);
   return subject;
 }
@@ -93,38 +93,38 @@ void tell_point(const std::string& point, double distance, story::Answer& answer
   answer.json["point_distance"] = distance;
 }
 
-std::optional<std::uint32_t> missed_in(const ExplainRequest& options, const isa::Program& program) {
-  if (options.why_not.empty()) return std::nullopt;
-  return primitive_named(program, options.why_not, "--why-not");
+std::optional<std::uint32_t> missed_in(const ExplainRequest& request, const isa::Program& program) {
+  if (request.why_not.empty()) return std::nullopt;
+  return primitive_named(program, request.why_not, "--why-not");
 }
 
-story::Answer answer_of(const ExplainRequest& options, const Explained& subject) {
+story::Answer answer_of(const ExplainRequest& request, const Explained& subject) {
   const isa::Program& program = subject.program;
   std::optional<story::HalfspaceFinder> finder;
-  if (subject.model) finder.emplace(halfspaces_of(*subject.model, options.model, subject.machine));
-  const bool is_point = !options.point.empty();
+  if (subject.model) finder.emplace(halfspaces_of(*subject.model, request.model, subject.machine));
+  const bool is_point = !request.point.empty();
   const Seen seen =
-      is_point ? seen_at(options.point, finder->view()) : Seen{pixel_named(program, options.pixel, "--pixel"), 0};
+      is_point ? seen_at(request.point, finder->view()) : Seen{pixel_named(program, request.pixel, "--pixel"), 0};
   story::Answer answer = story::answer_of({program, finder ? &*finder : nullptr}, subject.machine, seen.pixel.x,
-                                          seen.pixel.y, missed_in(options, program));
-  if (is_point) tell_point(options.point, seen.distance, answer);
+                                          seen.pixel.y, missed_in(request, program));
+  if (is_point) tell_point(request.point, seen.distance, answer);
   return answer;
 }
 
 }  // namespace
 
-void refuse_misuse(const ExplainRequest& options, const OptionList& command, const InPlace& in_place) {
-  if (options.pixel.empty() == options.point.empty())
+void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
+  if (request.pixel.empty() == request.point.empty())
     throw UsageError("explain", "say which pixel, by --pixel x,y or by --point X,Y,Z");
-  if (!is_of_program(options, in_place)) return;
-  if (!options.point.empty())
+  if (!is_of_program(request, in_place)) return;
+  if (!request.point.empty())
     throw UsageError("--point", "is for models; a Program does not tell its camera: take --pixel");
-  refuse_model_options(command, {"machine", "set", "pixel", "why-not", "json"});
+  refuse_model_options(options, {"machine", "set", "pixel", "why-not", "json"});
 }
 
-story::Answer explain(const ExplainRequest& options, const OptionList& command, const InPlace& in_place) {
-  const Explained subject = explained_by(options, command, in_place);
-  return with_memory_for_picture(subject.machine.array, [&] { return answer_of(options, subject); });
+story::Answer explain(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
+  const Explained subject = explained_by(request, options, in_place);
+  return with_memory_for_picture(subject.machine.array, [&] { return answer_of(request, subject); });
 }
 
 }  // namespace csgsim::session

@@ -16,13 +16,13 @@ struct ExplainRequest {
   std::string point;
   std::string why_not;
 
-  void add_to(OptionList& command);
+  void add_to(OptionList& options);
 };
 
 /// Throws UsageError where it is not said which pixel, or what is said is not for a Program.
-void refuse_misuse(const ExplainRequest& options, const OptionList& command, const InPlace& in_place = {});
+void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
 
 /// Throws InputError, UsageError.
-story::Answer explain(const ExplainRequest& options, const OptionList& command, const InPlace& in_place = {});
+story::Answer explain(const ExplainRequest& request, const OptionList& options, const InPlace& in_place = {});
 
 }  // namespace csgsim::session

@@ -15,23 +15,23 @@ namespace csgsim::session {
 namespace {
 
 /// Worked out where somebody wants to see it: files are read once more for it.
-nlohmann::ordered_json wanted_configuration(const OptionList& command, const RunSubject& subject,
-                                            const RunRequest& options, bool is_wanted) {
-  if (!is_wanted && options.stats.empty() && !options.report.asked() && !command.watch.before) return nullptr;
-  nlohmann::ordered_json configuration = configuration_of(command, subject);
-  if (command.watch.before) command.watch.before(configuration);
+nlohmann::ordered_json wanted_configuration(const OptionList& options, const RunSubject& subject,
+                                            const RunRequest& request, bool is_wanted) {
+  if (!is_wanted && request.stats.empty() && !request.report.asked() && !options.watch.before) return nullptr;
+  nlohmann::ordered_json configuration = configuration_of(options, subject);
+  if (options.watch.before) options.watch.before(configuration);
   return configuration;
 }
 
-FinishedRun simulated(const RunSubject& subject, const RunRequest& options, const CheckpointOptions& checkpoints) {
+FinishedRun simulated(const RunSubject& subject, const RunRequest& request, const CheckpointOptions& checkpoints) {
   const isa::Program& program = subject.program;
   const machines::Machine& machine = subject.machine;
   RunObservers observers{observe::FrameObserver(program), observe::StatsObserver(program), {}};
-  const bool shows = shows_progress(options.progress);
-  observe::LongWork work = long_run(options.level);
-  if (shows || options.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
+  const bool shows = shows_progress(request.progress);
+  observe::LongWork work = long_run(request.level);
+  if (shows || request.level != "functional") observers.progress.emplace(program, machine).warn(work, shows);
   const std::unique_ptr<engine::Engine> engine =
-      make_engine(machine, options.level, options.threads, evaluator_form(options.evaluator, options.level));
+      make_engine(machine, request.level, request.threads, evaluator_form(request.evaluator, request.level));
   FinishedRun run;
   const auto begin = std::chrono::steady_clock::now();
   run.result = run_with_checkpoints(*engine, program, machine, checkpoints, observers);
@@ -52,31 +52,31 @@ report::Page page_of(const FinishedRun& run, const RunSubject& subject, const Re
                           halfspaces ? &*halfspaces : nullptr);
 }
 
-FinishedRun finish(const OptionList& command, const RunSubject& subject, const RunRequest& options, RunOutputs& outputs,
+FinishedRun finish(const OptionList& options, const RunSubject& subject, const RunRequest& request, RunOutputs& outputs,
                    const Advice& advice, const Judge& judge, const CheckpointOptions& checkpoints, bool is_configured) {
   const isa::Program& program = subject.program;
-  nlohmann::ordered_json configuration = wanted_configuration(command, subject, options, is_configured);
-  FinishedRun run = simulated(subject, options, checkpoints);
+  nlohmann::ordered_json configuration = wanted_configuration(options, subject, request, is_configured);
+  FinishedRun run = simulated(subject, request, checkpoints);
   run.knobs = knobs_of(advice, program, subject.machine, run.result);
   run.stats_file = observe::to_json(run.report(subject));
   if (!configuration.is_null()) put_configuration(run.stats_file, std::move(configuration), run.picture);
   if (judge) run.verdict = judge(run.picture, run.stats_file["accuracy"]);
   outputs.write_pictures(run.picture, program);
   outputs.write_stats(run.stats_file.dump(2) + "\n");
-  if (options.report.asked()) outputs.write_report(page_of(run, subject, options.report));
+  if (request.report.asked()) outputs.write_report(page_of(run, subject, request.report));
   outputs.commit();
   return run;
 }
 
 }  // namespace
 
-FinishedRun finish_run(const OptionList& command, const RunSubject& subject, const RunRequest& options,
+FinishedRun finish_run(const OptionList& options, const RunSubject& subject, const RunRequest& request,
                        RunOutputs& outputs, const Advice& advice, const Judge& judge,
                        const CheckpointOptions& checkpoints, bool is_configured) {
-  evaluator_form(options.evaluator, options.level);
-  announce_memory(subject.machine, subject.program.shape, options.level);
+  evaluator_form(request.evaluator, request.level);
+  announce_memory(subject.machine, subject.program.shape, request.level);
   return with_memory_for_run({&subject.program, 1}, subject.machine.array, [&] {
-    return finish(command, subject, options, outputs, advice, judge, checkpoints, is_configured);
+    return finish(options, subject, request, outputs, advice, judge, checkpoints, is_configured);
   });
 }
 

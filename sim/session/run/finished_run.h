@@ -37,7 +37,7 @@ struct FinishedRun {
 
 /// Runs the Program at the level asked for and writes what was asked for. Where there is a judge, its verdict goes into
 /// the stats under `accuracy`. With `is_configured` the stats have the configuration, whether or not they are written.
-FinishedRun finish_run(const OptionList& command, const RunSubject& subject, const RunRequest& options,
+FinishedRun finish_run(const OptionList& options, const RunSubject& subject, const RunRequest& request,
                        RunOutputs& outputs, const Advice& advice, const Judge& judge = {},
                        const CheckpointOptions& checkpoints = {}, bool is_configured = false);
 

@@ -14,40 +14,40 @@
 
 namespace csgsim::session {
 
-void RenderRequest::add_to(OptionList& command) {
-  model.add_to(command);
-  run.add_to(command);
-  run.report.add_to(command);
-  command.flag("--check", check, "Hold the picture against the exact one, and add what differs to the stats");
-  command.option("--max-wrong-pixels", max_wrong_pixels,
+void RenderRequest::add_to(OptionList& options) {
+  model.add_to(options);
+  run.add_to(options);
+  run.report.add_to(options);
+  options.flag("--check", check, "Hold the picture against the exact one, and add what differs to the stats");
+  options.option("--max-wrong-pixels", max_wrong_pixels,
                  "Take the cheapest --z-bits and --fraction-bits with at most so many wrong pixels");
 }
 
-Compiled compile(RenderRequest& options, const ChooseBits& choose, const InPlace& in_place) {
-  machines::Machine machine = machine_of(options.model);
-  ModelFile file = in_place.text ? read_model_text(options.model, *in_place.text) : read_model_file(options.model);
-  if (options.max_wrong_pixels) choose(options, machine, file.tree);
-  CompiledModel model = compile_model(std::move(file), options.model, machine);
-  warn_of_near_faces(model, options.model);
-  std::vector<std::filesystem::path> inputs = options.model.inputs();
+Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place) {
+  machines::Machine machine = machine_of(request.model);
+  ModelFile file = in_place.text ? read_model_text(request.model, *in_place.text) : read_model_file(request.model);
+  if (request.max_wrong_pixels) choose(request, machine, file.tree);
+  CompiledModel model = compile_model(std::move(file), request.model, machine);
+  warn_of_near_faces(model, request.model);
+  std::vector<std::filesystem::path> inputs = request.model.inputs();
   inputs.insert(inputs.end(), model.tree.imports.begin(), model.tree.imports.end());
   return {std::move(machine), std::move(model), std::move(inputs), in_place.text.has_value()};
 }
 
-Judge judge_of(const RenderRequest& options, const Compiled& compiled) {
-  if (!options.check) return {};
-  refuse_see_through(options.model, compiled.model.tree, compiled.model.camera);
+Judge judge_of(const RenderRequest& request, const Compiled& compiled) {
+  if (!request.check) return {};
+  refuse_see_through(request.model, compiled.model.tree, compiled.model.camera);
   return [&](const observe::Frame& frame, nlohmann::ordered_json& json) {
-    return verdict(compiled.model, options.model, frame, json);
+    return verdict(compiled.model, request.model, frame, json);
   };
 }
 
-Advice advice_of(const RenderRequest& options, const Compiled& compiled) {
-  return {options.model.machine,
-          options.run.advice,
+Advice advice_of(const RenderRequest& request, const Compiled& compiled) {
+  return {request.model.machine,
+          request.run.advice,
           "csgsim render with --advice tries the machine's figures and the settings, and tells what each is worth",
           [&](const engine::RunResult& result) {
-            return setting_knobs(compiled.model, options.model, compiled.machine, result);
+            return setting_knobs(compiled.model, request.model, compiled.machine, result);
           },
           {"csgsim accuracy tells what bits and facets cost in wrong pixels, csgsim sweep what memory buys"}};
 }

@@ -23,7 +23,7 @@ struct RenderRequest {
   bool check = false;
   std::optional<std::uint64_t> max_wrong_pixels;
 
-  void add_to(OptionList& command);
+  void add_to(OptionList& options);
 };
 
 /// A model compiled for a machine, to be run.
@@ -34,14 +34,14 @@ struct Compiled {
   bool is_text = false;                       ///< a text was read in place of the model's file
 
   /// `options` are those that it was compiled with. Both have to outlive what is returned.
-  [[nodiscard]] RunSubject subject(const RenderRequest& options) const {
+  [[nodiscard]] RunSubject subject(const RenderRequest& request) const {
     return {.machine = machine,
             .program = model.program,
             .inputs = inputs,
             .hash = model.hash,
             .camera = &model.camera,
-            .scene = &options.model.scene_values(),
-            .halfspaces = [this, &options] { return halfspaces_of(model, options.model, machine); },
+            .scene = &request.model.scene_values(),
+            .halfspaces = [this, &request] { return halfspaces_of(model, request.model, machine); },
             .is_in_place = is_text};
   }
 };
@@ -51,13 +51,13 @@ using ChooseBits = std::function<void(RenderRequest&, const machines::Machine&, 
 
 /// Compiles the model, with the bits that are chosen, if the request leaves that open. Warns of faces nearly in one
 /// plane. Throws InputError, UsageError.
-Compiled compile(RenderRequest& options, const ChooseBits& choose, const InPlace& in_place = {});
+Compiled compile(RenderRequest& request, const ChooseBits& choose, const InPlace& in_place = {});
 
 /// Holds the picture against the exact one of the same half-spaces; none without --check. Options and model have to
 /// outlive it. Throws InputError for what is see-through.
-Judge judge_of(const RenderRequest& options, const Compiled& compiled);
+Judge judge_of(const RenderRequest& request, const Compiled& compiled);
 
 /// What may be tried to better the run. Options and model have to outlive it.
-Advice advice_of(const RenderRequest& options, const Compiled& compiled);
+Advice advice_of(const RenderRequest& request, const Compiled& compiled);
 
 }  // namespace csgsim::session

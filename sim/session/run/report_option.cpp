@@ -36,10 +36,10 @@ std::string typed(const std::vector<std::string>& arguments) {
 
 }  // namespace
 
-void ReportOption::add_to(OptionList& command) {
-  command.option("--report", file, "One page of all this, .html: pictures, counts, plots to point at; needs no network")
+void ReportOption::add_to(OptionList& options) {
+  options.option("--report", file, "One page of all this, .html: pictures, counts, plots to point at; needs no network")
       .check(html_name);
-  asked_ = &command;
+  asked_ = &options;
 }
 
 report::Context ReportOption::context(std::span<const machines::Machine> machines) const {

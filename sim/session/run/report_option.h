@@ -23,7 +23,7 @@ namespace csgsim::session {
 struct ReportOption {
   std::string file;
 
-  void add_to(OptionList& command);
+  void add_to(OptionList& options);
   [[nodiscard]] bool asked() const { return !file.empty(); }
 
   /// What the command was told: nothing before the command line has been read.

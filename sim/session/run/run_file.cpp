@@ -12,16 +12,16 @@
 
 namespace csgsim::session {
 
-void ProgramRequest::add_to(OptionList& command) {
-  command.option("PROGRAM", program, "The Program, .csgt or its text form").required();
-  command
+void ProgramRequest::add_to(OptionList& options) {
+  options.option("PROGRAM", program, "The Program, .csgt or its text form").required();
+  options
       .option("--machine", machine,
               "A machine's name or its .toml file, in place of the one that the Program was compiled for; it gets "
               "the array the Program is for")
       .check(is_read_by(check_machine));
-  add_figure_sets(command, sets, "the machine");
-  run.add_to(command);
-  checkpoints.add_to(command);
+  add_figure_sets(options, sets, "the machine");
+  run.add_to(options);
+  checkpoints.add_to(options);
 }
 
 std::vector<std::filesystem::path> ProgramRequest::inputs() const {
@@ -38,9 +38,9 @@ std::vector<std::filesystem::path> ProgramRequest::files_read() const {
 namespace {
 
 /// Files that a checkpoint may not take the place of. The one that is resumed may be written again.
-std::vector<std::filesystem::path> others(const ProgramRequest& options) {
-  std::vector<std::filesystem::path> files = options.inputs();
-  for (const std::string& file : {options.run.picture, options.run.depth, options.run.owner, options.run.stats})
+std::vector<std::filesystem::path> others(const ProgramRequest& request) {
+  std::vector<std::filesystem::path> files = request.inputs();
+  for (const std::string& file : {request.run.picture, request.run.depth, request.run.owner, request.run.stats})
     if (!file.empty()) files.emplace_back(file);
   return files;
 }
@@ -55,23 +55,23 @@ std::string hash_of(const isa::Program& program) {
 
 }  // namespace
 
-void refuse_misuse(const ProgramRequest& options) {
-  refuse_scene_sets(options.sets);
-  options.checkpoints.check(options.run.level, others(options));
+void refuse_misuse(const ProgramRequest& request) {
+  refuse_scene_sets(request.sets);
+  request.checkpoints.check(request.run.level, others(request));
 }
 
-Loaded load(const ProgramRequest& options, const InPlace& in_place) {
-  isa::Program program = in_place.program ? *in_place.program : read_program(options.program);
-  machines::Machine machine = machine_for(program, options.program, options.machine, options.sets);
-  Loaded loaded{std::move(machine), std::move(program), options.inputs()};
+Loaded load(const ProgramRequest& request, const InPlace& in_place) {
+  isa::Program program = in_place.program ? *in_place.program : read_program(request.program);
+  machines::Machine machine = machine_for(program, request.program, request.machine, request.sets);
+  Loaded loaded{std::move(machine), std::move(program), request.inputs()};
   if (in_place.program == nullptr) return loaded;
   loaded.hash = hash_of(loaded.program);
   loaded.is_in_place = true;
   return loaded;
 }
 
-Advice advice_of(const ProgramRequest& options, const machines::Machine& machine) {
-  return {options.machine.empty() ? machine.name : options.machine, options.run.advice,
+Advice advice_of(const ProgramRequest& request, const machines::Machine& machine) {
+  return {request.machine.empty() ? machine.name : request.machine, request.run.advice,
           "csgsim run --advice tries the machine's figures, csgsim render --advice settings too"};
 }
 

@@ -21,7 +21,7 @@ struct ProgramRequest {
   RunRequest run;
   CheckpointOptions checkpoints;
 
-  void add_to(OptionList& command);
+  void add_to(OptionList& options);
 
   /// The Program's file, and the machine's if it is one.
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const;
@@ -43,11 +43,11 @@ struct Loaded {
 };
 
 /// Throws UsageError for what makes no sense, InputError for a checkpoint that cannot be written.
-void refuse_misuse(const ProgramRequest& options);
+void refuse_misuse(const ProgramRequest& request);
 
 /// Reads the Program, or takes the one in its place. Throws InputError, UsageError.
-Loaded load(const ProgramRequest& options, const InPlace& in_place = {});
+Loaded load(const ProgramRequest& request, const InPlace& in_place = {});
 
-Advice advice_of(const ProgramRequest& options, const machines::Machine& machine);
+Advice advice_of(const ProgramRequest& request, const machines::Machine& machine);
 
 }  // namespace csgsim::session

@@ -23,17 +23,17 @@ std::string legend_of(const std::filesystem::path& owner_picture) {
 
 }  // namespace
 
-RunOutputs::RunOutputs(const RunRequest& options, std::span<const std::filesystem::path> inputs)
-    : of_opaque_(options.surface == "opaque") {
-  const std::array<std::filesystem::path, page + 1> names{options.picture,          options.depth, options.owner,
-                                                          legend_of(options.owner), options.stats, options.report.file};
+RunOutputs::RunOutputs(const RunRequest& request, std::span<const std::filesystem::path> inputs)
+    : of_opaque_(request.surface == "opaque") {
+  const std::array<std::filesystem::path, page + 1> names{request.picture,          request.depth, request.owner,
+                                                          legend_of(request.owner), request.stats, request.report.file};
   refuse_clashes(inputs, names);
-  refuse_terminal("--output", options.picture);
-  refuse_terminal("--depth", options.depth);
-  refuse_terminal("--owner", options.owner);
-  refuse_other_format("--output", options.picture);
-  if (!options.depth.empty()) observe::check_depth_format(options.depth);
-  refuse_other_format("--owner", options.owner);
+  refuse_terminal("--output", request.picture);
+  refuse_terminal("--depth", request.depth);
+  refuse_terminal("--owner", request.owner);
+  refuse_other_format("--output", request.picture);
+  if (!request.depth.empty()) observe::check_depth_format(request.depth);
+  refuse_other_format("--owner", request.owner);
   for (std::size_t i = 0; i < names.size(); ++i)
     if (!names[i].empty()) files_[i].emplace(names[i]);
 }

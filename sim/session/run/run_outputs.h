@@ -17,7 +17,7 @@ namespace csgsim::session {
 class RunOutputs {
  public:
   /// Throws UsageError for one that is another or an input, InputError for one that cannot be written.
-  RunOutputs(const RunRequest& options, std::span<const std::filesystem::path> inputs);
+  RunOutputs(const RunRequest& request, std::span<const std::filesystem::path> inputs);
 
   void write_pictures(const observe::Frame& frame, const isa::Program& program);
   void write_stats(std::string_view json);

@@ -12,6 +12,7 @@
 #include "hw/base/error.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
+#include "sim/observe/progress.h"
 #include "sim/observe/stats.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/progress.h"
@@ -50,42 +51,42 @@ observe::LongWork long_run(const std::string& level) {
                                 : "--level functional draws the same picture and tells the same counts in far less"};
 }
 
-void RunRequest::add_outputs_to(OptionList& command) {
-  command
+void RunRequest::add_outputs_to(OptionList& options) {
+  options
       .option("-o,--output", picture, "The picture; the format is the name's ending (.png, .tif, .ppm, ...), PNG for -")
       .check(not_empty);
-  command.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
+  options.option("--depth", depth, "Depth picture, .exr: distance from the eye along the view axis, model units")
       .check(exr_name);
-  command
+  options
       .option("--owner", owner,
               "Which primitive is seen: .png, a colour each and a legend, .json beside it; or .exr, its index")
       .check(owner_name);
-  command.option("--stats", stats, "All counts, .json").check(not_empty);
+  options.option("--stats", stats, "All counts, .json").check(not_empty);
 }
 
-void RunRequest::add_to(OptionList& command) {
-  add_outputs_to(command);
-  command
+void RunRequest::add_to(OptionList& options) {
+  add_outputs_to(options);
+  options
       .option("--surface", surface,
               "What --depth and --owner tell: the nearest surface that is seen, see-through or not; or the opaque one "
               "that is seen, through others or not")
       .one_of({"nearest", "opaque"}, "surface");
-  command
+  options
       .option("--level", level,
               "functional (fast), cycle (SystemC, every clock) or reference (bit-serial, slow); all give the same")
       .one_of(level_names());
-  command
+  options
       .option("--evaluator", evaluator,
               "Of --level cycle, the multiplier trees of frame-buffer and pixel-square: worked-out of the "
               "coefficients, or stepped "
               "adder by adder, which takes longer")
       .one_of(evaluator_names(), "evaluator");
-  command.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
+  options.option("--threads", threads, "Threads that the functional level works on; the picture is the same")
       .between(1U, most_threads);
-  command.flag("--advice", advice,
+  options.flag("--advice", advice,
                "Try what could be turned, each of the machine's figures and each setting by one step, and tell what "
                "it is worth");
-  add_progress(command, progress);
+  add_progress(options, progress);
 }
 
 void refuse_overflow(const engine::RunResult& result) {

@@ -34,10 +34,10 @@ struct RunRequest {
   unsigned threads = 1;
   bool advice = false;  ///< try all that could be turned, to see what it is worth
 
-  void add_to(OptionList& command);
+  void add_to(OptionList& options);
 
   /// Of these only what is written.
-  void add_outputs_to(OptionList& command);
+  void add_outputs_to(OptionList& options);
 };
 
 /// The names of the levels of fidelity.

@@ -10,9 +10,9 @@
 
 namespace csgsim::session {
 
-std::string verdict(const CompiledModel& compiled, const ModelRequest& options, const observe::Frame& frame,
+std::string verdict(const CompiledModel& compiled, const ModelRequest& request, const observe::Frame& frame,
                     nlohmann::ordered_json& json) {
-  refuse_see_through(options, compiled.tree, compiled.camera);
+  refuse_see_through(request, compiled.tree, compiled.camera);
   const isa::Program& program = compiled.program;
   const judges::Truth truth = judges::exact_truth(compiled.tree, compiled.scene, compiled.camera, program.shape.width,
                                                   program.shape.height, program.facts->depth_scale);

@@ -12,7 +12,7 @@ namespace csgsim::session {
 /// Holds the picture against the exact one of the same half-spaces: `json` becomes how many pixels are wrong, and in
 /// what, as the stats have it. Returns the same as a line of a summary. Throws InputError where something is
 /// see-through.
-std::string verdict(const CompiledModel& compiled, const ModelRequest& options, const observe::Frame& frame,
+std::string verdict(const CompiledModel& compiled, const ModelRequest& request, const observe::Frame& frame,
                     nlohmann::ordered_json& json);
 
 }  // namespace csgsim::session
