@@ -46,9 +46,9 @@ Usage: ./setup.sh COMMAND
   openscad-tests DIR [WORDS...]
          hold pictures of OpenSCAD's own tests and examples against OpenSCAD's meshes: DIR is a checkout, which
          git clone --depth 1 https://github.com/openscad/openscad DIR makes; with WORDS those with a word in their path
-  lint [BASE]
+  lint [BASE [MOST]]
          check the formatting (clang-format) and the code (clang-tidy); with BASE, a commit, only the code that has
-         changed since
+         changed since; with MOST, only so many files, those that changed last
   cluster
          run a study on a Slurm of its own with two nodes, kill one of them, and compare with one process; the same
          with srun, mpirun and GNU Parallel (as root)
@@ -148,22 +148,25 @@ tsan() {
   $fixed ctest --preset tsan -j "$(nproc)"
 }
 
-# The .cpp files to be checked: all, but those that are compiled for the web alone, or those that changed since a commit, and for each header that changed one that
-# includes it.
+# sources [BASE [MOST]]: the .cpp files to be checked: all but those that are compiled for the web alone; or those that
+# changed since a commit, and for each header that changed one that includes it, the latest change first, MOST at most.
 sources() {
   git ls-files 'hw/*.cpp' 'host/*.cpp' 'sim/*.cpp' ':!sim/web/lacking' >build/sources
   if [ -z "${1:-}" ]; then
     cat build/sources
     return
   fi
-  git diff --name-only --diff-filter=d "$1" -- hw host sim >build/changed
   {
-    grep -Fx -f build/changed build/sources || true
-    grep '\.h$' build/changed | while read -r header; do
+    git diff --name-only --diff-filter=d HEAD -- hw host sim
+    git log --format= --name-only "$1"..HEAD -- hw host sim
+  } >build/changed
+  while read -r file; do
+    case "$file" in
+      *.cpp) grep -Fx "$file" build/sources || true ;;
       # Its own source file, if there is one, or the first that there is.
-      grep -Fx "${header%.h}.cpp" build/sources || xargs grep -lF "#include \"$header\"" <build/sources | head -n 1
-    done || true
-  } | sort -u
+      *.h) grep -Fx "${file%.h}.cpp" build/sources || xargs grep -lF "#include \"$file\"" <build/sources | head -n 1 ;;
+    esac
+  done <build/changed | awk -v most="${2:-1000000}" '!seen[$0]++ && count++ < most'
 }
 
 lint() {
@@ -177,7 +180,7 @@ lint() {
   fi
   git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
   cmake --preset lint
-  sources "${1:-}" >build/linted
+  sources "$@" >build/linted
   echo "clang-tidy on $(wc -l <build/linted) files"
   xargs -r -P "$(nproc)" -n 1 clang-tidy -p build/lint --quiet --extra-arg=-Wno-unknown-warning-option <build/linted
 }
@@ -400,7 +403,10 @@ case "${1:-}" in
   fuzz) fuzz "${2:-}" "${3:-}" ;;
   nightly) nightly "${2:-}" ;;
   tsan) tsan ;;
-  lint) lint "${2:-}" ;;
+  lint)
+    shift
+    lint "$@"
+    ;;
   mutate)
     shift
     # shellcheck disable=SC2086
