@@ -18,3 +18,16 @@ function(csgsim_rows output headers namespace type function)
   endforeach()
   configure_file(${PROJECT_SOURCE_DIR}/cmake/rows.cpp.in ${output} @ONLY)
 endfunction()
+
+# csgsim_embed(OUTPUT HEADER NAMESPACE FUNCTION FOLDER NAMES...): writes the source OUTPUT into the build folder. It
+# defines `std::span<const machines::BuiltIn> FUNCTION()` in the namespace, which the header declares: each NAME with the
+# text of FOLDER/NAME.toml.
+function(csgsim_embed output header namespace function folder)
+  set(rows "")
+  foreach(name IN LISTS ARGN)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${folder}/${name}.toml)
+    file(READ ${folder}/${name}.toml text)
+    string(APPEND rows "    {\"${name}\", R\"toml(${text})toml\"},\n")
+  endforeach()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/embedded.cpp.in ${output} @ONLY)
+endfunction()
