@@ -19,6 +19,7 @@
 #include "host/emit/fast_spheres.h"
 #include "host/emit/preparation.h"
 #include "host/emit/quadric_depths.h"
+#include "host/emit/strategy.h"
 #include "hw/base/error.h"
 #include "hw/base/pages.h"
 #include "hw/isa/extents.h"
@@ -280,13 +281,17 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   if (options.strategy != Strategy::automatic) {
     add(options.strategy, options.stack_bits);
   } else {
-    add(Strategy::stack, options.stack_bits);
-    add(Strategy::list, options.stack_bits);
-    add(Strategy::parallel, options.stack_bits);
-    add(Strategy::stored, options.stack_bits);
     // Levels beyond the tree's change nothing, and many levels change little.
     const unsigned most = fewest_stack_bits + std::min(plan.depth(), most_levels_tried);
-    for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);
+    const auto add_all = [&](bool has_stack_bits, unsigned stack_bits) {
+      for (const Strategy strategy : strategies) {
+        if (strategy == Strategy::automatic) continue;
+        const StrategyRow& row = row_of(strategy);
+        if (row.is_tried && row.has_stack_bits == has_stack_bits) add(strategy, stack_bits);
+      }
+    };
+    add_all(false, options.stack_bits);
+    for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add_all(true, bits);
   }
   if (options.colouring != Colouring::automatic) return with_strategy;
   std::vector<Options> all;
