@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
+#include <string_view>
 
 #include "host/emit/context.h"
 #include "host/emit/divided.h"
@@ -20,6 +20,7 @@
 #include "host/emit/preparation.h"
 #include "host/emit/quadric_depths.h"
 #include "host/emit/strategy.h"
+#include "host/model/shapes.h"
 #include "hw/base/error.h"
 #include "hw/base/pages.h"
 #include "hw/isa/extents.h"
@@ -35,16 +36,8 @@ namespace {
 /// Levels up to which `Strategy::automatic` tries to keep results on a stack.
 constexpr std::uint32_t most_levels_tried = 8;
 
-struct ShapeName {
-  std::string operator()(const model::Cube&) const { return "cube"; }
-  std::string operator()(const model::Sphere&) const { return "sphere"; }
-  std::string operator()(const model::Cylinder&) const { return "cylinder"; }
-  std::string operator()(const model::Polyhedron&) const { return "polyhedron"; }
-};
-
 std::string name_of(const model::Primitive& primitive) {
-  const std::string shape =
-      primitive.node.empty() ? std::visit(ShapeName{}, primitive.shape) : std::string(primitive.node);
+  const std::string_view shape = primitive.node.empty() ? model::name_of(primitive.shape) : primitive.node;
   return fmt::format("{}@{}:{}", shape, primitive.location.line, primitive.location.column);
 }
 
