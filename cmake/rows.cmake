@@ -18,3 +18,18 @@ function(csgsim_rows output headers namespace type function)
   endforeach()
   configure_file(${PROJECT_SOURCE_DIR}/cmake/rows.cpp.in ${output} @ONLY)
 endfunction()
+
+# csgsim_embed(OUTPUT HEADER NAMESPACE FUNCTION FOLDER NAMES...): writes the source OUTPUT into the build folder. It
+# defines `std::span<const machines::BuiltIn> FUNCTION()` in the namespace, which the header declares: each NAME with the
+# text of FOLDER/NAME.toml.
+function(csgsim_embed output header namespace function folder)
+  cmake_path(ABSOLUTE_PATH folder NORMALIZE)
+  set(rows "")
+  foreach(name IN LISTS ARGN)
+    cmake_path(APPEND folder ${name}.toml OUTPUT_VARIABLE file)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    string(APPEND rows "    {\"${name}\", R\"toml(${text})toml\"},\n")
+  endforeach()
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/embedded.cpp.in ${output} @ONLY)
+endfunction()

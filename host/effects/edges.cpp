@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/effects/rows.h"
 #include "host/emit/facet_geometry.h"
+#include "host/model/shapes.h"
 #include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 
@@ -48,21 +47,14 @@ struct Numbers : emit::EffectState {
   [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(std::bit_width(most)); }
 };
 
-/// Degrees between neighbours of so many facets of a curved surface.
-double angle_between(const model::Shape& shape, std::size_t curved) {
-  const double radians = std::holds_alternative<model::Sphere>(shape)
-                             ? std::sqrt(4 * std::numbers::pi / static_cast<double>(curved))
-                             : 2 * std::numbers::pi / static_cast<double>(curved);
-  return radians * 180 / std::numbers::pi;
-}
-
 std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Convex& solid,
                             const facet::PlaneTable& planes, double crease) {
   std::vector<bool> curved;
   for (const facet::Halfspace& halfspace : solid.halfspaces)
     curved.push_back(!emit::is_flat(primitive, planes.planes()[halfspace.plane].normal));
   const auto count = static_cast<std::size_t>(std::count(curved.begin(), curved.end(), true));
-  if (count == 0 || angle_between(primitive.shape, count) >= crease) curved.assign(curved.size(), false);
+  const bool is_smooth = count > 0 && model::angle_between(primitive.shape, count) * 180 / std::numbers::pi < crease;
+  if (!is_smooth) curved.assign(curved.size(), false);
   return curved;
 }
 

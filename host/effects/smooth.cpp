@@ -5,14 +5,13 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <optional>
-#include <variant>
 #include <vector>
 
 #include "host/effects/blend.h"
 #include "host/effects/rows.h"
 #include "host/emit/facet_colour.h"
 #include "host/emit/facet_geometry.h"
-#include "host/model/hypotenuse.h"
+#include "host/model/shapes.h"
 #include "host/view/projection.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/host_counts.h"
@@ -31,26 +30,6 @@ void visit_keys(Settings& settings, auto&& visit) {
                           "facets whose vertices differ by less stay in one colour"),
         settings.least_difference);
 }
-
-/// The unit normal of the surface that a facet stands for, at one of its vertices, both in the primitive's own axes;
-/// nothing where the facet is the surface.
-struct TrueNormal {
-  glm::dvec3 vertex;
-  glm::dvec3 of_facet;
-
-  std::optional<glm::dvec3> operator()(const model::Cube& /*cube*/) const { return std::nullopt; }
-  std::optional<glm::dvec3> operator()(const model::Polyhedron& /*polyhedron*/) const { return std::nullopt; }
-  std::optional<glm::dvec3> operator()(const model::Sphere& /*sphere*/) const {
-    return glm::length(vertex) > 0 ? std::optional(glm::normalize(vertex)) : std::nullopt;
-  }
-  std::optional<glm::dvec3> operator()(const model::Cylinder& cylinder) const {
-    // A cone's apex has no normal of its own; there it is the facet's.
-    const bool is_apex = model::hypotenuse(vertex.x, vertex.y) <= 1e-9 * std::max(cylinder.r1, cylinder.r2);
-    const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
-    const glm::dvec2 outward = around / glm::length(around) * cylinder.height;
-    return glm::normalize(glm::dvec3(outward, cylinder.r1 - cylinder.r2));
-  }
-};
 
 /// What is to be fitted: at a place of the picture, levels of red, green and blue.
 struct Sample {
@@ -77,7 +56,7 @@ std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& 
   const glm::dvec3 top = top_levels(context.options.colour_bits);
   for (const glm::dvec3& vertex : emit::vertices_of(context, facet)) {
     const std::optional<glm::dvec3> own =
-        std::visit(TrueNormal{glm::dvec3(to_own * glm::dvec4(vertex, 1)), facet_normal}, primitive.shape);
+        model::normal_at(primitive.shape, glm::dvec3(to_own * glm::dvec4(vertex, 1)), facet_normal);
     const glm::dvec3 in_eye = space.to_eye(vertex);
     if (!own || (space.perspective && in_eye.z <= 0)) return {};
     const glm::dvec3 normal = sign * glm::normalize(glm::transpose(glm::dmat3(to_own)) * *own);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <map>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "host/effects/blend.h"
@@ -15,6 +14,7 @@
 #include "host/emit/early_out.h"
 #include "host/emit/facet_colour.h"
 #include "host/emit/facet_geometry.h"
+#include "host/model/shapes.h"
 #include "hw/base/error.h"
 #include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
@@ -245,11 +245,11 @@ class Textures final : public emit::EffectOf<Settings> {
     for (std::uint32_t i = 0; i < primitives.size(); ++i) {
       const Texture* const texture = texture_of(settings, primitives[i]);
       const bool is_named = texture != nullptr && (texture->of_colour || texture->from_line);
-      if (!is_named || !std::holds_alternative<model::Sphere>(primitives[i].shape)) continue;
+      if (!is_named || model::has_flat_faces(primitives[i].shape)) continue;
       throw InputError(
-          fmt::format("{}: textures are for flat facets, and this is a sphere; name cubes, polyhedra or cylinders, "
+          fmt::format("{}: textures are for flat facets, and this is a {}; name cubes, polyhedra or cylinders, "
                       "whose ends are flat, in [[effects.textures]]",
-                      model::place_of(*drawing.tree, i)));
+                      model::place_of(*drawing.tree, i), model::name_of(primitives[i].shape)));
     }
   }
 };

@@ -9,7 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <variant>
+#include <string_view>
 
 #include "host/emit/context.h"
 #include "host/emit/divided.h"
@@ -19,6 +19,8 @@
 #include "host/emit/fast_spheres.h"
 #include "host/emit/preparation.h"
 #include "host/emit/quadric_depths.h"
+#include "host/emit/strategy.h"
+#include "host/model/shapes.h"
 #include "hw/base/error.h"
 #include "hw/base/pages.h"
 #include "hw/isa/extents.h"
@@ -36,16 +38,8 @@ namespace {
 /// Levels up to which `Strategy::automatic` tries to keep results on a stack.
 constexpr std::uint32_t most_levels_tried = 8;
 
-struct ShapeName {
-  std::string operator()(const model::Cube&) const { return "cube"; }
-  std::string operator()(const model::Sphere&) const { return "sphere"; }
-  std::string operator()(const model::Cylinder&) const { return "cylinder"; }
-  std::string operator()(const model::Polyhedron&) const { return "polyhedron"; }
-};
-
 std::string name_of(const model::Primitive& primitive) {
-  const std::string shape =
-      primitive.node.empty() ? std::visit(ShapeName{}, primitive.shape) : std::string(primitive.node);
+  const std::string_view shape = primitive.node.empty() ? model::name_of(primitive.shape) : primitive.node;
   return fmt::format("{}@{}:{}", shape, primitive.location.line, primitive.location.column);
 }
 
@@ -284,13 +278,17 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   if (options.strategy != Strategy::automatic) {
     add(options.strategy, options.stack_bits);
   } else {
-    add(Strategy::stack, options.stack_bits);
-    add(Strategy::list, options.stack_bits);
-    add(Strategy::parallel, options.stack_bits);
-    add(Strategy::stored, options.stack_bits);
     // Levels beyond the tree's change nothing, and many levels change little.
     const unsigned most = fewest_stack_bits + std::min(plan.depth(), most_levels_tried);
-    for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add(Strategy::bits, bits);
+    const auto add_all = [&](bool has_stack_bits, unsigned stack_bits) {
+      for (const Strategy strategy : strategies) {
+        if (strategy == Strategy::automatic) continue;
+        const StrategyRow& row = row_of(strategy);
+        if (row.is_tried && row.has_stack_bits == has_stack_bits) add(strategy, stack_bits);
+      }
+    };
+    add_all(false, options.stack_bits);
+    for (unsigned bits = fewest_stack_bits; bits <= most; ++bits) add_all(true, bits);
   }
   if (options.colouring != Colouring::automatic) return with_strategy;
   std::vector<Options> all;

@@ -9,6 +9,7 @@
 #include "host/emit/evaluation.h"
 #include "host/emit/shading.h"
 #include "host/emit/stored.h"
+#include "host/emit/strategy.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
 
@@ -72,9 +73,7 @@ namespace {
 /// Plans the drawing, of which the rest is there, and has each called effect prepare it.
 void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
   const Options& options = workshop.options;
-  csg::Pruning pruning = options.pruning;
-  // Chapter 6 multiplies the tree of primitives out as it is.
-  if (options.strategy == Strategy::products) pruning.sets = false;
+  csg::Pruning pruning = pruning_of(options);
   drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive(*drawing.tree), drawing.view.camera);
   if (drawing.reflection) {
     drawing.look.lighting = drawing.reflection->lighting;

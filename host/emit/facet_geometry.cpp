@@ -4,7 +4,8 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
-#include <variant>
+
+#include "host/model/shapes.h"
 
 namespace csgsim::emit {
 
@@ -12,9 +13,6 @@ namespace {
 
 /// Vertices of a facet are this close to its plane, relative to their distance from the middle of the model.
 constexpr double on_plane = 1e-6;
-
-/// A facet of a cylinder whose normal has this cosine to the axis, or a greater one, is an end.
-constexpr double end_cosine = 1 - 1e-9;
 
 /// A normal in the primitive's own axes, of length 1.
 glm::dvec3 in_own_axes(const model::Primitive& primitive, const glm::dvec3& normal) {
@@ -38,9 +36,7 @@ glm::dvec3 own_normal(const Context& context, const Facet& facet) {
 }
 
 bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal) {
-  if (std::holds_alternative<model::Sphere>(primitive.shape)) return false;
-  return !std::holds_alternative<model::Cylinder>(primitive.shape) ||
-         std::abs(in_own_axes(primitive, normal).z) > end_cosine;
+  return model::is_flat(primitive.shape, in_own_axes(primitive, normal));
 }
 
 std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {

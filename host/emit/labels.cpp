@@ -1,9 +1,8 @@
-#include "host/emit/labels.h"
-
 #include <span>
 
 #include "host/csg/ordered_list.h"
 #include "host/emit/comparison.h"
+#include "host/emit/strategy.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -83,9 +82,10 @@ class ListEmitter {
   std::uint64_t classified_ = 0;
 };
 
-}  // namespace
-
-unsigned label_bits(const csg::ActiveTree& active) { return csg::make_ordered_list(active).label_bits; }
+/// The bits of the label that a pixel keeps.
+ClassificationBits list_bits(const csg::ActiveTree& active, const Options& /*options*/) {
+  return {.label = csg::make_ordered_list(active).label_bits};
+}
 
 std::uint64_t emit_list(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   const csg::OrderedList list = csg::make_ordered_list(planned.active);
@@ -93,5 +93,10 @@ std::uint64_t emit_list(const Context& context, Broadcast& out, const PlannedSur
   emitter.emit(list.leaves);
   return emitter.classified();
 }
+
+}  // namespace
+
+/// Ordered Boolean list (csg::OrderedList), leaf after leaf: the label of the leaf that a pixel waits for.
+extern const StrategyRow list_strategy{.bits = list_bits, .classify = emit_list};
 
 }  // namespace csgsim::emit

@@ -4,6 +4,7 @@
 
 #include "host/csg/products.h"
 #include "host/emit/comparison.h"
+#include "host/emit/strategy.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -223,5 +224,16 @@ std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const Plann
   classifier.run();
   return classifier.classified();
 }
+
+ClassificationBits bits_for_all_levels(const csg::ActiveTree& active, const Options& /*options*/) {
+  return bits_for_levels(active, all_levels);
+}
+
+std::uint64_t emit_by_all_levels(const Context& context, Broadcast& out, const PlannedSurface& planned) {
+  return emit_by_levels(context, out, planned, all_levels);
+}
+
+/// The active tree once for a primitive, one bit a pending result.
+extern const StrategyRow stack_strategy{.bits = bits_for_all_levels, .classify = emit_by_all_levels};
 
 }  // namespace csgsim::emit

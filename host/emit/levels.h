@@ -17,4 +17,8 @@ ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned level
 /// Clears the mask where Z1 is out of the active tree. Returns how many primitives were compared with Z1.
 std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels);
 
+/// The same of all levels, as StrategyRow has them.
+ClassificationBits bits_for_all_levels(const csg::ActiveTree& active, const Options& options);
+std::uint64_t emit_by_all_levels(const Context& context, Broadcast& out, const PlannedSurface& planned);
+
 }  // namespace csgsim::emit

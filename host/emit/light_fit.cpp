@@ -9,10 +9,10 @@
 #include <numbers>
 #include <numeric>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "host/emit/facet_geometry.h"
+#include "host/model/shapes.h"
 #include "host/view/fast_sphere.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
@@ -28,44 +28,18 @@ constexpr int along = 13;
 /// A pivot below this part of the greatest counts as 0: the places lie in a plane.
 constexpr double least_pivot = 1e-12;
 
-/// A place of a surface and its normal, of length 1, in the primitive's own axes.
-struct SurfacePlace {
-  glm::dvec3 at;
-  glm::dvec3 normal;
-};
-
-struct Places {
-  std::vector<SurfacePlace> operator()(const model::Cube& /*cube*/) const { return {}; }
-  std::vector<SurfacePlace> operator()(const model::Polyhedron& /*polyhedron*/) const { return {}; }
-  std::vector<SurfacePlace> operator()(const model::Sphere& sphere) const {
-    return rings([&](const glm::dvec2& direction, double part) {
-      const double angle = std::numbers::pi * (part - 0.5);
-      const glm::dvec3 normal(direction * std::cos(angle), std::sin(angle));
-      return SurfacePlace{normal * sphere.radius, normal};
-    });
-  }
-  std::vector<SurfacePlace> operator()(const model::Cylinder& cylinder) const {
-    return rings([&](const glm::dvec2& direction, double part) {
-      const double radius = cylinder.r1 + (cylinder.r2 - cylinder.r1) * part;
-      const double z = cylinder.height * (part - (cylinder.center ? 0.5 : 0.0));
-      const glm::dvec3 normal(direction * cylinder.height, cylinder.r1 - cylinder.r2);
-      return SurfacePlace{{direction * radius, z}, glm::normalize(normal)};
-    });
-  }
-
- private:
-  template <class Place>
-  static std::vector<SurfacePlace> rings(const Place& place) {
-    std::vector<SurfacePlace> places;
-    for (int ring = 0; ring < along; ++ring) {
-      for (int i = 0; i < around; ++i) {
-        const double angle = 2 * std::numbers::pi * i / around;
-        places.push_back(place({std::cos(angle), std::sin(angle)}, (ring + 0.5) / along));
-      }
+/// None where the shape has no curved surface.
+std::vector<model::SurfacePlace> places_of(const model::Shape& shape) {
+  std::vector<model::SurfacePlace> places;
+  for (int ring = 0; ring < along; ++ring) {
+    for (int i = 0; i < around; ++i) {
+      const double angle = 2 * std::numbers::pi * i / around;
+      const auto place = model::place_at(shape, {std::cos(angle), std::sin(angle)}, (ring + 0.5) / along);
+      if (place) places.push_back(*place);
     }
-    return places;
   }
-};
+  return places;
+}
 
 /// 1, column and row from the middle of the picture, depth steps.
 using Coordinates = std::array<double, 4>;
@@ -104,7 +78,7 @@ std::vector<Sample> samples_of(const Context& context, const Facet& facet, const
   const view::View& view = context.view;
   const view::EyeSpace space = view::eye_space(view.camera, view.sampling);
   std::vector<Sample> samples;
-  for (const SurfacePlace& own : std::visit(Places{}, primitive.shape)) {
+  for (const model::SurfacePlace& own : places_of(primitive.shape)) {
     const glm::dvec3 in_eye = space.to_eye(glm::dvec3(primitive.transform * glm::dvec4(own.at, 1)));
     const glm::dvec3 normal = in_camera_axes(view.camera, sign * glm::normalize(normals * own.normal));
     const glm::dvec3 from_eye = space.perspective ? in_eye : glm::dvec3(0, 0, 1);

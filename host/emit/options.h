@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "host/csg/pruning.h"
 #include "host/scene/scene.h"
@@ -12,20 +13,23 @@
 
 namespace csgsim::emit {
 
-/// How classifications are worked out at the pixels. The pictures are the same, bit for bit.
+/// How classifications are worked out at the pixels, in the order of messages; each is a file of this folder with a row
+/// (strategy.h). The pictures are the same, bit for bit.
+#define CSGSIM_STRATEGIES(ROW) ROW(stack) ROW(list) ROW(bits) ROW(products) ROW(parallel) ROW(stored) ROW(polygons)
+#define CSGSIM_ENUMERATOR(name) name,
+#define CSGSIM_OWN_ENUMERATOR(name) Strategy::name,
+
 enum class Strategy : std::uint8_t {
-  stack,      ///< the active tree once for a primitive, one bit a pending result
-  list,       ///< ordered Boolean list: the label of the leaf that a pixel waits for
-  bits,       ///< thesis 6.4: the first levels by a stack, subtrees below by repeated traversal
-  products,   ///< thesis 6.3: sum of products, a primitive rendered once for each
-  parallel,   ///< thesis 4.4.2: one bit a leaf, all nodes of a level at once
-  stored,     ///< thesis 6.1: as stack, but depths of primitives that are compared are kept, rendered once each
-  polygons,   ///< thesis 7.2.1 and 8.2: what is compared with nothing is drawn face by face, the rest as by stack
-  automatic,  ///< whichever of the others, but polygons, takes the fewest clocks and fits
+  CSGSIM_STRATEGIES(CSGSIM_ENUMERATOR) automatic  ///< whichever that may be chosen takes the fewest clocks and fits
 };
 
-inline constexpr std::array strategies{Strategy::stack,    Strategy::list,   Strategy::bits,     Strategy::products,
-                                       Strategy::parallel, Strategy::stored, Strategy::polygons, Strategy::automatic};
+inline constexpr std::array strategies{CSGSIM_STRATEGIES(CSGSIM_OWN_ENUMERATOR) Strategy::automatic};
+
+#undef CSGSIM_OWN_ENUMERATOR
+#undef CSGSIM_ENUMERATOR
+
+/// Strategies that studies vary if none are named.
+std::vector<Strategy> usual_strategies();
 
 /// The strategy's name on the command line and in the stats.
 std::string_view name_of(Strategy strategy);

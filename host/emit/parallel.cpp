@@ -4,6 +4,7 @@
 #include <span>
 
 #include "host/emit/comparison.h"
+#include "host/emit/strategy.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -109,10 +110,21 @@ void emit_string_levels(Broadcast& out, const csg::BitString& string, unsigned b
   }
 }
 
+namespace {
+
+ClassificationBits parallel_bits(const csg::ActiveTree& active, const Options& /*options*/) {
+  return {.stack = string_bits(active)};
+}
+
 std::uint64_t emit_parallel(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   ParallelEmitter emitter(context, out, planned);
   for (const std::uint32_t operand : planned.active.operands) emitter.narrow_mask_by(operand);
   return emitter.classified();
 }
+
+}  // namespace
+
+/// Thesis 4.4.2: one bit a leaf, all nodes of a level at once.
+extern const StrategyRow parallel_strategy{.bits = parallel_bits, .classify = emit_parallel};
 
 }  // namespace csgsim::emit

@@ -13,8 +13,4 @@ unsigned string_bits(const csg::ActiveTree& active);
 /// machine, for which it takes the fewest clocks.
 void emit_string_levels(Broadcast& out, const csg::BitString& string, unsigned base, unsigned alu_bits);
 
-/// Clears the mask where Z1 is out of the active tree, which is worked out bit-parallel (thesis 4.4.2). Returns how
-/// many primitives were compared with Z1.
-std::uint64_t emit_parallel(const Context& context, Broadcast& out, const PlannedSurface& planned);
-
 }  // namespace csgsim::emit

@@ -1,5 +1,3 @@
-#include "host/emit/polygons.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -7,7 +5,9 @@
 
 #include "host/emit/drawing.h"
 #include "host/emit/early_out.h"
+#include "host/emit/levels.h"
 #include "host/emit/shading.h"
+#include "host/emit/strategy.h"
 #include "host/view/region.h"
 #include "host/view/rivals.h"
 #include "hw/isa/opcodes.h"
@@ -91,8 +91,8 @@ void emit_face(const Context& context, Broadcast& out, const PlannedSurface& pla
   emit_early_out(context, out, merge, merging);
 }
 
-}  // namespace
-
+/// Whether the surface is drawn face by face: nothing is compared with it but its own faces, all are
+/// flat and none is cut by the near plane, and flat shading is all that is called for.
 bool has_polygons(const Context& context, const PlannedSurface& planned, const Surface& surface) {
   const bool is_plain = context.called.size() <= 1 && context.base.width == 0 && context.beyond.width == 0 &&
                         context.beyond_plane == nullptr && context.paint == nullptr && context.layout.owner.width == 0;
@@ -102,6 +102,9 @@ bool has_polygons(const Context& context, const PlannedSurface& planned, const S
          std::ranges::all_of(surface.facets, [](const Facet& facet) { return facet.at == At::plane; });
 }
 
+/// Draws the surface where it is visible: each face for itself where it is nearer than Z2. A face is what its
+/// neighbours' planes leave of its own (thesis 7.2.1 and 8.2), by the depths at which machines compare planes, so that
+/// each pixel is of the face that emit_surface finds there. A plane that the face nowhere comes near is not compared.
 void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                    const Surface& surface) {
   const view::PixelRect& pixels = surface.block.pixels;
@@ -122,5 +125,22 @@ void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface&
   }
   out.counts.rendered += planned.set.size();
 }
+
+bool draw_polygons(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+  const Surface surface = surface_of(context, planned, sides);
+  if (surface.nothing) return true;
+  if (!has_polygons(context, planned, surface)) return false;
+  emit_polygons(context, out, planned, sides, surface);
+  return true;
+}
+
+}  // namespace
+
+/// Thesis 7.2.1 and 8.2: what is compared with nothing is drawn face by face, the rest as by stack.
+extern const StrategyRow polygons_strategy{.bits = bits_for_all_levels,
+                                           .classify = emit_by_all_levels,
+                                           .draw = draw_polygons,
+                                           .is_tried = false,
+                                           .is_usual = false};
 
 }  // namespace csgsim::emit

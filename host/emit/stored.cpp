@@ -7,7 +7,9 @@
 #include "host/emit/drawing.h"
 #include "host/emit/early_out.h"
 #include "host/emit/halfspaces.h"
+#include "host/emit/levels.h"
 #include "host/emit/quadric_depths.h"
+#include "host/emit/strategy.h"
 #include "hw/isa/opcodes.h"
 
 namespace csgsim::emit {
@@ -162,13 +164,6 @@ Decides what_decides(const Context& context, std::uint32_t primitive, const csg:
 
 }  // namespace
 
-std::vector<std::uint32_t> compared_primitives(const SegmentPlan& segment, const view::View& view) {
-  std::vector<std::uint32_t> all;
-  for (const PlannedSurface& one : segment.surfaces) add_compared(one, view, all);
-  sort_out(all);
-  return all;
-}
-
 StoredDepths::StoredDepths(const Context& context) : layout_(context.layout) {
   if (layout_.stored.empty()) return;
   for (const PlannedSurface& one : context.plan.surfaces)
@@ -200,12 +195,16 @@ void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_
   if (decides.back || (!decides.front && is_nowhere_at_some)) out.plain(Opcode::field_lt, z1, fields.back);
 }
 
+namespace {
+
+/// Whether emit_stored_surface has the depths of all that makes up the surface, and no colour beside Z1 to write.
 bool has_stored_surface(const Context& context, const PlannedSurface& planned) {
   if (context.stored == nullptr || context.layout.candidate_colour.width > 0) return false;
   return std::ranges::all_of(planned.set,
                              [&](std::uint32_t primitive) { return context.stored->of(primitive).has_value(); });
 }
 
+/// What emit_surface does, by depths that are kept.
 Surface emit_stored_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   Surface surface = surface_of(context, planned, sides);
   if (surface.nothing) return surface;
@@ -233,5 +232,27 @@ Surface emit_stored_surface(const Context& context, Broadcast& out, const Planne
   }
   return surface;
 }
+
+Surface emit_surface_by_stored(const Context& context, Broadcast& out, const PlannedSurface& planned,
+                               const Sides& sides) {
+  return has_stored_surface(context, planned) ? emit_stored_surface(context, out, planned, sides)
+                                              : emit_surface(context, out, planned, sides);
+}
+
+/// Of primitives that a surface of the segment is compared with where both have pixels, a front and a back each.
+unsigned depth_bits(const SegmentPlan& segment, const view::View& view) {
+  std::vector<std::uint32_t> compared;
+  for (const PlannedSurface& one : segment.surfaces) add_compared(one, view, compared);
+  sort_out(compared);
+  return static_cast<unsigned>(compared.size()) * 2 * view.sampling.z_bits;
+}
+
+}  // namespace
+
+/// Thesis 6.1: as stack, but depths of primitives that are compared are kept, rendered once each.
+extern const StrategyRow stored_strategy{.bits = bits_for_all_levels,
+                                         .classify = emit_by_all_levels,
+                                         .surface = emit_surface_by_stored,
+                                         .stored_bits = depth_bits};
 
 }  // namespace csgsim::emit

@@ -8,10 +8,6 @@
 
 namespace csgsim::emit {
 
-/// Primitives that a surface of the segment is compared with where both have pixels, ascending: those whose depths
-/// Strategy::stored keeps.
-std::vector<std::uint32_t> compared_primitives(const SegmentPlan& segment, const view::View& view);
-
 /// Where a primitive's depths are kept. Its solid is at depths from `front` to before `back`; at pixels where it is at
 /// none, `front` is the farthest depth and `back` the nearest.
 struct StoredFields {
@@ -39,11 +35,5 @@ void emit_stored_depths(const Context& context, Broadcast& out);
 /// E := E and "Z1 is in the primitive", whose depths are in the fields, by what of it matters where the surface can be.
 void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
                             const PlannedSurface& of);
-
-/// Whether emit_stored_surface has the depths of all that makes up the surface, and no colour beside Z1 to write.
-bool has_stored_surface(const Context& context, const PlannedSurface& planned);
-
-/// What emit_surface does, by depths that are kept.
-Surface emit_stored_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides);
 
 }  // namespace csgsim::emit

@@ -25,6 +25,7 @@ class Kind final : public machines::KindOf<Figures> {
                  std::uint32_t x, std::uint32_t y) const override;
   machines::Resources resources(const Machine& machine, const isa::FrameHeader& header) const override;
   std::vector<machines::Load> loads(const machines::FrameTiming& timing) const override;
+  bool is_costly() const override { return true; }
 };
 
 extern const Kind kind;

@@ -15,6 +15,8 @@
 
 namespace csgsim::kinds {
 
+using machines::BuiltIn;
+
 namespace {
 
 constexpr InputKind machine_file{"a machine file, which ends in .toml", std::size_t{1} << 20U,
@@ -25,12 +27,6 @@ constexpr InputKind machine_file{"a machine file, which ends in .toml", std::siz
 std::vector<std::string_view> built_in_names() {
   std::vector<std::string_view> names;
   for (const BuiltIn& machine : built_in()) names.push_back(machine.name);
-  return names;
-}
-
-std::vector<std::string_view> studied_names() {
-  std::vector<std::string_view> names = built_in_names();
-  std::erase_if(names, [](std::string_view name) { return std::ranges::find(costly(), name) != costly().end(); });
   return names;
 }
 
@@ -64,6 +60,13 @@ machines::Machine read_file_of(const std::string& file, std::span<const std::str
 }
 
 }  // namespace
+
+std::vector<std::string_view> studied_names() {
+  std::vector<std::string_view> names;
+  for (const BuiltIn& machine : built_in())
+    if (!read(machine, {}).kind->is_costly()) names.push_back(machine.name);
+  return names;
+}
 
 namespace {
 

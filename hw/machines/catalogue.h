@@ -12,15 +12,10 @@
 #include "hw/base/error.h"
 #include "hw/base/input_file.h"
 #include "hw/base/nearest.h"
+#include "hw/machines/built_in.h"
 #include "hw/machines/names.h"
 
 namespace csgsim::machines {
-
-/// A description that comes with csgsim.
-struct BuiltIn {
-  std::string_view name;
-  std::string_view text;  ///< of NAME.toml
-};
 
 /// Things that files of figures describe, with a `name` and `figures`: those that come with csgsim, and any file. For
 /// source files, as {fmt} is.

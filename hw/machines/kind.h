@@ -105,6 +105,8 @@ class Kind {
   /// Its parts, those that may bound a frame, with the clocks in which each works from one frame to the next; none from
   /// a kind that does not tell. Of several that are alike the one that works most.
   [[nodiscard]] virtual std::vector<Load> loads(const FrameTiming& /*timing*/) const { return {}; }
+  /// Whether studies of several machines draw on it only where it is named: a frame is millions of commands.
+  [[nodiscard]] virtual bool is_costly() const { return false; }
   /// Whether its processors are the pixels of hw/rtl, whose area is known (hw/machines/area.h).
   [[nodiscard]] virtual bool bit_serial_pixels() const { return false; }
 };

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "hw/machines/catalogue.h"
+#include "hw/machines/built_in.h"
 
 namespace csgsim::process {
 

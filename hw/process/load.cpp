@@ -1,3 +1,4 @@
+#include "hw/machines/catalogue.h"
 #include "hw/process/built_in.h"
 #include "hw/process/process.h"
 

@@ -1,3 +1,4 @@
+#include "hw/machines/catalogue.h"
 #include "hw/processors/built_in.h"
 #include "hw/processors/processor.h"
 

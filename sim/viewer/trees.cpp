@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host/emit/divided.h"
+#include "host/emit/strategy.h"
 #include "host/view/projection.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
@@ -106,10 +107,8 @@ std::optional<Json> ActiveTrees::of(std::uint32_t piece, std::uint32_t segment) 
     const view::View view = session::view_of(model_, options_, machine_);
     emit::Options options = session::emit_options_of(options_);
     if (const auto division = machine_.kind->division(machine_)) options = emit::options_for(*division, options);
-    // The strategy that multiplies the tree out knows no sets.
-    if (options.strategy == emit::Strategy::products) options.pruning.sets = false;
     emit::Plan plan = emit::make_plan(model_.tree, model_.scene, view, {model_.program.segments[segment].region},
-                                      options.pruning, {}, options.work);
+                                      emit::pruning_of(options), {}, options.work);
     plan_ = std::move(plan.segments.front());
     segment_ = segment;
   }

@@ -22,45 +22,41 @@ def filled(template, values):
     text = (TOP / template).read_text()
     for name, value in values.items():
         text = text.replace(f"@{name}@", value)
-    if lacking := re.search(r"@(CSGSIM_\w+)@", text):
+    if lacking := re.search(r"^@(\w+)@", text, re.MULTILINE):
         raise SystemExit(f"{template} asks for {lacking.group(1)}, which sim/web/rooms.py does not give")
     return text
 
 
-def embedded(folder, names):
-    """What csgsim_embed makes of descriptions."""
-    return "".join(f'    {{"{name}", R"toml({(TOP / folder / name).with_suffix(".toml").read_text()})toml"}},\n'
-                   for name in names)
+def make_rows(folder, output, headers, namespace, kind, function, names):
+    """What csgsim_rows makes."""
+    write(folder / output, filled("cmake/rows.cpp.in", {
+        "includes": "".join(f'#include "{header}"\n' for header in headers),
+        "declarations": "".join(f"extern const {kind} {name};\n" for name in names if "::" not in name),
+        "rows": "".join(f"    &{name},\n" for name in names),
+        "namespace": namespace, "type": kind, "function": function}))
 
 
-def make_rows(cmake, folder):
-    """What csgsim_rows makes for each of its calls in a CMakeLists.txt."""
-    calls = re.findall(r'^csgsim_rows\((\S+) "?([^" ]+)"? (\S+) (\S+) (\S+)\s+([^)]*)\)', (TOP / cmake).read_text(), re.MULTILINE)
-    for output, headers, namespace, kind, function, names in calls:
-        names = names.split()
-        text = (TOP / "cmake/rows.cpp.in").read_text()
-        for name, value in {"includes": "".join(f'#include "{header}"\n' for header in headers.split(";")),
-                            "declarations": "".join(f"extern const {kind} {name};\n" for name in names if "::" not in name),
-                            "rows": "".join(f"    &{name},\n" for name in names),
-                            "namespace": namespace, "type": kind, "function": function}.items():
-            text = text.replace(f"@{name}@", value)
-        write(folder / output, text)
+def make_calls(cmake, folder, words=None):
+    """What csgsim_rows and csgsim_embed make for each of their calls in a CMakeLists.txt; words are what its lists hold."""
+    text = re.sub(r"\$\{(\w+)\}", lambda name: (words or {}).get(name.group(1), name.group(0)), (TOP / cmake).read_text())
+    for output, headers, namespace, kind, function, names in re.findall(r'^csgsim_rows\((\S+) "?([^" ]+)"? (\S+) (\S+) (\S+)\s+([^)]*)\)', text, re.MULTILINE):
+        make_rows(folder, output, headers.split(";"), namespace, kind, function, names.split())
+    for output, header, namespace, function, place, names in re.findall(r"^csgsim_embed\((\S+) (\S+) (\S+) (\S+) (\S+)\s+([^)]*)\)", text, re.MULTILINE):
+        texts = {name: ((TOP / cmake).parent / place / f"{name}.toml").read_text() for name in names.split()}
+        write(folder / output, filled("cmake/embedded.cpp.in", {
+            "header": header, "namespace": namespace, "function": function,
+            "rows": "".join(f'    {{"{name}", R"toml({text})toml"}},\n' for name, text in texts.items())}))
 
 
 def make_sources(made):
     """Into made/ROOM/, what CMake writes into the build folder."""
-    kinds, machines, costly = (words_of("hw/kinds/CMakeLists.txt", name)
-                               for name in ("kinds", "machines", "costly_machines"))
-    write(made / "kinds/rows.cpp", filled("hw/kinds/rows.cpp.in", {
-        "CSGSIM_KIND_INCLUDES": "".join(f'#include "hw/{kind}/kind.h"\n' for kind in kinds),
-        "CSGSIM_KIND_ROWS": "".join(f"    &{kind}::kind,\n" for kind in kinds),
-        "CSGSIM_BUILT_IN_MACHINES": embedded("hw/machines", machines),
-        "CSGSIM_COSTLY_MACHINES": ", ".join(f'"{name}"' for name in costly)}))
-    processors = words_of("hw/processors/CMakeLists.txt", "processors")
-    write(made / "processors/built_in.cpp", filled("hw/processors/built_in.cpp.in", {
-        "CSGSIM_BUILT_IN_PROCESSORS": embedded("hw/processors", processors)}))
+    kinds, machines = (words_of("hw/kinds/CMakeLists.txt", name) for name in ("kinds", "machines"))
+    make_calls("hw/kinds/CMakeLists.txt", made / "kinds", {
+        "headers": ";".join(f"hw/{kind}/kind.h" for kind in kinds), "rows": " ".join(f"{kind}::kind" for kind in kinds),
+        "machines": " ".join(machines)})
+    make_calls("hw/processors/CMakeLists.txt", made / "processors")
+    make_calls("host/effects/CMakeLists.txt", made / "effects")
     scripts = words_of("sim/report/CMakeLists.txt", "page_scripts")
-    make_rows("host/effects/CMakeLists.txt", made / "effects")
     texts = {"CSGSIM_" + script.replace(".", "_"): (TOP / "sim/report" / script).read_text() for script in scripts}
     write(made / "report/text.cpp", filled("sim/report/text.cpp.in", {
         "CSGSIM_PAGE_STYLE": (TOP / "sim/report/page.css").read_text(), **texts}))

@@ -1,21 +1,28 @@
 """Machines and strategies, each of which has to draw what Pixel-planes 4 draws with the stack: depth, owner and colour of every pixel."""
 import re
+import subprocess
+import tomllib
 from collections import defaultdict
 
 from drawn import render
 
 MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "multi-processor")
-STRATEGIES = ("stack", "list", "bits", "products", "parallel", "stored")
-FIRST = (MACHINES[0], STRATEGIES[0])
+FIRST = (MACHINES[0], "stack")
 # What a machine may refuse, by words of its message, and what it draws the model with then.
 HOST_DIVIDES, MORE_BITS = "+divider.kind=host", ("--memory-bits", "4096")
 REFUSALS = (("divides the model itself", HOST_DIVIDES), ("memory bits a pixel", MORE_BITS), ("multiplies out", None), ("the divider keeps", None))
 
 
-def chosen(machines, strategies, cross):
+def usual_strategies(csgsim):
+    """Those that a sweep varies if none are named."""
+    settings = subprocess.run([csgsim, "sweep", "model.csg", "--dump-config"], check=True, capture_output=True, text=True).stdout
+    return tomllib.loads(settings)["sweep"]["strategy"].split(",")
+
+
+def chosen(csgsim, machines, strategies, cross):
     """Pairs to hold against the first: machines with the stack and strategies on the first machine, or each with each."""
-    names = (MACHINES if machines else MACHINES[:1]), (STRATEGIES if strategies else STRATEGIES[:1])
-    pairs = [(machine, strategy) for machine in names[0] for strategy in names[1]]
+    pairs = [(machine, strategy) for machine in (MACHINES if machines else MACHINES[:1])
+             for strategy in (usual_strategies(csgsim) if strategies else FIRST[1:])]
     return [pair for pair in pairs if pair != FIRST and (cross or pair[0] == FIRST[0] or pair[1] == FIRST[1])]
 
 

@@ -83,7 +83,7 @@ def main():
     parser.add_argument("--option", action="append", default=[], help="more for csgsim, once for each word: --option=--memory-bits --option=256")
     parser.add_argument("models", nargs="*")
     arguments = parser.parse_args()
-    arguments.pairs = combinations.chosen(arguments.machines, arguments.strategies, arguments.cross)
+    arguments.pairs = combinations.chosen(arguments.csgsim, arguments.machines, arguments.strategies, arguments.cross)
     arguments.tally = combinations.Tally()
     print(COLUMNS % ("model", "projection", "halfsp.", "pieces", "solids", "clocks", "silhouette", "depths", "seconds", "verdict"))
     failures = [model.stem for model in meshes.models(arguments.models) if judge(arguments, model)]

@@ -129,6 +129,10 @@ class Figures:
 
         return today.times(self)
 
+    def names_of(self, topic):
+        """The machines, processors or processes that come with csgsim."""
+        return [line.split()[0] for line in self.runs.run(f"csgsim manual {topic}").printed.partition("\n\n")[0].splitlines()]
+
     def machine_file(self, name):
         """The values of a machine's file, by figure."""
         tables = tomllib.loads((ROOT / f"hw/machines/{name}.toml").read_text(encoding="utf-8"))

@@ -17,7 +17,7 @@ run_one() {
   mkdir -p "$build/corpus/$name"
   cp -- "$@" "$build/corpus/$name"
   local code=0
-  "$build/fuzz_$name" -dict="$name.dict" -max_len="$most" -max_total_time="$seconds" -runs="$runs" -timeout=10 \
+  "$build/fuzz_$name" -dict="$build/tests/fuzz/$name.dict" -max_len="$most" -max_total_time="$seconds" -runs="$runs" -timeout=10 \
     -rss_limit_mb=2048 -malloc_limit_mb=1024 -print_final_stats=1 -artifact_prefix="$findings/$name-" \
     "$build/corpus/$name" >"$logs/$name.log" 2>&1 || code=$?
   echo "$code" >"$logs/$name.code"

@@ -18,12 +18,11 @@ emit::Options with_strategy(emit::Strategy strategy, unsigned stack_bits = emit:
 
 std::vector<emit::Options> all_options() {
   using emit::Strategy;
-  std::vector<emit::Options> all{with_strategy(Strategy::stack),    with_strategy(Strategy::list),
-                                 with_strategy(Strategy::products), with_strategy(Strategy::parallel),
-                                 with_strategy(Strategy::stored),   with_strategy(Strategy::automatic)};
-  for (const unsigned bits : {3U, 4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
-  for (const emit::Strategy strategy :
-       {Strategy::stack, Strategy::list, Strategy::bits, Strategy::parallel, Strategy::stored}) {
+  std::vector<emit::Options> all{with_strategy(Strategy::automatic)};
+  for (const Strategy strategy : emit::usual_strategies()) all.push_back(with_strategy(strategy));
+  for (const unsigned bits : {4U, 5U, 6U, 7U, 9U}) all.push_back(with_strategy(Strategy::bits, bits));
+  for (const Strategy strategy : emit::usual_strategies()) {
+    if (strategy == Strategy::products) continue;
     for (const emit::Colouring colouring : {emit::Colouring::field, emit::Colouring::automatic}) {
       all.push_back(with_strategy(strategy, 5));
       all.back().colouring = colouring;

@@ -1,5 +1,7 @@
 #include "sim/studies/sweep/options.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 
 #include "host/emit/curves.h"
@@ -47,6 +49,8 @@ SweepRanges ranges_of(const SweepOptions& options) {
 }
 
 }  // namespace
+
+std::string usual_strategies() { return fmt::format("{}", fmt::join(names_of(emit::usual_strategies()), ",")); }
 
 std::vector<SweepPoint> SweepOptions::points() const { return points_of(ranges_of(*this)); }
 

@@ -9,6 +9,9 @@
 
 namespace csgsim::studies {
 
+/// Names of the strategies that are varied if none are named, with commas between them.
+std::string usual_strategies();
+
 /// Options of csgsim sweep. What a sweep varies are lists and ranges, checked when the command line is read.
 struct SweepOptions {
   session::ModelRequest view;
@@ -16,7 +19,7 @@ struct SweepOptions {
   std::string machines = "pixel-planes-4";
   std::string memory_bits;
   std::string z_bits = "20";
-  std::string strategies = "stack,list,bits,products,parallel,stored";
+  std::string strategies = usual_strategies();
   std::string stack_bits = "3..8";
   std::string colourings = "rebroadcast";
   std::string prunings = "all";

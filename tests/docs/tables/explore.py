@@ -5,7 +5,6 @@ import tomllib
 from figures import row
 from runs import ROOT
 
-NAMES = ("nmos-3um", "cmos-45nm", "cmos-7nm")
 MEANINGS = {
     "gate.delay": "of a gate with some load",
     "gate.fan_in": "of a gate at most",
@@ -28,12 +27,13 @@ def figure(described, key):
     return described[table][name]
 
 
-def processes(_):
-    all_described = [tomllib.loads((ROOT / f"hw/process/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+def processes(figures):
+    names = figures.names_of("processes")
+    all_described = [tomllib.loads((ROOT / f"hw/process/{name}.toml").read_text(encoding="utf-8")) for name in names]
     rows = []
     for key, meaning in MEANINGS.items():
-        figures = [figure(one, key) for one in all_described]
-        rows.append((f"`{key}`", f"{figures[0]['unit']}, {meaning}",
-                     *(cell for one in figures for cell in (f"{one['value']:,}", one["provenance"][0]))))
-    head = [row("figure", "unit", *(cell for name in NAMES for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(NAMES)]
+        values = [figure(one, key) for one in all_described]
+        rows.append((f"`{key}`", f"{values[0]['unit']}, {meaning}",
+                     *(cell for one in values for cell in (f"{one['value']:,}", one["provenance"][0]))))
+    head = [row("figure", "unit", *(cell for name in names for cell in (f"`{name}`", ""))), "|---|---|" + "--:|---|" * len(names)]
     return "\n".join(head + [row(*cells) for cells in rows])

@@ -6,28 +6,28 @@ import tomllib
 from figures import row
 from runs import ROOT
 
-NAMES = ("mc68000", "i486dx2", "i860")
-
 
 def instruction(figure):
     """Of which instruction the price is."""
     return figure["source"].partition(": ")[2]
 
 
-def prices(_):
-    described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+def prices(figures):
+    names = figures.names_of("processors")
+    described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in names]
     meanings = dict(re.findall(r'OperationRow\{"(\w+)", "([^"]+)"\}',
                                (ROOT / "hw/processors/operations.h").read_text(encoding="utf-8")))
     rows = [(f"`price.{kind}`", meanings[kind],
              *(cell for one in described for cell in (one["price"][kind]["value"], instruction(one["price"][kind]))))
             for kind in described[0]["price"]]
-    head = [row("figure", "an operation", *(cell for name in NAMES for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(NAMES)]
+    head = [row("figure", "an operation", *(cell for name in names for cell in (f"`{name}`", "of"))), "|---|---|" + "--:|---|" * len(names)]
     return "\n".join(head + [row(*cells) for cells in rows])
 
 
-def factors(_):
+def factors(figures):
     """Of each program, and where the figure is from."""
-    described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in NAMES]
+    names = figures.names_of("processors")
+    described = [tomllib.loads((ROOT / f"hw/processors/{name}.toml").read_text(encoding="utf-8")) for name in names]
     rows = [row(f"`compiler.{key}`", *(f"{one['compiler'][key]['value'] / 1000:.2f}" for one in described), described[0]["compiler"][key]["source"].partition(";")[0])
             for key in described[0]["compiler"]]
-    return "\n".join([row("figure", *(f"`{name}`" for name in NAMES), "of `mc68000`"), "|---" + "|--:" * len(NAMES) + "|---|", *rows])
+    return "\n".join([row("figure", *(f"`{name}`" for name in names), "of `mc68000`"), "|---" + "|--:" * len(names) + "|---|", *rows])

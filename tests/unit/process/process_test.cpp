@@ -109,7 +109,6 @@ double path(const machines::Machine& machine, const Process& process, std::strin
 }  // namespace
 
 TEST_CASE("each figure of each process that comes with csgsim says where it comes from") {
-  REQUIRE(process::process_names().size() == 3);
   for (const std::string_view name : process::process_names()) {
     const Process one = process::load_process(std::string(name));
     CHECK(one.name == name);

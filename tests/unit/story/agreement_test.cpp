@@ -49,12 +49,12 @@ std::vector<Row> rows() {
        {"pixel-planes-4+array.memory_bits=160", "pixel-planes-4+array.memory_bits=160+global_or.present=0",
         "scan-line+cells.words=6", "pixel-square+array.memory_bits=160+divider.kind=host",
         "pixel-planes-5+divider.kind=host", "pixel-planes-5"}) {
-    for (const Strategy strategy : {Strategy::stack, Strategy::list, Strategy::products, Strategy::parallel})
-      all.push_back({machine, strategy, Colouring::rebroadcast});
+    for (const Strategy strategy : emit::usual_strategies()) {
+      all.push_back(
+          {strategy == Strategy::stored ? with_more_memory(machine) : machine, strategy, Colouring::rebroadcast});
+    }
     all.push_back({machine, Strategy::stack, Colouring::field});
     all.push_back({machine, Strategy::bits, Colouring::field, 3});
-    all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 3});
-    all.push_back({with_more_memory(machine), Strategy::stored, Colouring::rebroadcast});
     all.push_back({machine, Strategy::bits, Colouring::rebroadcast, 5});
   }
   for (const std::string machine : {"pixel-square+array.memory_bits=160", "pixel-planes-5+divider.kind=corners",

@@ -5,6 +5,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/observe/frame.h"
@@ -160,14 +161,10 @@ TEST_CASE("what became of each surface, and each comparison on the way, is what 
   using emit::Strategy;
   std::minstd_rand random(11);
   unsigned alone = 0;
-  for (const auto& chosen : {std::pair(Strategy::stack, 3U),
-                             {Strategy::list, 3U},
-                             {Strategy::parallel, 3U},
-                             {Strategy::stored, 3U},
-                             {Strategy::bits, 3U},
-                             {Strategy::bits, 4U},
-                             {Strategy::bits, 5U},
-                             {Strategy::bits, 6U}}) {
+  std::vector<std::pair<Strategy, unsigned>> all{{Strategy::bits, 4}, {Strategy::bits, 5}, {Strategy::bits, 6}};
+  for (const Strategy strategy : emit::usual_strategies())
+    if (strategy != Strategy::products) all.emplace_back(strategy, emit::fewest_stack_bits);
+  for (const auto& chosen : all) {
     const Strategy strategy = chosen.first;
     const unsigned bits = chosen.second;
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {

@@ -143,8 +143,7 @@ TEST_CASE("of two boxes the farther one that comes later loses the depth test, b
 
 TEST_CASE(
     "through a hole nothing is seen: the front is in what is taken away, whose back is outside what it is taken from") {
-  for (const emit::Strategy strategy : {emit::Strategy::stack, emit::Strategy::list, emit::Strategy::products,
-                                        emit::Strategy::parallel, emit::Strategy::stored}) {
+  for (const emit::Strategy strategy : emit::usual_strategies()) {
     CAPTURE(emit::name_of(strategy));
     const story::Story story = tell(through_hole, 3, 2, strategy).story();
     CHECK(story.owner == observe::no_owner);

@@ -1,0 +1,150 @@
+#include "host/csg/products.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "host/csg/separation.h"
+#include "host/emit/evaluation.h"
+#include "host/emit/levels.h"
+#include "host/emit/strategy.h"
+#include "hw/isa/opcodes.h"
+
+namespace csgsim::emit {
+
+namespace {
+
+/// Levels that `Strategy::bits` works out by a stack: what m bits leave beside those for front, back, product and sum,
+/// as figure 6.3 of the thesis shows it (the text of 6.4 says m - 3). Not for m = 3, which has no sum.
+unsigned stack_levels(const Options& options) { return options.stack_bits - fewest_stack_bits - 1; }
+
+/// Whether a primitive is merged product by product: there is no bit to sum them in.
+bool merges_each_product(const Options& options) { return options.stack_bits == fewest_stack_bits; }
+
+std::uint64_t all_products(const csg::ActiveTree& active) {
+  const csg::RootedTree rooted = csg::with_root(active);
+  return csg::count_products(rooted.nodes)[rooted.root];
+}
+
+/// The surface with the leaves of one product for its active tree.
+PlannedSurface with_product(const PlannedSurface& planned, const std::vector<csg::ActiveNode>& nodes,
+                            std::vector<std::uint32_t> leaves) {
+  PlannedSurface product{planned.set, planned.block, {}, planned.number};
+  product.active.nodes = nodes;
+  product.active.operands = std::move(leaves);
+  return product;
+}
+
+/// A product is empty if two of its solids are disjoint (thesis 6.3.2).
+bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
+              const std::vector<std::uint32_t>& leaves) {
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const csg::ActiveNode& a = nodes[leaves[i]];
+      const csg::ActiveNode& b = nodes[leaves[j]];
+      if (!a.complemented && !b.complemented &&
+          csg::disjoint(context.view, a.primitive, b.primitive, context.options.pruning, context.counted)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The products of thesis 6.3 but the empty ones: each is rendered, classified and merged.
+void emit_rendered_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+  const csg::RootedTree rooted = csg::with_root(planned.active);
+  csg::ProductTraversal traversal(rooted.nodes, rooted.root);
+  do {
+    if (is_empty(context, rooted.nodes, traversal.leaves())) continue;
+    const Surface surface = emit_surface(context, out, planned, sides);
+    if (surface.nothing) return;
+    const PlannedSurface product = with_product(planned, rooted.nodes, traversal.leaves());
+    emit_visible(context, out, planned, surface, {emit_by_all_levels, product});
+  } while (traversal.next());
+}
+
+/// Z1 := "nothing" where E is 0. Then a depth test finds the surface by itself, and there needs to be no bit that says
+/// where it is.
+void emit_nothing_elsewhere(const Context& context, Broadcast& out, const PlannedSurface& planned) {
+  out.origin = {isa::Purpose::stack, planned.primitive(), isa::no_node};
+  out.plain(isa::Opcode::enable_invert);
+  out.plain(isa::Opcode::set_constant, context.layout.candidate, {}, static_cast<std::uint64_t>(context.farthest()));
+}
+
+/// One product after another of a surface that stays in Z1.
+void emit_kept_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
+  emit_admission(context, out, planned);
+  emit_nothing_elsewhere(context, out, planned);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
+  csg::ProductTraversal traversal(rooted.nodes, rooted.root);
+  std::size_t after_first_test = 0;
+  do {
+    const PlannedSurface product = with_product(planned, rooted.nodes, traversal.leaves());
+    out.origin = {isa::Purpose::stack, planned.primitive(), isa::no_node};
+    out.plain(isa::Opcode::enable_all);
+    ++out.counts.depth_tests;
+    emit_depth_test(context, out, planned);
+    const std::size_t after_test = out.size();
+    const bool is_classified = emit_classified(context, out, planned, surface, {emit_by_all_levels, product});
+    if (after_first_test == 0) {
+      after_first_test = after_test;
+    } else if (is_classified) {
+      emit_depth_early_out(context, out, planned, after_test);
+    }
+  } while (traversal.next());
+  // Z2 only gets nearer: what is hidden before the first product is hidden before all.
+  emit_depth_early_out(context, out, planned, after_first_test);
+  emit_base_early_out(context, out, planned, surface);
+}
+
+/// The products of thesis 6.4 with three bits.
+void emit_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+  const Surface surface = emit_surface(context, out, planned, sides);
+  if (surface.nothing) return;
+  if (all_products(planned.active) > 1) return emit_kept_products(context, out, planned, surface);
+  const csg::RootedTree rooted = csg::with_root(planned.active);
+  const csg::ProductTraversal only(rooted.nodes, rooted.root);
+  const PlannedSurface product = with_product(planned, rooted.nodes, only.leaves());
+  emit_visible(context, out, planned, surface, {emit_by_all_levels, product});
+}
+
+}  // namespace
+
+/// Thesis 6.4: the first levels by a stack, subtrees below by repeated traversal.
+extern const StrategyRow bits_strategy{
+    .bits =
+        [](const csg::ActiveTree& active, const Options& options) {
+          return merges_each_product(options) ? ClassificationBits{} : bits_for_levels(active, stack_levels(options));
+        },
+    .classify =
+        [](const Context& context, Broadcast& out, const PlannedSurface& planned) {
+          return emit_by_levels(context, out, planned, stack_levels(context.options));
+        },
+    .draw =
+        [](const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+          if (!merges_each_product(context.options) || planned.active.operands.empty()) return false;
+          emit_products(context, out, planned, sides);
+          return true;
+        },
+    .products =
+        [](const csg::ActiveTree& active, const Options& options) {
+          return merges_each_product(options) ? all_products(active)
+                                              : products_below_levels(active, stack_levels(options));
+        },
+    .has_stack_bits = true};
+
+/// Thesis 6.3: sum of products, a primitive rendered once for each. Chapter 6 multiplies the tree of primitives out as
+/// it is.
+extern const StrategyRow products_strategy{
+    .bits = [](const csg::ActiveTree& /*active*/, const Options& /*options*/) { return ClassificationBits{}; },
+    .draw =
+        [](const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
+          if (planned.active.operands.empty()) return false;
+          emit_rendered_products(context, out, planned, sides);
+          return true;
+        },
+    .products = [](const csg::ActiveTree& active, const Options& /*options*/) { return all_products(active); },
+    .takes_sets = false,
+    .is_tried = false};
+
+}  // namespace csgsim::emit

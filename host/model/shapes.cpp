@@ -1,0 +1,109 @@
+#include "host/model/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <variant>
+
+#include "host/model/hypotenuse.h"
+
+namespace csgsim::model {
+
+namespace {
+
+/// From this cosine to the z axis on, a facet of a cylinder is one of its ends.
+constexpr double end_cosine = 1 - 1e-9;
+
+/// What a shape answers that has no curved surface.
+struct Flat {
+  std::string_view name;
+
+  [[nodiscard]] bool has_flat_faces() const { return true; }
+  [[nodiscard]] bool is_flat(const glm::dvec3& /*normal*/) const { return true; }
+  [[nodiscard]] double angle_between(double facets) const { return 2 * std::numbers::pi / facets; }
+  [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& /*vertex*/,
+                                                    const glm::dvec3& /*of_facet*/) const {
+    return std::nullopt;
+  }
+  [[nodiscard]] std::optional<SurfacePlace> place_at(const glm::dvec2& /*direction*/, double /*part*/) const {
+    return std::nullopt;
+  }
+};
+
+struct Ball : Flat {
+  double radius;
+
+  [[nodiscard]] bool has_flat_faces() const { return false; }
+  [[nodiscard]] bool is_flat(const glm::dvec3& /*normal*/) const { return false; }
+  [[nodiscard]] double angle_between(double facets) const { return std::sqrt(4 * std::numbers::pi / facets); }
+  [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& vertex, const glm::dvec3& /*of_facet*/) const {
+    return glm::length(vertex) > 0 ? std::optional(glm::normalize(vertex)) : std::nullopt;
+  }
+  [[nodiscard]] std::optional<SurfacePlace> place_at(const glm::dvec2& direction, double part) const {
+    const double angle = std::numbers::pi * (part - 0.5);
+    const glm::dvec3 normal(direction * std::cos(angle), std::sin(angle));
+    return SurfacePlace{normal * radius, normal};
+  }
+};
+
+struct Frustum : Flat {
+  const Cylinder& of;
+
+  [[nodiscard]] bool is_flat(const glm::dvec3& normal) const { return std::abs(normal.z) > end_cosine; }
+  [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& vertex, const glm::dvec3& of_facet) const {
+    // A cone's apex has no normal of its own; there it is the facet's.
+    const bool is_apex = hypotenuse(vertex.x, vertex.y) <= 1e-9 * std::max(of.r1, of.r2);
+    const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
+    return normal_towards(around / glm::length(around));
+  }
+  [[nodiscard]] std::optional<SurfacePlace> place_at(const glm::dvec2& direction, double part) const {
+    const double radius = of.r1 + (of.r2 - of.r1) * part;
+    const double z = of.height * (part - (of.center ? 0.5 : 0.0));
+    return SurfacePlace{{direction * radius, z}, normal_towards(direction)};
+  }
+
+ private:
+  [[nodiscard]] glm::dvec3 normal_towards(const glm::dvec2& direction) const {
+    return glm::normalize(glm::dvec3(direction * of.height, of.r1 - of.r2));
+  }
+};
+
+Flat surface_of(const Cube& /*cube*/) { return {"cube"}; }
+Ball surface_of(const Sphere& sphere) { return {{"sphere"}, sphere.radius}; }
+Frustum surface_of(const Cylinder& cylinder) { return {{"cylinder"}, cylinder}; }
+Flat surface_of(const Polyhedron& /*polyhedron*/) { return {"polyhedron"}; }
+
+/// What the function returns for the shape's surface.
+template <class Function>
+auto ask(const Shape& shape, const Function& function) {
+  return std::visit([&](const auto& one) { return function(surface_of(one)); }, shape);
+}
+
+}  // namespace
+
+std::string_view name_of(const Shape& shape) {
+  return ask(shape, [](const auto& surface) { return surface.name; });
+}
+
+bool has_flat_faces(const Shape& shape) {
+  return ask(shape, [](const auto& surface) { return surface.has_flat_faces(); });
+}
+
+bool is_flat(const Shape& shape, const glm::dvec3& normal) {
+  return ask(shape, [&](const auto& surface) { return surface.is_flat(normal); });
+}
+
+double angle_between(const Shape& shape, std::size_t facets) {
+  return ask(shape, [&](const auto& surface) { return surface.angle_between(static_cast<double>(facets)); });
+}
+
+std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& of_facet) {
+  return ask(shape, [&](const auto& surface) { return surface.normal_at(vertex, of_facet); });
+}
+
+std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double part) {
+  return ask(shape, [&](const auto& surface) { return surface.place_at(direction, part); });
+}
+
+}  // namespace csgsim::model
