@@ -140,7 +140,7 @@ Json Session::draw(const Json& wish, Evaluation& evaluation) {
           {"height", picture.height},
           {"camera", camera_text(drawing.model.camera)},
           {"stats", stats_of(drawing.model, drawing.machine, done)},
-          {"command", drawing.command},
+          {"command", drawing.command("render")},
           {"warnings", drawing.warnings},
           {"seconds", {{"compiling", drawing.compiling}, {"running", done.seconds}}}};
 }
@@ -255,7 +255,7 @@ std::string Session::report() const {
   const story::HalfspaceFinder finder = session::halfspaces_of(drawing->model, drawing->options, drawing->machine);
   return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn),
                                           drawing->found->drawn->frame, drawing->model.program, drawing->machine,
-                                          {drawing->command, {}}, &finder));
+                                          {drawing->command("render"), {}}, &finder));
 }
 
 Json Session::about() const {
