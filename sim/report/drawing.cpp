@@ -24,7 +24,8 @@ namespace {
 
 using States = std::vector<std::uint32_t>;
 
-/// What has been carried out so far. Regions that come to their end are looked at, since several may between two steps.
+/// Counts the clocks of a run and keeps its last instruction. It reads each region at its end, since several regions
+/// may end between two steps.
 class Progress : public engine::Observer {
  public:
   explicit Progress(std::function<void(std::uint32_t, const engine::PixelState&)> look) : look_(std::move(look)) {}

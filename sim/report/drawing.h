@@ -58,7 +58,7 @@ std::string served_by(const isa::Instruction& instruction, const isa::Facts& fac
 /// fill. There are no stories yet (stories.h).
 Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {});
 
-/// The number of the first step that has carried out so many instructions.
+/// The number of the first step after at least that many instructions; of the last step if there is none.
 std::size_t step_after(std::span<const DrawingStep> steps, std::uint64_t instructions);
 
 }  // namespace csgsim::report

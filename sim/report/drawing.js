@@ -30,7 +30,7 @@
     // `310,250: p3 cylinder@9:9`
     title({x, y, parts}) { return `${x},${y}: ${parts[0].split('\n')[0].replace(/^.* shows (.*?)(, line .*)?$/, '$1')}`; }
 
-    // Tells the story of the nearest pixel that is at most so many columns and rows away, and returns which it is.
+    // Shows the story of the nearest pixel within `reach` columns and rows, or else the command, and returns the pixel.
     ask(x, y, reach) {
       const {width, height, every} = this.drawing;
       if (x >= width * every || y >= height * every) {
@@ -47,7 +47,7 @@
       return [nearest.x, nearest.y];
     }
 
-    // Adds to what was chosen the pixel whose story is told, if there is one.
+    // Adds to `chosen` the pixel whose story is shown.
     tellPrimitive(chosen) {
       const story = this.stories.find(one => one.primitive === chosen.primitive);
       if (!story) return;

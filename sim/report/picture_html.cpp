@@ -49,7 +49,7 @@ std::string drawing_html(const Drawing& drawing, const std::string& id) {
 
 namespace {
 
-/// As text, or, of an event, with the first step that has carried it out.
+/// The text; an event is an array of its text and the first step after it.
 Json part_json(const story::TextPart& part, const Drawing& drawing) {
   if (part.end == 0) return part.text;
   return {part.text, step_after(drawing.steps, part.end)};

@@ -21,7 +21,7 @@ struct ShownRun {
   std::string explain;  ///< as Context::explain
 };
 
-/// Where two runs first differ.
+/// The first difference of two runs.
 struct FirstDifference {
   std::vector<std::string> told;     ///< in sentences
   std::optional<std::size_t> pixel;  ///< in row order, whose stories come first

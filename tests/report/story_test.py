@@ -60,7 +60,7 @@ def check_choices(page, failures):
         page.evaluate(f"(() => {{ const {{choice}} = csgsimDrawings[0].why; choice.value = {i}; choice.dispatchEvent(new Event('change')); }})()")
         shown, held = page.evaluate(SHOWN), page.evaluate(HELD % i)
         failures.check(shown == held, f"story {i} is shown otherwise:\n{shown}\nfor\n{held}")
-        failures.check(spoken(page).startswith("pixel "), "the story is not told to who does not see it")
+        failures.check(spoken(page).startswith("pixel "), "a screen reader does not read the story")
         wrong = page.evaluate("""[...document.querySelectorAll('.why .events')][0] && [...document.querySelector('.why .events').querySelectorAll('button')].filter(button => {
             button.click();
             const {steps, now} = csgsimDrawings[0];

@@ -87,7 +87,7 @@ TEST_CASE("a page holds the text of csgsim explain, each event with the first st
   }
 }
 
-TEST_CASE("a pixel is told once, and stories end at the limits of pixels and of bytes") {
+TEST_CASE("a pixel has one story, and stories end at the limits of pixels, bytes and instructions") {
   const isa::Program program = testing::bitten_cube().program;
   const machines::Machine machine = testing::machine_of(program.shape);
   const report::Drawing drawing = report::record_drawing(program, machine);
