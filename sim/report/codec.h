@@ -16,9 +16,6 @@ std::uint64_t take_varint(std::string_view& bytes);
 /// RFC 4648, with padding.
 std::string base64(std::string_view bytes);
 
-/// RFC 1950: what a browser's DecompressionStream calls deflate.
-std::string deflated(std::string_view bytes);
-
 /// Values as varints in turn: how many pixels, and their value + 1, where no_owner is 0.
 std::string owner_runs(std::span<const std::uint32_t> owners);
 

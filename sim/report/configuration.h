@@ -10,9 +10,10 @@ namespace csgsim::report {
 
 /// What a command was told, and where its page goes.
 struct Context {
-  std::string command;                                       ///< with all that it was told, for a POSIX shell
-  std::vector<std::pair<std::string, std::string>> options;  ///< names and values, given or by default
-  std::vector<Json> machines{};                              ///< as the `machine` of a stats file's configuration
+  std::string command;                                         ///< with all that it was told, for a POSIX shell
+  std::vector<std::pair<std::string, std::string>> options{};  ///< names and values, given or by default
+  std::vector<Json> machines{};                                ///< as the `machine` of a stats file's configuration
+  std::string explain{};  ///< of a run: explain_command (sim/session/run/explain.h)
 };
 
 /// The leaves of a part of the data as rows, named by their keys, `array.width`, but for nulls; long lists are told by

@@ -6,21 +6,18 @@
 #include <bit>
 #include <functional>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "hw/base/text.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/facts.h"
-#include "hw/isa/operands.h"
 #include "hw/isa/pieces.h"
 #include "hw/isa/text.h"
 #include "sim/engine/engine.h"
 #include "sim/engine/numbers.h"
 #include "sim/engine/run.h"
 #include "sim/report/codec.h"
-#include "sim/report/program_json.h"
 
 namespace csgsim::report {
 
@@ -28,34 +25,25 @@ namespace {
 
 using States = std::vector<std::uint32_t>;
 
-/// A Program of more is not tried to fit into the page.
-constexpr std::uint64_t most_instructions = 200'000;
-
-/// What has been carried out so far, and which questions skipped what follows them. Regions that come to their end are
-/// looked at, since several may between two steps.
+/// Counts the clocks of a run and keeps its last instruction. It reads each region at its end, since several regions
+/// may end between two steps.
 class Progress : public engine::Observer {
  public:
-  Progress(const engine::Numbers& numbers, std::function<void(std::uint32_t, const engine::PixelState&)> look)
-      : numbers_(numbers), look_(std::move(look)) {}
+  explicit Progress(std::function<void(std::uint32_t, const engine::PixelState&)> look) : look_(std::move(look)) {}
 
   [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
   void after_instruction(const engine::Step& step, const engine::PixelState& /*state*/) override {
     clocks_ += step.clocks;
     last_ = step.instruction;
-    if (isa::skipped_after(step.instruction, step.enabled_pixels) > 0)
-      skips_.push_back(numbers_.of({step.segment, step.index}));
   }
   void after_segment(std::uint32_t segment, const engine::PixelState& state) override { look_(segment, state); }
   [[nodiscard]] std::uint64_t clocks() const { return clocks_; }
   [[nodiscard]] const std::optional<isa::Instruction>& last() const { return last_; }
-  [[nodiscard]] const std::vector<std::uint64_t>& skips() const { return skips_; }
 
  private:
-  const engine::Numbers& numbers_;
   std::function<void(std::uint32_t, const engine::PixelState&)> look_;
   std::uint64_t clocks_ = 0;
   std::optional<isa::Instruction> last_;
-  std::vector<std::uint64_t> skips_;  ///< numbers of instructions
 };
 
 /// Numbers of the boundaries at which what instructions serve changes, and of the ends of regions.
@@ -86,7 +74,7 @@ class Recorder {
         run_(engine::make_functional_engine(machine)->begin(program)),
         numbers_(program),
         colour_(program.colour),
-        progress_(numbers_, [this](std::uint32_t segment, const engine::PixelState& state) { look(segment, state); }) {
+        progress_([this](std::uint32_t segment, const engine::PixelState& state) { look(segment, state); }) {
     drawing_.every =
         std::max(1U, (std::max(program.shape.width, program.shape.height) + limits.side - 1) / limits.side);
     drawing_.width = (program.shape.width + drawing_.every - 1) / drawing_.every;
@@ -132,10 +120,7 @@ class Recorder {
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] ^= difference[i];
   }
 
-  [[nodiscard]] Drawing take() {
-    drawing_.skips = progress_.skips();
-    return std::move(drawing_);
-  }
+  [[nodiscard]] Drawing take() { return std::move(drawing_); }
 
  private:
   [[nodiscard]] std::uint32_t state(std::uint32_t packed, bool enabled) const {
@@ -241,24 +226,6 @@ Drawing record_work(const isa::Program& program, const machines::Machine& machin
   return drawing;
 }
 
-/// Where the page has room for it.
-void put_program(Drawing& drawing, const isa::Program& program, const DrawingLimits& limits,
-                 const story::HalfspaceFinder* model, std::uint64_t count) {
-  if (count <= most_instructions) drawing.program = deflated(program_json(program, drawing.skips, model).dump());
-  if (!drawing.program.empty() && drawing.program.size() <= limits.program) {
-    drawing.told +=
-        " The page holds the Program itself, all instructions: fields of pixel memory and the story of any pixel are "
-        "worked out from it when they are asked for.";
-    return;
-  }
-  drawing.program.clear();
-  drawing.told += fmt::format(
-      " The Program does not fit into {} bytes of the page, so that it shows colours and enabled pixels alone, and "
-      "does "
-      "not tell why: csgsim explain and csgsim view do.",
-      grouped(limits.program));
-}
-
 }  // namespace
 
 std::string served_by(const isa::Instruction& instruction, const isa::Facts& facts) {
@@ -269,8 +236,13 @@ std::string served_by(const isa::Instruction& instruction, const isa::Facts& fac
   return text;
 }
 
-Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits,
-                       const story::HalfspaceFinder* model) {
+std::size_t step_after(std::span<const DrawingStep> steps, std::uint64_t instructions) {
+  const auto found =
+      std::find_if(steps.begin(), steps.end(), [&](const DrawingStep& step) { return step.number >= instructions; });
+  return std::min(static_cast<std::size_t>(found - steps.begin()), steps.size() - 1);
+}
+
+Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits) {
   const std::uint64_t count = engine::Numbers(program).count();
   std::optional<Drawing> drawing;
   if (count <= std::min<std::uint64_t>(limits.instructions, limits.steps))
@@ -279,7 +251,6 @@ Drawing record_drawing(const isa::Program& program, const machines::Machine& mac
   if (drawing->every > 1)
     drawing->told +=
         fmt::format(" One pixel in {} of a row, and one row in {}, is shown.", drawing->every, drawing->every);
-  put_program(*drawing, program, limits, model, count);
   return std::move(*drawing);
 }
 

@@ -2,12 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
-#include "sim/story/halfspaces.h"
+#include "sim/story/story_text.h"
 
 namespace csgsim::report {
 
@@ -23,6 +24,14 @@ struct DrawingStep {
   std::string changes;
 };
 
+/// Why a pixel shows what it shows.
+struct PixelStory {
+  std::uint32_t x = 0;
+  std::uint32_t y = 0;
+  std::uint32_t primitive = 0;         ///< that is seen there; observe::no_owner if none is
+  std::vector<story::TextPart> parts;  ///< the text of csgsim explain
+};
+
 /// How a picture comes to be in pixel memory.
 struct Drawing {
   std::uint32_t width = 0;   ///< pixels that are shown
@@ -30,18 +39,15 @@ struct Drawing {
   std::uint32_t every = 1;   ///< pixel of a row, and row, is shown
   std::string told;          ///< in a sentence or two: at which boundaries there are steps, and why no more
   std::vector<DrawingStep> steps;
-  std::vector<std::uint64_t> skips;  ///< numbers of the questions that skipped what follows them
-  /// The Program, from which the page's script works out fields and stories of pixels: program_json, deflated. Empty
-  /// where it is too large for the page, which `told` says.
-  std::string program;
+  std::vector<PixelStory> stories;
+  std::string explain;  ///< Context::explain
 };
 
 struct DrawingLimits {
   std::uint64_t instructions = 2000;  ///< a step each in Programs that are no longer
   std::size_t steps = 2000;
-  std::size_t bytes = 700'000;    ///< of all steps, in the page
-  std::uint32_t side = 512;       ///< pixels shown in a row and in a column
-  std::size_t program = 600'000;  ///< bytes of the Program, packed
+  std::size_t bytes = 700'000;  ///< of all steps, in the page
+  std::uint32_t side = 512;     ///< pixels shown in a row and in a column
 };
 
 /// Whom an instruction serves: its purpose, and pieces of primitives.
@@ -49,8 +55,10 @@ std::string served_by(const isa::Instruction& instruction, const isa::Facts& fac
 
 /// Runs the Program at the functional level and takes down what it draws. Where steps fill more than the limits allow,
 /// every second is left out until they do not, and `told` tells it. The first step and the last stay, whatever they
-/// fill. With a model, stories of pixels name the half-spaces that decided.
-Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {},
-                       const story::HalfspaceFinder* model = nullptr);
+/// fill. There are no stories yet (stories.h).
+Drawing record_drawing(const isa::Program& program, const machines::Machine& machine, const DrawingLimits& limits = {});
+
+/// The number of the first step after at least that many instructions; of the last step if there is none.
+std::size_t step_after(std::span<const DrawingStep> steps, std::uint64_t instructions);
 
 }  // namespace csgsim::report

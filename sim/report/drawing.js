@@ -1,77 +1,86 @@
 'use strict';
 
-// How the picture comes to be, step by step: colours, fields of pixel memory, and the story of a pixel.
+// How the picture comes to be, step by step, and the stories of pixels.
 (() => {
   const {read, grouped, tell, make, bytesOf, eachRun, showTip, hideTip} = page;
   const tintColour = [255, 150, 0];
   const tintShare = 0.55;
-  const titles = {surface: 'surface', depth_test: 'depth test', comparison: 'classify', bits: 'bits', merge: 'merge', shade: 'shade', effect: 'effect', setup: 'setup', skip: 'skipped', stored: 'store'};
+  const linesOf = text => text.split('\n').map(line => line.trim()).filter(line => line);
 
-  const unpacked = async bytes => {
-    const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-    return pixelMemory.read(JSON.parse(await new Response(stream).text()));
-  };
-
-  // A field of the pixels of a segment as a picture: colours in colour, other numbers in grey from the least to the
-  // greatest; of depths, all ones, which is nothing, is white and does not count (sim/debug/field_picture.h). What is
-  // beside the segment is black.
-  const fieldPicture = (program, frames, field, width, image) => {
-    const {pixels} = frames;
-    const value = field.width > 0 ? pixels.reader(field) : at => pixels.enabled[at];
-    const count = pixels.enabled.length;
-    const nothing = storyWords.isDepth(field.role) ? 2 ** field.width - 1 : -1;
-    const isColour = storyWords.isColour(field.role) && field.width >= 3 && field.width <= 24;
-    let [low, high] = [2 ** 32, 0];
-    for (let at = 0; at < count; ++at) {
-      const one = value(at);
-      if (one === nothing) continue;
-      low = Math.min(low, one);
-      high = Math.max(high, one);
-    }
-    if (field.width <= 1) [low, high] = [0, 1];
-    low = Math.min(low, high);
-    const grey = one => one === nothing || one >= high ? 255 : Math.floor((one - low) * 255 / (high - low));
-    image.data.fill(0);
-    const segment = program.segments[frames.segment];
-    const [left, top] = [segment.x + pixels.x, segment.y + pixels.y].map(from => from / frames.every);
-    for (let at = 0; at < count; ++at) {
-      const to = 4 * ((top + Math.floor(at / pixels.columns)) * width + left + at % pixels.columns);
-      const channels = isColour ? storyWords.channelsOf(value(at), field.width) : Array(3).fill(grey(value(at)));
-      image.data.set(channels, to);
-    }
-    for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
-    return isColour ? 'in its colours' : `black is ${grouped(low)}, white ${grouped(high)}${nothing < 0 ? '' : ' or nothing'}`;
-  };
-
-  // The story of a pixel, and its form.
+  // The stories of pixels that the page holds. Of other pixels it shows the command that tells.
   class Why {
-    constructor(program, stepAfter, goTo) {
-      Object.assign(this, {program, stepAfter, goTo, words: new storyWords.Words(program)});
+    constructor(drawing, {stories, explain}) {
+      Object.assign(this, {drawing, stories, explain, reach: Math.max(3, Math.round(Math.max(drawing.width, drawing.height) * drawing.every / 64))});
+      this.choice = make('select', {}, make('option', {value: ''}, '(choose)'), ...stories.map((story, i) => make('option', {value: i}, this.title(story))));
       this.pixel = make('input', {size: '9', placeholder: 'x,y', spellcheck: 'false', autocomplete: 'off'});
-      this.whyNot = make('select', {}, make('option', {value: ''}, '(nothing)'),
-        ...program.primitives.map((name, i) => make('option', {value: i}, `p${i} ${name}`)));
-      this.form = make('form', {class: 'ask'}, make('label', {}, 'Pixel', this.pixel), make('label', {}, 'Why not', this.whyNot), make('button', {}, 'Tell why'));
-      this.story = make('div', {class: 'story'}, make('p', {class: 'note'}, 'Click a pixel, or move to it with the arrow keys and press Enter, to be told why it shows what it shows.'));
+      this.form = make('form', {class: 'ask'}, make('label', {}, 'Story of', this.choice), make('label', {}, 'Pixel', this.pixel), make('button', {}, 'Tell why'));
+      this.story = make('div', {class: 'story'}, make('p', {class: 'note'}, 'Click near a dot in the drawing, or move there with the arrow keys and press Enter, to be told why the pixel shows what it shows.'));
       this.element = make('div', {class: 'why', role: 'group', 'aria-label': 'Why a pixel shows what it shows'}, this.form, this.story);
+      this.choice.addEventListener('change', () => { if (this.choice.value !== '') this.tellStory(this.stories[Number(this.choice.value)]); });
+      this.form.addEventListener('submit', event => {
+        event.preventDefault();
+        const [, x, y] = /^\s*(\d+)\s*[, ]\s*(\d+)\s*$/.exec(this.pixel.value) || [];
+        if (x === undefined) this.say('say which pixel, as x,y');
+        else this.ask(Number(x), Number(y), 0);
+      });
+      document.addEventListener('pixel', event => { event.detail.pixel = this.ask(...event.detail.pixel, this.reach); });
+      document.addEventListener('primitive', event => this.tellPrimitive(event.detail));
     }
 
-    ask(x, y) {
-      const {program, words} = this;
-      if (!(x < program.width && y < program.height)) {
-        this.say(`there is no pixel ${this.pixel.value} in a picture of ${program.width} x ${program.height}`);
-        return false;
+    // `310,250: p3 cylinder@9:9`
+    title({x, y, parts}) { return `${x},${y}: ${parts[0].split('\n')[0].replace(/^.* shows (.*?)(, line .*)?$/, '$1')}`; }
+
+    // Shows the story of the nearest pixel within `reach` columns and rows, or else the command, and returns the pixel.
+    ask(x, y, reach) {
+      const {width, height, every} = this.drawing;
+      if (x >= width * every || y >= height * every) {
+        this.say(`there is no pixel ${x},${y} in the picture`);
+        return [x, y];
       }
+      const distance = story => Math.max(Math.abs(story.x - x), Math.abs(story.y - y));
+      const [nearest] = [...this.stories].sort((a, b) => distance(a) - distance(b));
+      if (distance(nearest) > reach) {
+        this.showCommand(x, y, nearest);
+        return [x, y];
+      }
+      this.tellStory(nearest);
+      return [nearest.x, nearest.y];
+    }
+
+    // Adds to `chosen` the pixel whose story is shown.
+    tellPrimitive(chosen) {
+      const story = this.stories.find(one => one.primitive === chosen.primitive);
+      if (!story) return;
+      this.tellStory(story);
+      chosen.pixel = [story.x, story.y];
+    }
+
+    moveTo(x, y, choice) {
       this.pixel.value = `${x},${y}`;
-      const story = pixelStory.of(program, x, y);
-      const [first, ...head] = words.head(story);
-      const answer = this.whyNot.value === '' ? [] : words.whyNot(story, pixelStory.whyNot(program, story, Number(this.whyNot.value)));
-      const parts = [make('p', {class: 'shows'}, make('strong', {}, first)), this.lines('facts', head), this.events(story)];
-      if (answer.length > 0) parts.unshift(make('div', {class: 'answer'}, make('strong', {}, answer[0]), this.lines('facts', answer.slice(1))));
-      if (words.beside(story)) parts.push(make('p', {class: 'note'}, words.beside(story)));
-      if (story.segments.length === 0) parts.push(make('p', {}, 'no segment holds this pixel: it shows the background'));
-      this.story.replaceChildren(...parts);
-      tell(answer.length > 0 ? answer.join('. ') : [first, ...head].join(', '));
-      return true;
+      this.choice.value = choice;
+      this.drawing.moveTo(Math.floor(x / this.drawing.every), Math.floor(y / this.drawing.every));
+    }
+
+    showCommand(x, y, nearest) {
+      this.moveTo(x, y, '');
+      const other = make('button', {type: 'button'}, `Story of ${this.title(nearest)}`);
+      other.addEventListener('click', () => this.tellStory(nearest));
+      this.story.replaceChildren(
+        make('p', {}, `The page does not hold the story of pixel ${x},${y}. This command prints it:`),
+        make('pre', {class: 'command', tabindex: '0', 'aria-label': 'The command'}, `${this.explain} --pixel ${x},${y}`),
+        make('p', {class: 'note'}, 'csgsim view shows the story of every pixel, and every field at every instruction.'),
+        make('p', {}, 'The nearest pixel whose story is here: ', other));
+      tell(`the page does not hold the story of pixel ${x},${y}`);
+    }
+
+    tellStory(story) {
+      this.moveTo(story.x, story.y, this.stories.indexOf(story));
+      const [first, ...facts] = linesOf(story.parts[0]);
+      const events = make('ol', {class: 'events', 'aria-label': 'What happened at the pixel', tabindex: '0'});
+      for (const part of story.parts.slice(1)) events.append(...(typeof part === 'string' ? this.between(part) : [this.event(...part)]));
+      this.story.replaceChildren(make('p', {class: 'shows'}, make('strong', {}, first)), make('ul', {class: 'facts'}, ...facts.map(line => make('li', {}, line))), events);
+      this.mark(this.drawing.now);
+      tell([first, ...facts].join(', '));
     }
 
     say(text) {
@@ -79,35 +88,24 @@
       tell(text);
     }
 
-    lines(name, lines) { return make('ul', {class: name}, ...lines.map(line => make('li', {}, line))); }
-
-    // A line each, with a button that sets the time to its end; and after each surface how it ended.
-    events(story) {
-      const {words} = this;
-      const isTold = words.worthTelling(story);
-      const list = make('ol', {class: 'events', 'aria-label': 'What happened at the pixel', tabindex: '0'});
-      let segment = -1;
-      story.events.forEach((event, i) => {
-        if (!isTold[i]) return;
-        if (story.segments.length > 1 && event.segment !== segment) list.append(make('li', {class: 'part'}, `segment ${event.segment}`));
-        segment = event.segment;
-        list.append(this.item(event));
-        for (const attempt of story.attempts)
-          if (attempt.lastEvent === i) list.append(make('li', {class: 'verdict'}, '⇒ ' + words.verdictOf(story, attempt)));
-      });
-      return list;
+    // Lines between events: how a surface ended, a segment, what is beside the pixel.
+    between(text) {
+      const lines = linesOf(text).filter(line => line !== 'clocks');
+      const kind = line => line.startsWith('=>') ? 'verdict' : line.startsWith('segment') ? 'part' : 'note';
+      return lines.map(line => make('li', {class: kind(line)}, line.replace(/^=>/, '⇒')));
     }
 
-    item(event) {
-      const [first, ...more] = this.words.event(event);
-      const numbers = event.first === event.last ? `i${event.first}` : `i${event.first}..i${event.last}`;
-      const step = this.stepAfter(event.last + 1);
+    // An event, whose first line has columns, with a button that sets the time to its end.
+    event(text, step) {
+      const [first, ...more] = linesOf(text);
+      const [, numbers, clocks, what, happened] = /^(\S+) +(\S+) +(\S+(?: \S+)?)(?: {2,}(.*))?$/.exec(first);
       const button = make('button', {type: 'button', 'data-step': step, title: `To step ${grouped(step)} of the drawing`}, numbers);
       button.addEventListener('click', () => {
-        this.goTo(step);
-        tell(`step ${step}, ${titles[event.what]}: ${first}`);
+        this.drawing.goTo(step);
+        tell(`step ${step}, ${what}: ${happened}`);
       });
-      return make('li', {}, button, make('span', {class: 'what'}, titles[event.what]), make('div', {}, first, ...more.map(line => make('small', {}, line))));
+      return make('li', {}, make('span', {}, button, make('small', {title: 'clocks'}, clocks)), make('span', {class: 'what'}, what),
+        make('div', {}, happened || '', ...more.map(line => make('small', {}, line))));
     }
 
     // The time is at that step.
@@ -120,77 +118,36 @@
   class Drawing {
     constructor(box, data) {
       const {width, height, every, steps} = data;
-      Object.assign(this, {box, width, height, every, steps, packed: data.program, now: 0, timer: 0, cursor: [Math.floor(width / 2), Math.floor(height / 2)]});
+      Object.assign(this, {box, width, height, every, steps, now: 0, timer: 0, cursor: [Math.floor(width / 2), Math.floor(height / 2)]});
       this.states = new Uint32Array(width * height);
       this.image = new ImageData(width, height);
       this.canvas = make('canvas', {width, height, tabindex: '0', role: 'application', class: width < 256 ? 'small' : ''});
       this.mark = make('div', {class: 'mark', hidden: ''});
-      this.scale = make('p', {class: 'note scale'});
       this.slider = make('input', {type: 'range', min: 0, max: steps.length - 1, value: 0, 'aria-label': 'Step of the drawing'});
       this.state = make('div', {class: 'state'});
       this.tint = make('input', {type: 'checkbox', checked: ''});
-      this.field = make('select', {}, make('option', {value: ''}, 'the picture'));
       this.controls = make('div', {class: 'controls'});
-      this.right = make('div', {}, this.controls, this.state);
+      this.why = new Why(this, data);
+      if (!document.getElementById('why')) this.why.element.id = 'why';
       this.setUpControls();
       this.setUpCanvas();
-      const stage = make('div', {class: 'canvas'}, this.canvas, this.mark);
-      box.replaceChildren(make('div', {class: 'left'}, stage, this.scale), this.right);
+      const dots = data.stories.map(({x, y}) => this.placed(make('div', {class: 'dot'}), Math.floor(x / every), Math.floor(y / every)));
+      const stage = make('div', {class: 'canvas'}, this.canvas, ...dots, this.mark);
+      box.replaceChildren(make('div', {class: 'left'}, stage), make('div', {}, this.controls, this.state, this.why.element));
       this.apply(0);
       this.goTo(steps.length - 1);
-      if (this.packed) this.load();
-      else this.name();
     }
 
-    name() {
-      this.canvas.setAttribute('aria-label', 'Pixel memory at the chosen step.' + (this.why ? ' Arrow keys move the cursor, with Shift by ten pixels; Enter tells why the pixel shows what it shows.' : ''));
-    }
-
-    // Unpacks the Program; stories and fields come with it.
-    async load() {
-      this.box.setAttribute('aria-busy', 'true');
-      try {
-        this.program = await unpacked(bytesOf(this.packed));
-      } catch (error) {
-        this.right.append(make('p', {class: 'note'}, 'This browser cannot unpack the Program, from which fields and stories are worked out: ' + error.message));
-        this.name();
-        return;
-      } finally {
-        this.box.removeAttribute('aria-busy');
-      }
-      this.frames = new pixelMemory.Frames(this.program, this.every);
-      this.fields = [{name: 'E', base: 0, width: 0, role: 'enable'}, ...this.program.fields.filter(field => field.width <= 32 && !pixelMemory.isSame(field, this.program.colour))];
-      this.field.append(...this.fields.map((field, i) => make('option', {value: i}, field.name)));
-      this.why = new Why(this.program, number => this.stepAfter(number), step => this.goTo(step));
-      this.why.form.addEventListener('submit', event => {
-        event.preventDefault();
-        const [, x, y] = /^\s*(\d+)\s*[, ]\s*(\d+)\s*$/.exec(this.why.pixel.value) || [];
-        if (x === undefined) this.why.say('say which pixel, as x,y');
-        else this.ask(Number(x), Number(y));
-      });
-      document.addEventListener('pixel', event => this.ask(...event.detail));
-      if (!document.getElementById('why')) this.why.element.id = 'why';
-      this.right.append(this.why.element);
-      this.name();
-    }
-
-    // The first step that has carried out so many instructions.
-    stepAfter(number) {
-      const step = this.steps.findIndex(each => each[0] >= number);
-      return step < 0 ? this.steps.length - 1 : step;
-    }
-
-    ask(x, y) {
-      if (!this.why || !this.why.ask(x, y)) return;
-      this.moveTo(Math.floor(x / this.every), Math.floor(y / this.every));
-      this.why.mark(this.now);
+    // The element with its middle at that pixel of the canvas.
+    placed(element, column, row) {
+      element.style.left = (column + 0.5) / this.width * 100 + '%';
+      element.style.top = (row + 0.5) / this.height * 100 + '%';
+      return element;
     }
 
     moveTo(column, row) {
       this.cursor = [Math.max(0, Math.min(this.width - 1, column)), Math.max(0, Math.min(this.height - 1, row))];
-      this.mark.style.left = (this.cursor[0] + 0.5) / this.width * 100 + '%';
-      this.mark.style.top = (this.cursor[1] + 0.5) / this.height * 100 + '%';
-      this.mark.hidden = false;
+      this.placed(this.mark, ...this.cursor).hidden = false;
     }
 
     apply(index) {
@@ -203,44 +160,15 @@
 
     colourAt(at) { return [this.states[at] >> 17 & 255, this.states[at] >> 9 & 255, this.states[at] >> 1 & 255]; }
 
-    paintColours() {
-      for (let at = 0; at < this.states.length; ++at) {
-        const value = this.states[at];
-        this.image.data.set([value >> 17 & 255, value >> 9 & 255, value >> 1 & 255, 255], 4 * at);
-      }
-      this.finish('');
-    }
-
-    // What is enabled is tinted, and the picture shown.
-    finish(scale) {
+    // What is enabled is tinted.
+    paint() {
       const {data} = this.image;
-      for (let at = 0; this.tint.checked && at < this.states.length; ++at) {
-        if (!(this.states[at] & 1)) continue;
-        for (let i = 0; i < 3; ++i) data[4 * at + i] = data[4 * at + i] * (1 - tintShare) + tintColour[i] * tintShare;
+      for (let at = 0; at < this.states.length; ++at) {
+        const share = this.tint.checked && this.states[at] & 1 ? tintShare : 0;
+        this.colourAt(at).forEach((channel, i) => { data[4 * at + i] = channel * (1 - share) + tintColour[i] * share; });
+        data[4 * at + 3] = 255;
       }
       this.canvas.getContext('2d').putImageData(this.image, 0, 0);
-      this.scale.textContent = scale;
-      this.box.removeAttribute('aria-busy');
-    }
-
-    // Runs the Program up to the step, and lets the page breathe meanwhile.
-    paintField() {
-      clearTimeout(this.working);
-      this.box.setAttribute('aria-busy', 'true');
-      const number = this.steps[this.now][0];
-      if (!this.frames.goTo(number, 40)) {
-        this.scale.textContent = `worked out up to i${grouped(this.frames.number)} of ${grouped(number)}`;
-        this.working = setTimeout(() => this.paintField());
-        return;
-      }
-      const field = this.fields[Number(this.field.value)];
-      this.finish(`${field.name}: ${fieldPicture(this.program, this.frames, field, this.width, this.image)}`);
-    }
-
-    paint() {
-      clearTimeout(this.working);
-      if (this.field.value === '') this.paintColours();
-      else this.paintField();
     }
 
     goTo(index) {
@@ -253,7 +181,7 @@
       this.state.replaceChildren(make('p', {}, line), make('p', {}, serves));
       if (text) this.state.append(make('p', {}, 'last: ', make('code', {}, text)));
       this.slider.setAttribute('aria-valuetext', line + ', ' + serves);
-      if (this.why) this.why.mark(this.now);
+      this.why.mark(this.now);
       this.paint();
     }
 
@@ -287,10 +215,8 @@
       move('Step', () => this.goTo(this.now + 1));
       move('Next part', () => this.nextPart(1));
       move('End', () => this.goTo(this.steps.length - 1));
-      if (this.packed) this.controls.append(make('label', {}, 'show', this.field));
       this.controls.append(make('label', {}, this.tint, 'tint the enabled pixels'));
       this.tint.addEventListener('change', () => this.paint());
-      this.field.addEventListener('change', () => this.paint());
       this.slider.addEventListener('input', () => { this.stop(); this.goTo(Number(this.slider.value)); });
     }
 
@@ -304,29 +230,18 @@
       this.timer = setInterval(() => this.now < this.steps.length - 1 ? this.goTo(this.now + 1) : this.stop(), 60);
     }
 
-    // What the field that is shown holds there; nothing beside the segment.
-    valueAt(column, row) {
-      const {pixels, segment} = this.frames;
-      const {x, y} = this.program.segments[segment];
-      const [left, top] = [column - (x + pixels.x) / this.every, row - (y + pixels.y) / this.every];
-      if (left < 0 || top < 0 || left >= pixels.columns || top >= pixels.rows) return '';
-      const field = this.fields[Number(this.field.value)];
-      const at = top * pixels.columns + left;
-      return field.width === 0 ? '' : `, ${field.name} ${this.why.words.value(field, pixels.reader(field)(at))}`;
-    }
-
     // What a pixel of the canvas holds, in words.
     toldAt(column, row) {
       const at = row * this.width + column;
       const colour = '#' + this.colourAt(at).map(channel => channel.toString(16).padStart(2, '0')).join('');
-      const isWorkedOut = this.field.value !== '' && !this.box.hasAttribute('aria-busy');
-      return `${column * this.every}, ${row * this.every}: ${colour}${isWorkedOut ? this.valueAt(column, row) : ''}, ${this.states[at] & 1 ? 'enabled' : 'disabled'}`;
+      return `${column * this.every}, ${row * this.every}: ${colour}, ${this.states[at] & 1 ? 'enabled' : 'disabled'}`;
     }
 
-    askAtCursor() { document.dispatchEvent(new CustomEvent('pixel', {detail: this.cursor.map(one => one * this.every)})); }
+    askAtCursor() { document.dispatchEvent(new CustomEvent('pixel', {detail: {pixel: this.cursor.map(one => one * this.every)}})); }
 
     setUpCanvas() {
       const {canvas} = this;
+      canvas.setAttribute('aria-label', 'Pixel memory at the chosen step. Arrow keys move the cursor, with Shift by ten pixels; Enter tells why the pixel shows what it shows.');
       const at = event => {
         const frame = canvas.getBoundingClientRect();
         const of = (from, begin, size, count) => Math.max(0, Math.min(count - 1, Math.floor((from - begin) * count / size)));

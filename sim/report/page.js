@@ -154,6 +154,16 @@ const page = (() => {
       canvases.forEach(canvas => canvas.getContext('2d').putImageData(image, 0, 0));
     };
 
+    // drawing.js puts the pixel whose story it tells into the detail.
+    const link = make('p');
+    const linkToStory = (event, detail) => {
+      document.dispatchEvent(new CustomEvent(event, {detail}));
+      link.remove();
+      if (!detail.pixel) return;
+      link.replaceChildren(make('a', {href: '#why'}, `Why pixel ${detail.pixel.join()} shows it`));
+      price.append(link);
+    };
+
     const buttons = new Map();
     let chosen = -1;
     const choose = (primitive, spoken) => {
@@ -179,6 +189,7 @@ const page = (() => {
         buttons.forEach(button => button.setAttribute('tabindex', '-1'));
         buttons.get(primitive).setAttribute('tabindex', '0');
       }
+      linkToStory('primitive', {primitive});
       if (spoken) tell(name + ': ' + facts.join(', '));
     };
 
@@ -220,8 +231,7 @@ const page = (() => {
         const found = at(event);
         if (!found) return;
         choose(found[2], true);
-        document.dispatchEvent(new CustomEvent('pixel', {detail: found.slice(0, 2)}));
-        if (document.querySelector('.why')) price.append(make('p', {}, make('a', {href: '#why'}, `Why pixel ${found[0]},${found[1]} shows it`)));
+        linkToStory('pixel', {pixel: found.slice(0, 2)});
       });
     });
     choose(-1);

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cstddef>
 #include <string_view>
@@ -122,7 +121,7 @@ std::string to_html(const Page& page) {
   html += "</main>\n<div id=told class=told role=status aria-live=polite></div>\n";
   html += json_script("data", page.data) + writer.scripts();
   html += fmt::format("<script>\n{}</script>\n", page_script);
-  if (writer.has_drawings()) html += fmt::format("<script>\n{}</script>\n", fmt::join(drawing_scripts, "\n"));
+  if (writer.has_drawings()) html += fmt::format("<script>\n{}</script>\n", drawing_script);
   return html + "</body>\n</html>\n";
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,10 +9,10 @@
 /// Parts of a page as HTML, and what page.js needs to know of them as JSON.
 namespace csgsim::report {
 
-/// What page.css and page.js hold, and the scripts of drawings: memory.js, story.js, words.js and drawing.js.
+/// What page.css, page.js and drawing.js hold.
 extern const std::string_view page_style;
 extern const std::string_view page_script;
-extern const std::array<std::string_view, 4> drawing_scripts;
+extern const std::string_view drawing_script;
 
 /// JSON as the content of a script element that no script runs: nothing in it ends the element or begins a comment.
 std::string json_in_html(const Json& json);
@@ -40,7 +39,8 @@ Json owners_json(const OwnerPicture& owners);
 /// Where drawing.js puts the drawing's controls, and what is said of it. `id`: of its data.
 std::string drawing_html(const Drawing& drawing, const std::string& id);
 
-/// The steps, each as [number, text, serves, clocks, enabled, changes in base 64], and the Program in base 64.
+/// The steps, each as [number, text, serves, clocks, enabled, changes in base 64], and the stories, with their texts in
+/// parts: an event as [text, step], all else as text.
 Json drawing_json(const Drawing& drawing);
 
 }  // namespace csgsim::report

@@ -2,6 +2,7 @@
 
 #include "hw/base/markup.h"
 #include "hw/base/text.h"
+#include "sim/observe/frame.h"
 #include "sim/report/codec.h"
 #include "sim/report/parts_html.h"
 
@@ -46,17 +47,36 @@ std::string drawing_html(const Drawing& drawing, const std::string& id) {
       markup_text(drawing.told), id, drawing.steps.size());
 }
 
+namespace {
+
+/// The text; an event is an array of its text and the first step after it.
+Json part_json(const story::TextPart& part, const Drawing& drawing) {
+  if (part.end == 0) return part.text;
+  return {part.text, step_after(drawing.steps, part.end)};
+}
+
+Json stories_json(const Drawing& drawing) {
+  Json stories = Json::array();
+  for (const PixelStory& story : drawing.stories) {
+    Json parts = Json::array();
+    for (const story::TextPart& part : story.parts) parts.push_back(part_json(part, drawing));
+    Json primitive = story.primitive == observe::no_owner ? Json() : Json(story.primitive);
+    stories.push_back(
+        {{"x", story.x}, {"y", story.y}, {"primitive", std::move(primitive)}, {"parts", std::move(parts)}});
+  }
+  return stories;
+}
+
+}  // namespace
+
 Json drawing_json(const Drawing& drawing) {
   Json steps = Json::array();
   for (const DrawingStep& step : drawing.steps) {
     steps.push_back(Json::array(
         {step.number, printable(step.text), printable(step.serves), step.clocks, step.enabled, base64(step.changes)}));
   }
-  return {{"width", drawing.width},
-          {"height", drawing.height},
-          {"every", drawing.every},
-          {"steps", std::move(steps)},
-          {"program", base64(drawing.program)}};
+  return {{"width", drawing.width},    {"height", drawing.height},         {"every", drawing.every},
+          {"steps", std::move(steps)}, {"stories", stories_json(drawing)}, {"explain", printable(drawing.explain)}};
 }
 
 }  // namespace csgsim::report

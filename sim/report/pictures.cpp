@@ -46,6 +46,7 @@ Difference difference_of(const DrawnProgram& a, const DrawnProgram& b, std::stri
     const Channels of_b = isa::unpack_colour(b.frame.colour[i], b.program.colour.width);
     const bool is_same = of_a == of_b && a.frame.owner[i] == b.frame.owner[i];
     if (!is_same && found.pixels++ == 0) found.first = i;
+    found.differs.push_back(is_same ? 0 : 1);
     const auto grey = static_cast<std::uint8_t>(150 + (of_a[0] + 2 * of_a[1] + of_a[2]) / 10);
     return is_same ? Channels{grey, grey, grey} : mark_colour;
   };

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "hw/isa/program.h"
 #include "sim/observe/frame.h"
@@ -28,9 +29,10 @@ struct DrawnProgram {
 
 /// How two pictures of one size differ.
 struct Difference {
-  Picture picture;           ///< A's in light grey, with the pixels marked that show another colour or primitive
-  std::uint64_t pixels = 0;  ///< of those
-  std::size_t first = 0;     ///< of them, in row order
+  Picture picture;                     ///< A's in light grey, with the pixels marked that differ
+  std::uint64_t pixels = 0;            ///< that show another colour or primitive
+  std::vector<std::uint32_t> differs;  ///< of each pixel in row order: 1 if it does, else 0
+  std::size_t first = 0;               ///< pixel that differs, in row order
 };
 
 Difference difference_of(const DrawnProgram& a, const DrawnProgram& b, std::string caption, std::string alt);

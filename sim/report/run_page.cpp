@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <numeric>
 #include <string>
 #include <utility>
 
@@ -12,6 +11,7 @@
 #include "sim/observe/pictures.h"
 #include "sim/report/pictures.h"
 #include "sim/report/run_counts.h"
+#include "sim/report/stories.h"
 
 namespace csgsim::report {
 
@@ -92,14 +92,10 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
       owners_of(of_primitives, "Whose surface is seen, a colour each",
                 "The same view, each primitive in a colour of its own; the table of primitives tells their prices"),
       of_primitives.owner,
-      {},
+      most_expensive_first(data),
       {"Primitives, the dearest first",
        {"primitive", "line", "clocks", "share", "pixels seen", "pieces", "instructions"},
        {}}};
-  owners.primitive.resize(primitives.size());
-  std::iota(owners.primitive.begin(), owners.primitive.end(), 0U);
-  std::stable_sort(owners.primitive.begin(), owners.primitive.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return primitives[a]["clocks"] > primitives[b]["clocks"]; });
   if (owners.primitive.size() > most_rows) {
     owners.prices.caption = "The " + grouped(most_rows) + " dearest of " + grouped(primitives.size()) + " primitives";
     owners.primitive.resize(most_rows);
@@ -118,6 +114,17 @@ OwnerPicture owner_picture(const Json& data, const observe::Frame& frame, const 
                                   cell(data, at + "/instructions")});
   }
   return owners;
+}
+
+/// The drawing with stories of the background and of the primitives, in the order of their table.
+Drawing drawing_with_stories(const OwnerPicture& owners, const story::Subject& subject,
+                             const machines::Machine& machine, const Context& context) {
+  Drawing drawing = record_drawing(subject.program, machine);
+  drawing.explain = context.explain;
+  std::vector<std::uint32_t> told{observe::no_owner};
+  told.insert(told.end(), owners.primitive.begin(), owners.primitive.end());
+  add_stories(subject, machine, central_pixels(owners.owner, owners.picture.width, told), drawing);
+  return drawing;
 }
 
 /// What the stats say of it in words.
@@ -149,9 +156,11 @@ Page run_page(const Json& stats, const observe::Frame& frame, const isa::Program
   page.command = context.command;
   page.title = std::filesystem::path(program.facts->model.file).filename().native() + " on " + machine.name;
   Section picture{"Picture", in_words(data)};
-  picture.parts.emplace_back(owner_picture(data, frame, program));
+  OwnerPicture owners = owner_picture(data, frame, program);
+  Drawing drawing = drawing_with_stories(owners, {program, model}, machine, context);
+  picture.parts.emplace_back(std::move(owners));
   page.sections.push_back(std::move(picture));
-  page.sections.push_back({"Drawing", {record_drawing(program, machine, {}, model)}});
+  page.sections.push_back({"Drawing", {std::move(drawing)}});
   page.sections.push_back({"Counts", {summary(data)}});
   page.sections.push_back(clocks_section(data));
   if (data.contains("dearest") && data["dearest"].is_array()) page.sections.back().parts.emplace_back(dearest(data));

@@ -1,13 +1,17 @@
 #include "sim/report/two_page.h"
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <utility>
 
 #include "hw/base/text.h"
 #include "hw/isa/facts.h"
+#include "sim/observe/pictures.h"
 #include "sim/report/drawing.h"
 #include "sim/report/run_counts.h"
+#include "sim/report/stories.h"
 
 namespace csgsim::report {
 
@@ -71,9 +75,32 @@ std::string title(const isa::Program& a, const isa::Program& b) {
   return file(a) == file(b) ? "Two runs of " + file(a) : "Runs of " + file(a) + " and " + file(b);
 }
 
+std::vector<std::size_t> pixels_of_stories(const ShownRun& a, const FirstDifference& first,
+                                           const Difference& difference) {
+  std::vector<std::size_t> pixels;
+  const auto add_central = [&](std::span<const std::uint32_t> owner, std::span<const std::uint32_t> owners) {
+    const std::vector<std::size_t> central = central_pixels(owner, a.drawn.frame.width, owners);
+    pixels.insert(pixels.end(), central.begin(), central.end());
+  };
+  if (first.pixel) pixels.push_back(*first.pixel);
+  if (difference.pixels > 0) pixels.push_back(difference.first);
+  add_central(difference.differs, std::array{std::uint32_t{1}});
+  std::vector<std::uint32_t> owners = most_expensive_first(a.stats);
+  owners.insert(owners.begin(), observe::no_owner);
+  add_central(observe::of_primitives(a.drawn.frame, *a.drawn.program.facts).owner, owners);
+  return pixels;
+}
+
+Drawing drawing_of(const ShownRun& run, std::span<const std::size_t> pixels) {
+  Drawing drawing = record_drawing(run.drawn.program, run.machine);
+  drawing.explain = run.explain;
+  add_stories({run.drawn.program}, run.machine, pixels, drawing);
+  return drawing;
+}
+
 }  // namespace
 
-Page two_page(const ShownRun& a, const ShownRun& b, const std::vector<std::string>& told, const Context& context) {
+Page two_page(const ShownRun& a, const ShownRun& b, const FirstDifference& first, const Context& context) {
   Difference difference =
       difference_of(a.drawn, b.drawn, "Pixels that show another colour or primitive, over A in grey", "");
   difference.picture.alt = grouped(difference.pixels) + " pixels differ between A and B";
@@ -84,13 +111,14 @@ Page two_page(const ShownRun& a, const ShownRun& b, const std::vector<std::strin
   if (difference.pixels > 0) page.data["difference"]["first"] = {difference.first % width, difference.first / width};
   page.command = context.command;
   page.title = title(a.drawn.program, b.drawn.program);
-  page.sections.push_back(pictures_section(a, b, std::move(difference), told));
+  const std::vector<std::size_t> pixels = pixels_of_stories(a, first, difference);
+  page.sections.push_back(pictures_section(a, b, std::move(difference), first.told));
   page.sections.push_back({"Counts", {counts(page.data)}});
   page.sections.push_back({"Where the clocks go",
                            {account(page.data, "/by_purpose", "Clocks by what instructions were for", "purpose"),
                             account(page.data, "/by_effect", "Clocks by the effect that called for them", "effect")}});
-  page.sections.push_back({"Drawing of A", {record_drawing(a.drawn.program, a.machine)}});
-  page.sections.push_back({"Drawing of B", {record_drawing(b.drawn.program, b.machine)}});
+  page.sections.push_back({"Drawing of A", {drawing_of(a, pixels)}});
+  page.sections.push_back({"Drawing of B", {drawing_of(b, pixels)}});
   page.sections.push_back(configuration_section(page.data, context));
   return page;
 }

@@ -59,17 +59,20 @@ class Writer {
  public:
   Writer(const Subject& subject, const Story& story) : subject_(subject), program_(subject.program), story_(story) {}
 
-  std::string write() {
+  std::vector<TextPart> write() {
     write_head();
     write_story();
-    return std::move(text_);
+    return std::move(parts_);
   }
 
  private:
   template <class... Args>
   void line(fmt::format_string<Args...> format, Args&&... args) {
-    text_ += fmt::format(format, std::forward<Args>(args)...) + "\n";
+    if (parts_.empty() || parts_.back().end > 0) begin_part();
+    parts_.back().text += fmt::format(format, std::forward<Args>(args)...) + "\n";
   }
+
+  void begin_part() { parts_.emplace_back(); }
 
   [[nodiscard]] std::string plane_lines(const Decision& decision) const {
     const std::string halfspace = geometry_text(subject_, decision);
@@ -230,6 +233,7 @@ class Writer {
   }
 
   void write_story() {
+    begin_part();
     for (const StorySegment& part : story_.segments) write_segment(part);
     if (story_.segments.empty()) line("\nno segment holds this pixel: it shows the background");
     write_beside();
@@ -253,9 +257,11 @@ class Writer {
     for (std::size_t i = 0; i < story_.events.size(); ++i) {
       if (!is_told[i] || story_.events[i].segment != part.segment) continue;
       const Event& event = story_.events[i];
+      begin_part();
       line("  {:<{}}  {:<{}}  {:<{}}{}{}", numbers_text(event), numbers, clocks_text(event), clocks,
            titles.at(static_cast<std::size_t>(event.what)), title_width, effect_text(event),
            indented(text_of_event(event) + misfit_text(event), numbers + clocks + title_width + 6));
+      parts_.back().end = event.last + 1;
       write_verdict(i, numbers + clocks + 6);
     }
   }
@@ -263,11 +269,17 @@ class Writer {
   const Subject& subject_;
   const isa::Program& program_;
   const Story& story_;
-  std::string text_;
+  std::vector<TextPart> parts_;
 };
 
 }  // namespace
 
-std::string text_of(const Subject& subject, const Story& story) { return Writer(subject, story).write(); }
+std::vector<TextPart> parts_of(const Subject& subject, const Story& story) { return Writer(subject, story).write(); }
+
+std::string text_of(const Subject& subject, const Story& story) {
+  std::string text;
+  for (const TextPart& part : parts_of(subject, story)) text += part.text;
+  return text;
+}
 
 }  // namespace csgsim::story

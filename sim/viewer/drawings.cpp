@@ -11,7 +11,6 @@
 #include "hw/base/input_file.h"
 #include "hw/base/messages.h"
 #include "hw/base/seconds.h"
-#include "hw/base/text.h"
 #include "hw/kinds/load.h"
 #include "sim/session/options/paths.h"
 #include "sim/viewer/knobs.h"
@@ -42,12 +41,6 @@ void add_words(std::vector<std::string>& words, const std::string& name, const J
   }
   if (!value.is_string()) throw WishError(name + " has to be a text");
   for (std::string& word : session::option_words(name, value.get<std::string>())) words.push_back(std::move(word));
-}
-
-std::string shell_command(const std::vector<std::string>& words) {
-  std::string command = "csgsim";
-  for (const std::string& word : words) command += " " + shell_word(word);
-  return command;
 }
 
 std::size_t hash_of(const Json& wish, const std::string& text) {
@@ -106,15 +99,20 @@ std::shared_ptr<Drawing> Drawings::evaluated(Asked asked) const {
   const auto begin = std::chrono::steady_clock::now();
   machines::Machine machine = session::machine_of(asked.options);
   session::CompiledModel model = session::compile_model(model_of(asked), asked.options, machine);
-  asked.words.insert(asked.words.begin(), "render");
   return std::make_shared<Drawing>(Drawing{.wish = std::move(asked.wish),
                                            .text = std::move(asked.text),
                                            .options = std::move(asked.options),
                                            .machine = std::move(machine),
                                            .model = std::move(model),
-                                           .command = shell_command(asked.words),
+                                           .words = std::move(asked.words),
                                            .warnings = told.lines(),
                                            .compiling = seconds_since(begin)});
+}
+
+std::string Drawing::command(const std::string& name) const {
+  std::vector<std::string> all{name};
+  all.insert(all.end(), words.begin(), words.end());
+  return session::shell_command(all);
 }
 
 std::shared_ptr<const Drawing> Drawings::latest() const {

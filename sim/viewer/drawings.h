@@ -43,10 +43,13 @@ struct Drawing {
   session::ModelRequest options;
   machines::Machine machine;
   session::CompiledModel model;
-  std::string command;  ///< that draws the same
+  std::vector<std::string> words;  ///< of a command line: the model and its options
   std::vector<std::string> warnings;
   double compiling = 0;  ///< seconds
   std::unique_ptr<FoundOut> found = std::make_unique<FoundOut>();
+
+  /// The command line of the command of that name for the same model and options.
+  [[nodiscard]] std::string command(const std::string& name) const;
 };
 
 /// The drawings that were wished for last. Several threads may ask at a time: models are evaluated side by side, but

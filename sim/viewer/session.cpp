@@ -141,7 +141,7 @@ Json Session::draw(const Json& wish, Evaluation& evaluation) {
           {"height", picture.height},
           {"camera", camera_text(drawing.model.camera)},
           {"stats", stats_of(drawing.model, drawing.machine, done)},
-          {"command", drawing.command},
+          {"command", drawing.command("render")},
           {"warnings", drawing.warnings},
           {"seconds", {{"compiling", drawing.compiling}, {"running", done.seconds}}}};
 }
@@ -254,9 +254,10 @@ std::string Session::report() const {
   const std::shared_ptr<const Drawing> drawing = drawings_.latest();
   if (drawing == nullptr || !is_drawn(*drawing)) throw WishError("nothing has been drawn yet");
   const story::HalfspaceFinder finder = session::halfspaces_of(drawing->model, drawing->options, drawing->machine);
-  return report::to_html(report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn),
-                                          drawing->found->drawn->frame, drawing->model.program, drawing->machine,
-                                          {drawing->command, {}}, &finder));
+  return report::to_html(
+      report::run_page(stats_of(drawing->model, drawing->machine, *drawing->found->drawn), drawing->found->drawn->frame,
+                       drawing->model.program, drawing->machine,
+                       {.command = drawing->command("render"), .explain = drawing->command("explain")}, &finder));
 }
 
 Json Session::about() const {

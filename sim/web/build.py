@@ -26,7 +26,6 @@ LEFT_OUT = {
     "flat": "svg page shapes",
     "solids": "height_picture read_xml unzip",
     "plots": "files gnuplot",
-    "report": "deflated",
     "session": "finished_run levels run_outputs scad version",
     "viewer": "door page recorded serve files",
 }

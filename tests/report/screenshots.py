@@ -19,17 +19,14 @@ STEP = """(() => {
   slider.dispatchEvent(new Event('input'));
 })()"""
 
-# The story of a pixel, and Z2 at its last merge.
-WHY = ["""(async () => {
-  while (!document.querySelector('.why')) await new Promise(done => setTimeout(done, 20));
-  document.dispatchEvent(new CustomEvent('pixel', {detail: [310, 250]}));
-  const [drawing] = csgsimDrawings;
-  drawing.field.value = drawing.fields.findIndex(field => field.name === 'Z2');
+# The story of the pixel in the middle of a primitive, at its merge.
+WHY = ["""(() => {
+  document.querySelector('tr[data-p="1"] button').click();
   const item = [...document.querySelectorAll('.events li')].filter(one => one.querySelector('.what')?.textContent === 'merge').pop();
   item.querySelector('button').click();
   item.parentElement.scrollTop = item.offsetTop - item.parentElement.offsetTop - 180;
-  while (drawing.box.hasAttribute('aria-busy')) await new Promise(done => setTimeout(done, 20));
-  drawing.box.scrollIntoView({behavior: 'instant'});
+  csgsimDrawings[0].canvas.focus();
+  csgsimDrawings[0].box.scrollIntoView({behavior: 'instant'});
 })()"""]
 
 

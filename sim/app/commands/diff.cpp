@@ -27,6 +27,7 @@
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/sets.h"
 #include "sim/session/options/usage.h"
+#include "sim/session/run/explain.h"
 #include "sim/session/run/memory.h"
 #include "sim/session/run/report_option.h"
 #include "sim/session/run/run_request.h"
@@ -155,11 +156,16 @@ void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint
   fmt::print("\n{}  {}", letter, story::text_of({subject.program}, told));
 }
 
-void print_stories(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
-  std::optional<std::pair<std::uint32_t, std::uint32_t>> pixel;
+/// Of the pictures, or else of pixel memory.
+std::optional<std::pair<std::uint32_t, std::uint32_t>> first_other_pixel(const lockstep::Comparison& comparison) {
+  if (comparison.picture) return std::pair{comparison.picture->x, comparison.picture->y};
   if (comparison.divergence && comparison.divergence->pixel)
-    pixel = {comparison.divergence->pixel->x, comparison.divergence->pixel->y};
-  if (comparison.picture) pixel = {comparison.picture->x, comparison.picture->y};
+    return std::pair{comparison.divergence->pixel->x, comparison.divergence->pixel->y};
+  return std::nullopt;
+}
+
+void print_stories(const lockstep::Comparison& comparison, const Subject& a, const Subject& b) {
+  const auto pixel = first_other_pixel(comparison);
   if (!pixel) return;
   print_story('A', a, pixel->first, pixel->second);
   print_story('B', b, pixel->first, pixel->second);
@@ -196,21 +202,35 @@ std::vector<std::string> told_of(const lockstep::Comparison& comparison, const S
   return told;
 }
 
-report::ShownRun shown(const Subject& side, const lockstep::SideResult& run) {
+/// The command that tells a pixel's story of one side, but for --pixel.
+std::string explain_of(const OptionList& command, const SideOptions& side) {
+  GivenTexts own;
+  for (const auto& [key, text] :
+       {std::pair("machine", &side.machine), {"strategy", &side.strategy}, {"pruning", &side.pruning}})
+    if (!text->empty()) own.emplace_back(key, *text);
+  for (const std::string& set : side.sets) own.emplace_back("set", set);
+  return explain_command(command, side.subject, own);
+}
+
+report::ShownRun shown(const Subject& side, const lockstep::SideResult& run, std::string explain) {
   const observe::Report told{side.program, side.machine, side.level, run.result, run.stats};
   const std::string& strategy = side.program.facts->compile.strategy;
   std::string name = side.name + " on " + side.machine.name;
   if (!strategy.empty()) name += ", strategy " + printable(strategy);
-  return {std::move(name), {side.program, run.frame}, side.machine, observe::to_json(told)};
+  return {std::move(name), {side.program, run.frame}, side.machine, observe::to_json(told), std::move(explain)};
 }
 
 void write_page(ReportFile& page, const lockstep::Comparison& comparison, const Subject& a, const Subject& b,
-                const ReportOption& option) {
+                const Options& options, const OptionList& command) {
   if (!page.asked()) return;
   const machines::Machine machines[] = {a.machine, b.machine};
   const std::span shown_machines = std::span(machines).first(a.machine.name == b.machine.name ? 1 : 2);
-  page.write(report::two_page(shown(a, comparison.a), shown(b, comparison.b), told_of(comparison, a, b),
-                              option.context(shown_machines)));
+  report::FirstDifference first{told_of(comparison, a, b), std::nullopt};
+  if (const auto pixel = first_other_pixel(comparison))
+    first.pixel = std::size_t{pixel->second} * a.program.shape.width + pixel->first;
+  page.write(report::two_page(shown(a, comparison.a, explain_of(command, options.a)),
+                              shown(b, comparison.b, explain_of(command, options.b)), first,
+                              options.report.context(shown_machines)));
 }
 
 lockstep::Comparison compare(const Subject& a, const Subject& b) {
@@ -252,7 +272,7 @@ void diff(const Options& options, const OptionList& command) {
   refuse_overflow(comparison.a.result);
   refuse_overflow(comparison.b.result);
   print_comparison(comparison, a, b);
-  write_page(page, comparison, a, b, options.report);
+  write_page(page, comparison, a, b, options, command);
   const bool same_clocks = comparison.a.result.clocks == comparison.b.result.clocks;
   const bool has_other_clocks =
       !same_clocks && !comparison.other_instruction && machines::same_hardware(a.machine, b.machine);

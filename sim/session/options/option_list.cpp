@@ -395,6 +395,12 @@ std::vector<std::string> option_words(const std::string& name, const std::string
   return {"--" + name, value};
 }
 
+std::string shell_command(std::span<const std::string> words) {
+  std::string command = "csgsim";
+  for (const std::string& word : words) command += " " + shell_word(word);
+  return command;
+}
+
 std::string did_you_mean(std::string_view word, std::span<const std::string> known) {
   const std::vector<std::string_view> candidates(known.begin(), known.end());
   const std::string_view nearest = nearest_alike(word, candidates);

@@ -206,6 +206,9 @@ class OptionList {
 /// An option with its value as words of a command line: two, or one where the value would be taken for an option.
 std::vector<std::string> option_words(const std::string& name, const std::string& value);
 
+/// A command line of csgsim for a POSIX shell, of the words after the program's name.
+std::string shell_command(std::span<const std::string> words);
+
 /// A question after a blank, or nothing where no known word is like it.
 std::string did_you_mean(std::string_view word, std::span<const std::string> known);
 

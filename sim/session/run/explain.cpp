@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -112,6 +113,24 @@ story::Answer answer_of(const ExplainRequest& request, const Explained& subject)
 }
 
 }  // namespace
+
+std::string explain_command(const OptionList& asked, const std::string& subject, const GivenTexts& instead) {
+  ExplainRequest request;
+  OptionList list("explain");
+  request.add_to(list);
+  list.give_operand(subject);
+  const bool takes_all = is_model(subject);
+  for (const Option& option : asked.all()) {
+    const std::string key = option.key();
+    const bool is_taken = takes_all || key == "machine" || key == "set";
+    const bool is_replaced = option.takes != Takes::texts &&
+                             std::ranges::any_of(instead, [&](const auto& given) { return given.first == key; });
+    if (option.is_operand || !is_taken || is_replaced || list.find(key) == nullptr) continue;
+    for (const std::string& text : option.given) list.give(key, text);
+  }
+  for (const auto& [key, text] : instead) list.give(key, text);
+  return shell_command(list.words());
+}
 
 void refuse_misuse(const ExplainRequest& request, const OptionList& options, const InPlace& in_place) {
   if (request.pixel.empty() == request.point.empty())

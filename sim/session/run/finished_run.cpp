@@ -3,10 +3,13 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "hw/isa/facts.h"
 #include "sim/report/run_page.h"
 #include "sim/session/options/progress.h"
+#include "sim/session/run/explain.h"
 #include "sim/session/run/memory.h"
 #include "sim/session/run/run_outputs.h"
 
@@ -45,10 +48,20 @@ FinishedRun simulated(const RunSubject& subject, const RunRequest& request, cons
   return run;
 }
 
-report::Page page_of(const FinishedRun& run, const RunSubject& subject, const ReportOption& option) {
+/// What --max-wrong-pixels chose.
+GivenTexts chosen_bits(const OptionList& options, const isa::Program& program) {
+  if (!options.is_given("max-wrong-pixels")) return {};
+  const isa::CompileFacts& compile = program.facts->compile;
+  return {{"z-bits", std::to_string(compile.z_bits)}, {"fraction-bits", std::to_string(compile.fraction_bits)}};
+}
+
+report::Page page_of(const OptionList& options, const FinishedRun& run, const RunSubject& subject,
+                     const ReportOption& option) {
   std::optional<story::HalfspaceFinder> halfspaces;
   if (subject.halfspaces) halfspaces.emplace(subject.halfspaces());
-  return report::run_page(run.stats_file, run.picture, subject.program, subject.machine, option.context(),
+  report::Context context = option.context();
+  context.explain = explain_command(options, subject.inputs.front().native(), chosen_bits(options, subject.program));
+  return report::run_page(run.stats_file, run.picture, subject.program, subject.machine, context,
                           halfspaces ? &*halfspaces : nullptr);
 }
 
@@ -63,7 +76,7 @@ FinishedRun finish(const OptionList& options, const RunSubject& subject, const R
   if (judge) run.verdict = judge(run.picture, run.stats_file["accuracy"]);
   outputs.write_pictures(run.picture, program);
   outputs.write_stats(run.stats_file.dump(2) + "\n");
-  if (request.report.asked()) outputs.write_report(page_of(run, subject, request.report));
+  if (request.report.asked()) outputs.write_report(page_of(options, run, subject, request.report));
   outputs.commit();
   return run;
 }

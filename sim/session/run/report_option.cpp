@@ -27,13 +27,6 @@ std::string html_name(const std::string& name) {
   return ends_in(name, ".html") ? "" : "'" + name + "' has to end in .html";
 }
 
-/// As words of a POSIX shell.
-std::string typed(const std::vector<std::string>& arguments) {
-  std::string line = "csgsim";
-  for (std::size_t i = 1; i < arguments.size(); ++i) line += " " + shell_word(arguments[i]);
-  return line;
-}
-
 }  // namespace
 
 void ReportOption::add_to(OptionList& options) {
@@ -43,7 +36,8 @@ void ReportOption::add_to(OptionList& options) {
 }
 
 report::Context ReportOption::context(std::span<const machines::Machine> machines) const {
-  report::Context context{typed(asked_->arguments()), {{"version", version_and_build()}}};
+  const std::vector<std::string> arguments = asked_->arguments();
+  report::Context context{shell_command(std::span(arguments).subspan(1)), {{"version", version_and_build()}}};
   for (const OptionValue& option : asked_->values()) {
     if (option.is_operand || option.values.empty()) continue;
     context.options.emplace_back("--" + option.name, fmt::format("{}", fmt::join(option.values, ",")));

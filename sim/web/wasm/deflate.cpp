@@ -130,9 +130,3 @@ std::string deflated(std::string_view bytes) {
 }
 
 }  // namespace csgsim::web
-
-namespace csgsim::report {
-
-std::string deflated(std::string_view bytes) { return web::deflated(bytes); }
-
-}  // namespace csgsim::report

@@ -7,8 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/inflated.h"
-
 using namespace csgsim;
 
 TEST_CASE("base 64 is that of RFC 4648") {
@@ -21,16 +19,6 @@ TEST_CASE("base 64 is that of RFC 4648") {
                                                                                     {"foobar", "Zm9vYmFy"}})
     CHECK(report::base64(bytes) == text);
   CHECK(report::base64(std::string("\xff\xfe\x00", 3)) == "//4A");
-}
-
-TEST_CASE("what is deflated is inflated again, and repetitions take little") {
-  std::string bytes;
-  for (int i = 0; i < 2000; ++i) bytes += "line " + std::to_string(i % 7) + '\n';
-  for (const std::string& one : {std::string(), std::string("\0\xff", 2), bytes}) {
-    const std::string packed = report::deflated(one);
-    CHECK(testing::inflated(packed, one.size()) == one);
-  }
-  CHECK(report::deflated(bytes).size() < bytes.size() / 20);
 }
 
 TEST_CASE("numbers are varints of 7 bits a byte, the lowest first") {

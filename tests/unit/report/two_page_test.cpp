@@ -39,9 +39,10 @@ Run run_of(const std::string& text) {
 
 report::Page page_of(const Run& a, const Run& b) {
   const auto shown = [](const Run& run, const char* name) {
-    return report::ShownRun{name, {run.program, run.frame}, run.machine, run.stats};
+    return report::ShownRun{
+        name, {run.program, run.frame}, run.machine, run.stats, std::string("csgsim explain ") + name};
   };
-  return report::two_page(shown(a, "large"), shown(b, "small"), {"They differ."}, {"csgsim diff a.csg b.csg", {}});
+  return report::two_page(shown(a, "large"), shown(b, "small"), {{"They differ."}, 5}, {"csgsim diff a.csg b.csg", {}});
 }
 
 }  // namespace
@@ -69,6 +70,15 @@ TEST_CASE("two runs are shown with the counts of both, their ratio, and how many
        {"data-of=\"drawing-0\"", "data-of=\"drawing-1\"", "id=\"drawing-0\"", "id=\"drawing-1\""})
     CHECK(html.find(box) != std::string::npos);
   CHECK(html.find(std::to_string(differ) + " pixels differ between A and B") != std::string::npos);
+  for (const std::size_t section : {3U, 4U}) {
+    const auto& drawing = std::get<report::Drawing>(page.sections[section].parts[0]);
+    CHECK(drawing.explain == (section == 3 ? "csgsim explain large" : "csgsim explain small"));
+    REQUIRE(drawing.stories.size() >= 3);
+    CHECK(drawing.stories[0].y * 16 + drawing.stories[0].x == 5);
+    CHECK(drawing.stories[1].y * 16 + drawing.stories[1].x == first);
+    const std::size_t third = drawing.stories[2].y * 16 + drawing.stories[2].x;
+    CHECK(a.frame.colour[third] != b.frame.colour[third]);
+  }
 }
 
 TEST_CASE("of a run and itself no pixel differs") {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "hw/machines/machine.h"
+#include "sim/report/page.h"
+#include "sim/story/phrases.h"
+
+namespace csgsim::report {
+
+struct StoryLimits {
+  std::size_t pixels = 64;
+  std::size_t bytes = 400'000;             ///< of all texts
+  std::uint64_t instructions = 4'000'000;  ///< that are carried out for all stories
+};
+
+/// Primitives by their clocks in a run's stats, the most expensive first.
+std::vector<std::uint32_t> most_expensive_first(const Json& stats);
+
+/// A pixel for each of these owners that is seen, in their order: of its pixels the one that is farthest, by rows plus
+/// columns, from pixels of other owners and from the border; of several the middle one in row order. `owner`: of each
+/// pixel in row order, in rows of `width`.
+std::vector<std::size_t> central_pixels(std::span<const std::uint32_t> owner, std::size_t width,
+                                        std::span<const std::uint32_t> owners);
+
+/// Adds to the drawing the stories of these pixels, numbered in row order, as far as the limits allow, the
+/// first in any case, and says how many these are.
+/// The machine has to be able to run the Program.
+void add_stories(const story::Subject& subject, const machines::Machine& machine, std::span<const std::size_t> pixels,
+                 Drawing& drawing, const StoryLimits& limits = {});
+
+}  // namespace csgsim::report
