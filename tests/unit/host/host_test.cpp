@@ -88,7 +88,7 @@ TEST_CASE("the host of a machine that divides the model makes that model, whatev
     const std::uint64_t longs = (program.display_model.size() + 3) / 4;
     double clocks = static_cast<double>(longs) * clocks_on_mc68000(host::of_model_long());
     for (const host::Recipe& recipe : host::recipes())
-      clocks += static_cast<double>(program.preparation->*recipe.count) * clocks_on_mc68000(recipe.each);
+      clocks += static_cast<double>((*program.preparation).*recipe.count) * clocks_on_mc68000(recipe.each);
     clocks *= static_cast<double>(machine.clock_hz) / 8e6;
     CHECK(static_cast<double>(host::compile_clocks(program, machine)) == doctest::Approx(clocks).epsilon(1e-5));
   }
