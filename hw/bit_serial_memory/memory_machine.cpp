@@ -5,10 +5,11 @@
 
 #include "hw/base/error.h"
 #include "hw/bit_serial_memory/account.h"
-#include "hw/bit_serial_memory/make.h"
+#include "hw/bit_serial_memory/kind.h"
 #include "hw/bit_serial_memory/taps.h"
 #include "hw/link/frame_words.h"
 #include "hw/systemc/kernel.h"
+#include "hw/systemc/maker.h"
 
 namespace csgsim::bit_serial_memory {
 
@@ -127,8 +128,13 @@ std::vector<wave::Tap> MemoryMachine::taps(const isa::Program& program, const wa
   return machine_taps({controller_, host_, bank_list_, pixels_, slots_, machine_.picture.width}, program, request);
 }
 
-std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
-  return std::make_unique<MemoryMachine>("bit_serial_memory", machine);
-}
-
 }  // namespace csgsim::bit_serial_memory
+
+namespace csgsim::systemc {
+
+extern const Maker bit_serial_memory_maker{
+    .kind = &bit_serial_memory::kind, .make = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<bit_serial_memory::MemoryMachine>("bit_serial_memory", machine);
+    }};
+
+}  // namespace csgsim::systemc

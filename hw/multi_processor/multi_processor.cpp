@@ -5,9 +5,10 @@
 #include <stdexcept>
 
 #include "hw/division/division_check.h"
-#include "hw/multi_processor/make.h"
+#include "hw/multi_processor/kind.h"
 #include "hw/multi_processor/taps.h"
 #include "hw/systemc/kernel.h"
+#include "hw/systemc/maker.h"
 #include "hw/wave/segments.h"
 
 namespace csgsim::multi_processor {
@@ -141,8 +142,13 @@ std::vector<wave::Tap> MultiProcessor::taps(const isa::Program& program, const w
   return taps;
 }
 
-std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
-  return std::make_unique<MultiProcessor>("multi_processor", machine);
-}
-
 }  // namespace csgsim::multi_processor
+
+namespace csgsim::systemc {
+
+extern const Maker multi_processor_maker{
+    .kind = &multi_processor::kind, .make = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<multi_processor::MultiProcessor>("multi_processor", machine);
+    }};
+
+}  // namespace csgsim::systemc

@@ -8,10 +8,11 @@
 #include "hw/machines/clocks.h"
 #include "hw/machines/timing.h"
 #include "hw/pixel_planes/figures.h"
-#include "hw/pixel_planes/make.h"
+#include "hw/pixel_planes/kind.h"
 #include "hw/pixel_planes/probed.h"
 #include "hw/pixel_planes/taps.h"
 #include "hw/systemc/kernel.h"
+#include "hw/systemc/maker.h"
 #include "hw/wave/instruction_taps.h"
 
 namespace csgsim::pixel_planes {
@@ -288,18 +289,21 @@ std::vector<wave::Tap> PixelPlanes::scan_out_taps() const {
       wave::hexadecimal("scan_out.video", 24, [this, shown] { return shown(scan_out_.video()); })};
 }
 
-std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
-  return std::make_unique<PixelPlanes>("pixel_planes", machine);
-}
-
-std::unique_ptr<systemc::ClockedMachine> make_stepped_machine(const machines::Machine& machine) {
-  return std::make_unique<PixelPlanes>("pixel_planes", machine, systemc::EvaluatorForm::stepped);
-}
-
-std::unique_ptr<systemc::ClockedMachine> make_probed_machine(const machines::Machine& machine,
-                                                             const systemc::Foretold& foretold,
-                                                             systemc::EvaluatorForm form) {
-  return std::make_unique<PixelPlanes>("pixel_planes", machine, form, &foretold);
-}
-
 }  // namespace csgsim::pixel_planes
+
+namespace csgsim::systemc {
+
+extern const Maker pixel_planes_maker{
+    .kind = &pixel_planes::kind,
+    .make = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine);
+    },
+    .make_stepped = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, EvaluatorForm::stepped);
+    },
+    .make_probed = [](const machines::Machine& machine, const Foretold& foretold,
+                      EvaluatorForm form) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<pixel_planes::PixelPlanes>("pixel_planes", machine, form, &foretold);
+    }};
+
+}  // namespace csgsim::systemc

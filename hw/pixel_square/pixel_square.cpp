@@ -6,11 +6,12 @@
 
 #include "hw/machines/regions.h"
 #include "hw/pixel_square/figures.h"
-#include "hw/pixel_square/make.h"
+#include "hw/pixel_square/kind.h"
 #include "hw/pixel_square/renderer_taps.h"
 #include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/taps.h"
 #include "hw/systemc/kernel.h"
+#include "hw/systemc/maker.h"
 #include "hw/wave/pixel_taps.h"
 #include "hw/wave/segments.h"
 
@@ -285,12 +286,17 @@ std::vector<wave::Tap> PixelSquareMachine::pixel_taps(wave::Pixel pixel, const i
   return taps;
 }
 
-std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
-  return std::make_unique<PixelSquareMachine>("pixel_square", machine, systemc::EvaluatorForm::worked_out);
-}
-
-std::unique_ptr<systemc::ClockedMachine> make_stepped_machine(const machines::Machine& machine) {
-  return std::make_unique<PixelSquareMachine>("pixel_square", machine, systemc::EvaluatorForm::stepped);
-}
-
 }  // namespace csgsim::pixel_square
+
+namespace csgsim::systemc {
+
+extern const Maker pixel_square_maker{
+    .kind = &pixel_square::kind,
+    .make = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine, EvaluatorForm::worked_out);
+    },
+    .make_stepped = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+      return std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine, EvaluatorForm::stepped);
+    }};
+
+}  // namespace csgsim::systemc

@@ -6,10 +6,11 @@
 #include <utility>
 
 #include "hw/scan_line/figures.h"
-#include "hw/scan_line/make.h"
+#include "hw/scan_line/kind.h"
 #include "hw/scan_line/taps.h"
 #include "hw/scan_line/timing.h"
 #include "hw/systemc/kernel.h"
+#include "hw/systemc/maker.h"
 #include "hw/wave/segments.h"
 
 namespace csgsim::scan_line {
@@ -261,8 +262,13 @@ std::vector<wave::Tap> ScanLineArray::taps(const isa::Program& program, const wa
   return taps;
 }
 
-std::unique_ptr<systemc::ClockedMachine> make_machine(const machines::Machine& machine) {
-  return std::make_unique<ScanLineArray>("scan_line", machine);
-}
-
 }  // namespace csgsim::scan_line
+
+namespace csgsim::systemc {
+
+extern const Maker scan_line_maker{.kind = &scan_line::kind,
+                                   .make = [](const machines::Machine& machine) -> std::unique_ptr<ClockedMachine> {
+                                     return std::make_unique<scan_line::ScanLineArray>("scan_line", machine);
+                                   }};
+
+}  // namespace csgsim::systemc

@@ -53,7 +53,7 @@ def make_sources(made):
     kinds, machines = (words_of("hw/kinds/CMakeLists.txt", name) for name in ("kinds", "machines"))
     make_calls("hw/kinds/CMakeLists.txt", made / "kinds", {
         "headers": ";".join(f"hw/{kind}/kind.h" for kind in kinds), "rows": " ".join(f"{kind}::kind" for kind in kinds),
-        "machines": " ".join(machines)})
+        "makers": " ".join(f"{kind}_maker" for kind in kinds), "machines": " ".join(machines)})
     make_calls("hw/processors/CMakeLists.txt", made / "processors")
     make_calls("host/effects/CMakeLists.txt", made / "effects")
     scripts = words_of("sim/report/CMakeLists.txt", "page_scripts")

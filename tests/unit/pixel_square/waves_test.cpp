@@ -13,7 +13,7 @@
 #include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
-#include "hw/pixel_square/make.h"
+#include "hw/pixel_square/pixel_square.h"
 #include "hw/pixel_square/taps.h"
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/kernel.h"
@@ -64,7 +64,8 @@ struct Board {
   Board(const machines::Machine& described, isa::Program drawn, std::vector<wave::Pixel> pixels)
       : machine(described),
         program(std::move(drawn)),
-        hardware(pixel_square::make_machine(machine)),
+        hardware(std::make_unique<pixel_square::PixelSquareMachine>("pixel_square", machine,
+                                                                    systemc::EvaluatorForm::worked_out)),
         sampler("sampler", machine) {
     wave::Request request;
     request.pixels = std::move(pixels);
