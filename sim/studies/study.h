@@ -153,14 +153,21 @@ template <class Row>
 class StudyOf : public RowsOf<Row> {
  public:
   void measure(std::span<const std::size_t> points, unsigned threads, const Study::Finished& finished) final {
+    const std::vector<std::size_t> order = in_turn(points, threads);
     measure_each(
-        points.size(), threads, [&](std::size_t i) { return std::pair(points[i], to_line(measured(points[i]))); },
+        order.size(), threads, [&](std::size_t i) { return std::pair(order[i], to_line(measured(order[i]))); },
         [&](std::pair<std::size_t, std::string> row) { finished(row.first, std::move(row.second)); });
   }
 
  protected:
   /// Measures the point with that number; on several threads at the same time, where the study is parallel.
   [[nodiscard]] virtual Row measured(std::size_t point) = 0;
+
+  /// The points in the order in which so many threads measure them.
+  [[nodiscard]] virtual std::vector<std::size_t> in_turn(std::span<const std::size_t> points,
+                                                         unsigned /*threads*/) const {
+    return {points.begin(), points.end()};
+  }
 };
 
 }  // namespace csgsim::studies

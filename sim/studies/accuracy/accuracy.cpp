@@ -10,18 +10,15 @@
 #include "host/emit/curves.h"
 #include "hw/base/error.h"
 #include "hw/base/messages.h"
-#include "hw/base/text.h"
 #include "hw/machines/hash.h"
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/see_through.h"
 #include "sim/session/options/lists.h"
-#include "sim/session/options/numbers.h"
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/version.h"
 #include "sim/session/run/memory.h"
 #include "sim/studies/accuracy/measure.h"
-#include "sim/studies/accuracy/pareto.h"
-#include "sim/studies/accuracy/plots.h"
+#include "sim/studies/accuracy/show.h"
 #include "sim/studies/dimensions.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
@@ -36,47 +33,6 @@ struct Options {
   std::string knobs;
   std::string tolerances;
 };
-
-void print_row(const Measurement& row) {
-  fmt::print("{:<14}{:>12}{:>12}{:>9}{:>8}{:>9}{:>9}{:>13.2e}{:>10.2f}{:>11}{:>13.2e}{:>9.3f}\n", row.knob, row.value,
-             grouped(row.clocks), grouped(row.halfspaces), row.used_bits, grouped(row.wrong), grouped(row.unexplained),
-             row.depth_p999, row.depth_p999_steps, grouped(row.facet_wrong), row.facet_depth_p999,
-             row.picture_difference);
-}
-
-void print_table(std::span<const Measurement> rows, unsigned views) {
-  fmt::print("{:<14}{:>12}{:>12}{:>9}{:>8}{:>9}{:>9}{:>13}{:>10}{:>11}{:>13}{:>9}\n", "knob", "value", "clocks",
-             "planes", "bits", "wrong", "unexpl.", "depth p99.9", "in steps", "facet diff", "facet p99.9", "colour");
-  for (const Measurement& row : rows) print_row(row);
-  if (views > 1)
-    fmt::print("Clocks and pixels are sums of {} views, depths those of the worst; p99.9: the 99.9th percentile.\n",
-               views);
-}
-
-void print_front(std::span<const Measurement> rows) {
-  const std::vector<Measurement> front = pareto_front(of_knob(rows, "together"));
-  if (front.empty()) return;
-  fmt::print("\nPareto front of z bits / fraction bits:\n");
-  for (const Measurement& row : front)
-    fmt::print("  {:>6}{:>12} clocks{:>10} wrong pixels\n", row.value, grouped(row.clocks), grouped(row.wrong));
-  for (const Halving& step : halvings(front)) {
-    fmt::print("From {} to {}: {} wrong pixels become {} for {:.1f} % more clocks\n", step.from.value, step.to.value,
-               grouped(step.from.wrong), grouped(step.to.wrong), 100.0 * step.more_clocks);
-  }
-}
-
-void print_equal(std::span<const Measurement> rows) {
-  for (const EqualFacets& one : facets_as_right(rows)) {
-    fmt::print("\n{} curves: {} clocks, {} off the curved surfaces\n", one.curved.value, grouped(one.curved.clocks),
-               counted(one.curved.facet_wrong, "pixel"));
-    fmt::print(
-        "{}: {} {}, {} clocks, {:.3g} times as many, {} off\n",
-        one.as_right ? "Facets as right" : "No facets tried are as right; the nearest", one.facets.knob,
-        one.facets.value, grouped(one.facets.clocks),
-        static_cast<double>(one.facets.clocks) / static_cast<double>(std::max<std::uint64_t>(one.curved.clocks, 1)),
-        counted(one.facets.facet_wrong, "pixel"));
-  }
-}
 
 /// Whether the knob was asked for by its name.
 bool names_knob(const Options& options, const std::string& knob) {
@@ -161,11 +117,7 @@ class Accuracy : public StudyOf<Measurement> {
     return asked;
   }
 
-  void print() const override {
-    print_table(rows(), options_.views);
-    print_front(rows());
-    print_equal(rows());
-  }
+  void print() const override { print_accuracy(rows(), options_.views); }
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
     return plots_of_accuracy(rows(), {plot_stem(options_.model.model), options_.views});

@@ -18,8 +18,10 @@
 #include "sim/session/options/usage.h"
 #include "sim/session/options/version.h"
 #include "sim/session/run/memory.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/grid.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/dimensions.h"
-#include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/options.h"
 #include "sim/studies/explore/show.h"
 #include "sim/studies/folder.h"
@@ -30,32 +32,6 @@
 namespace csgsim::studies {
 
 namespace {
-
-/// Each once, in their order.
-std::vector<std::string> different(const std::vector<std::string>& names) {
-  std::vector<std::string> once;
-  for (const std::string& name : names) {
-    if (std::ranges::find(once, name) == once.end()) once.push_back(name);
-  }
-  return once;
-}
-
-ExplorePoint point_of(const ModelRequest& design, const machines::Size& size) {
-  ExplorePoint point;
-  point.model = escaped(design.model);
-  point.machine = escaped(design.machine);
-  point.width = size.width;
-  point.height = size.height;
-  point.z_bits = design.z_bits;
-  point.fraction_bits = design.fraction_bits;
-  point.colour_bits = design.colour_bits;
-  point.pruning = design.pruning;
-  point.colouring = design.colouring;
-  point.strategy = design.strategy;
-  point.stack_bits = has_stack_bits(design.strategy) ? design.stack_bits : 0;
-  point.curves = design.curves;
-  return point;
-}
 
 /// A hash of the machine and of every figure of the process.
 std::string with_process(const std::string& machine_hash, const process::Process& process) {
@@ -108,13 +84,14 @@ class Explore : public StudyOf<ExploreRow> {
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     std::set<std::string> names{"vary", "points", "seed", "search", "axes", "machine", "process"};
-    for (const std::string& name : varied_options()) names.insert(name);
+    for (const Axis& axis : axes()) names.emplace(axis.key);
     return names;
   }
 
   std::vector<Asked> ask() override {
     grid_.emplace(options_.designs());
     process_ = options_.loaded_process();
+    meter_ = std::make_unique<DesignMeter>(DesignQuestion{most_fitted_bits, process_});
     std::vector<Asked> asked = ask_from(0);
     refuse_unread();
     return asked;
@@ -174,7 +151,7 @@ class Explore : public StudyOf<ExploreRow> {
 
   void refuse() const override {
     const std::span<const ExploreRow> all = rows();
-    if (std::ranges::none_of(all, &ExploreRow::drawn) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
       throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
@@ -185,7 +162,7 @@ class Explore : public StudyOf<ExploreRow> {
   [[nodiscard]] ExploreRow measured(std::size_t point) override {
     const Job& job = jobs_[point];
     return with_memory_for_picture({job.machine.picture.width, job.machine.picture.height, ample_memory_bits},
-                                   [&] { return meter_.measure(points_[point], job, process_); });
+                                   [&] { return ExploreRow(meter_->measure(points_[point], job)); });
   }
 
   void conclude() override {
@@ -207,7 +184,7 @@ class Explore : public StudyOf<ExploreRow> {
         design.model = model;
         add(design);
         design_of_point_.push_back(i);
-        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+        asked.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
       }
     }
     if (first == 0) asked_first_ = grid_->designs().size();
@@ -225,7 +202,7 @@ class Explore : public StudyOf<ExploreRow> {
     try {
       Job job = maker_.job_of(design);
       refuse_unseen(design, job);
-      ExplorePoint point = point_of(design, job.machine.picture);
+      DesignPoint point = point_of(design, job.machine.picture);
       if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
       add(std::move(point), std::move(job));
     } catch (const InputError& error) {
@@ -244,7 +221,7 @@ class Explore : public StudyOf<ExploreRow> {
     add(point_of(design, {}), std::move(job));
   }
 
-  void add(ExplorePoint point, Job job) {
+  void add(DesignPoint point, Job job) {
     if (process_) {
       point.process = escaped(process_->name);
       job.inputs.machine_hash = with_process(job.inputs.machine_hash, *process_);
@@ -270,14 +247,14 @@ class Explore : public StudyOf<ExploreRow> {
   /// Of the design that is a group's knee, for each model that it draws; with memory for all of them.
   [[nodiscard]] std::vector<std::string> commands_of(const ExploreGroup& group) const {
     if (!group.knee) return {};
-    const ExplorePoint& knee = rows()[group.rows[*group.knee]].point;
+    const DesignPoint& knee = rows()[group.rows[*group.knee]].point;
     std::vector<const ExploreRow*> drawn;
     std::uint32_t memory_bits = 0;
     for (const ExploreRow& row : rows()) {
-      ExplorePoint same = row.point;
+      DesignPoint same = row.point;
       same.model = knee.model;
       const bool is_meant = group.model.empty() || row.point.model == group.model;
-      if (!is_meant || to_line(same) != to_line(knee)) continue;
+      if (!is_meant || same != knee) continue;
       drawn.push_back(&row);
       memory_bits = std::max(memory_bits, row.point.memory_bits.value_or(row.used_bits));
     }
@@ -295,11 +272,11 @@ class Explore : public StudyOf<ExploreRow> {
   std::optional<DesignGrid> grid_;
   std::size_t asked_first_ = 0;  ///< designs, before any was searched for
   JobMaker maker_;
-  std::vector<ExplorePoint> points_;
+  std::vector<DesignPoint> points_;
   std::vector<std::size_t> design_of_point_;  ///< the grid's number
   std::vector<Job> jobs_;
   std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can
-  ExploreMeter meter_;
+  std::unique_ptr<DesignMeter> meter_;
   std::vector<ShownGroup> groups_;
 };
 

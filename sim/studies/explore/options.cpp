@@ -14,9 +14,9 @@
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/sets.h"
 #include "sim/session/options/usage.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/front.h"
 #include "sim/studies/dimensions.h"
-#include "sim/studies/explore/designs.h"
-#include "sim/studies/explore/front.h"
 
 namespace csgsim::studies {
 
@@ -56,29 +56,10 @@ ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>
   return base;
 }
 
-/// An option and its value for a shell, behind a blank.
-std::string shell_words(const std::string& name, const std::string& value) {
-  std::string text;
-  for (const std::string& word : option_words(name, value)) text += " " + shell_word(word);
-  return text;
-}
-
-/// Those that were given, and that render has too.
-std::string given_words(const ExploreOptions& options, const session::OptionList& command) {
-  const std::vector<std::string> own = own_explore_options();
-  std::string words;
-  for (const GivenOption& option : command.given()) {
-    if (option.is_default || std::ranges::find(own, option.name) != own.end()) continue;
-    words += option.value == "true" ? " --" + option.name : shell_words(option.name, option.value);
-  }
-  for (const std::string& set : sorted(options.model.sets).scene) words += shell_words("set", set);
-  return words;
-}
-
 }  // namespace
 
 std::vector<std::string> own_explore_options() {
-  std::vector<std::string> names = varied_options();
+  std::vector<std::string> names = axis_keys();
   for (const char* name : {"vary", "points", "seed", "search", "axes", "process", "machine", "set", "output", "threads",
                            "shard", "no-plots", "progress", "report", "quiet"})
     names.emplace_back(name);
@@ -107,7 +88,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
       .option("--vary", vary,
               fmt::format("KEY=LIST: a figure of the machine, as in alu.bits=1,2,4, or one of {}; once for each key. "
                           "Every combination of values is a design",
-                          fmt::join(varied_options(), ", ")))
+                          fmt::join(axis_keys(), ", ")))
       .check(is_read_by(dimension_in))
       .required();
   command
@@ -159,18 +140,12 @@ bool ExploreOptions::has_memory(const ModelRequest& design) const {
 
 std::string render_command(const ExploreOptions& options, const session::OptionList& command, const ExploreRow& row,
                            std::uint32_t memory_bits, const std::string& picture) {
-  const ExplorePoint& point = row.point;
-  std::string text = "csgsim render " + shell_word(named(options.models, point.model)) + given_words(options, command);
+  DesignPoint point = row.point;
+  point.memory_bits = memory_bits;
   const std::string clock = row.clock_path.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
-  text += shell_words("machine", point.machine + clock);
-  text += fmt::format(" --size {}x{} --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {}",
-                      point.width, point.height, memory_bits, point.z_bits, point.fraction_bits, point.colour_bits,
-                      point.colouring);
-  text += fmt::format(" --strategy {}", point.strategy);
-  if (point.stack_bits > 0) text += fmt::format(" --stack-bits {}", point.stack_bits);
-  if (point.curves != "auto") text += shell_words("curves", point.curves);
-  if (point.pruning != "all") text += shell_words("pruning", point.pruning);
-  return text + shell_words("output", picture);
+  return "csgsim render " + shell_word(named(options.models, point.model)) +
+         given_words(command, own_explore_options(), sorted(options.model.sets).scene) +
+         shell_words("machine", point.machine + clock) + axis_words(point) + shell_words("output", picture);
 }
 
 }  // namespace csgsim::studies

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "sim/plots/common_looks.h"
-#include "sim/studies/sweep/axis.h"
 #include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
@@ -37,7 +36,7 @@ std::vector<Line> lines_of(const std::vector<SweepRow>& rows, const SweepAxis& a
 
 /// A line in every panel: a height for all of the axis where it has no place on it.
 std::vector<plots::Series> series_of(const Line& line, const SweepAxis& axis,
-                                     std::span<std::uint64_t SweepRow::*const> counts) {
+                                     std::span<std::uint64_t DesignRow::*const> counts) {
   const bool is_level = !axis.place(line.rows.front()->point);
   std::vector<plots::Series> all;
   for (std::size_t panel = 0; panel < counts.size(); ++panel) {
@@ -60,7 +59,7 @@ bool is_same(const std::vector<plots::Series>& one, const std::vector<plots::Ser
 
 /// Counts against what is varied. Lines that would cover each other are one.
 plots::Chart varied_chart(const std::vector<SweepRow>& rows, std::string title, std::vector<plots::Axis> panels,
-                          std::span<std::uint64_t SweepRow::*const> counts) {
+                          std::span<std::uint64_t DesignRow::*const> counts) {
   const SweepAxis axis(rows);
   std::vector<std::pair<std::vector<plots::Series>, std::vector<std::string>>> drawn;
   for (const Line& line : lines_of(rows, axis)) {
@@ -130,6 +129,67 @@ plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& mo
     chart.series.push_back(std::move(series));
   }
   return chart;
+}
+
+/// Points that lay out memory alike.
+struct Layout {
+  std::vector<std::string> names;
+  MemoryMap map;
+  std::uint32_t memory_bits = 0;
+};
+
+std::vector<Layout> layouts_of(std::span<const SweepRow> rows) {
+  const PointNames names(rows);
+  std::vector<Layout> layouts;
+  for (const SweepRow& row : rows) {
+    if (!row.compiled()) continue;
+    const auto same = std::ranges::find_if(layouts, [&](const Layout& layout) {
+      return layout.map == row.memory_map && layout.memory_bits == row.point.memory_bits;
+    });
+    Layout& layout = same == layouts.end()
+                         ? layouts.emplace_back(Layout{{}, row.memory_map, row.point.memory_bits.value_or(0)})
+                         : *same;
+    layout.names.push_back(names.name(row.point));
+  }
+  return layouts;
+}
+
+/// As many names as there is room for, and the number of the others.
+std::string label_of(const Layout& layout) {
+  constexpr std::size_t room = 36;
+  std::string label = layout.names.front();
+  std::size_t said = 1;
+  for (; said < layout.names.size() && label.size() + layout.names[said].size() < room; ++said)
+    label += "; " + layout.names[said];
+  return said == layout.names.size() ? label : fmt::format("{} (+ {} alike)", label, layout.names.size() - said);
+}
+
+std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
+  constexpr std::uint32_t most_ticks = 16;
+  std::uint64_t step = 8;
+  while (most / step > most_ticks) step *= 2;
+  std::vector<plots::Tick> ticks;
+  for (std::uint64_t bit = 0; bit <= most; bit += step)
+    ticks.push_back({static_cast<double>(bit), std::to_string(bit)});
+  return ticks;
+}
+
+/// Which bits of pixel memory hold what, a bar for each way in which the rows lay it out.
+plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model) {
+  plots::Bars plot{model + ": which bits hold what",
+                   {"bit of pixel memory"},
+                   {},
+                   {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "stored", "shown"},
+                   "sweep.csv"};
+  std::uint32_t most = 0;
+  for (const Layout& layout : layouts_of(rows)) {
+    plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(layout), static_cast<double>(layout.memory_bits), {}});
+    for (const MemoryPart& part : layout.map)
+      bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base) + part.width});
+    most = std::max(most, layout.memory_bits);
+  }
+  plot.x.ticks = bit_ticks(most);
+  return {model + "_memory", std::move(plot)};
 }
 
 }  // namespace

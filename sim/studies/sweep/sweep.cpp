@@ -10,11 +10,11 @@
 #include "sim/session/options/lists.h"
 #include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/groups.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
-#include "sim/studies/sweep/axis.h"
-#include "sim/studies/sweep/measure.h"
 #include "sim/studies/sweep/options.h"
 #include "sim/studies/sweep/show.h"
 
@@ -74,12 +74,11 @@ class Sweep : public StudyOf<SweepRow> {
   std::vector<Asked> ask() override {
     JobMaker maker;
     std::vector<Asked> asked;
-    for (SweepPoint& point : options_.points()) {
-      jobs_.push_back(maker.job_of(options_.at(point)));
-      point.model = escaped(point.model);
-      point.machine = escaped(point.machine);
-      points_.push_back(std::move(point));
-      asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+    for (const session::ModelRequest& design : options_.designs()) {
+      jobs_.push_back(maker.job_of(design));
+      DesignPoint& point = points_.emplace_back(point_of(design, jobs_.back().machine.picture));
+      point.memory_bits = design.memory_bits;
+      asked.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
     }
     return asked;
   }
@@ -126,12 +125,12 @@ class Sweep : public StudyOf<SweepRow> {
 
  protected:
   [[nodiscard]] SweepRow measured(std::size_t point) override {
-    return studies::measure(points_[point], jobs_[point], !options_.no_draw);
+    return SweepRow(measure_picture(points_[point], jobs_[point], !options_.no_draw));
   }
 
  private:
   SweepOptions options_;
-  std::vector<SweepPoint> points_;
+  std::vector<DesignPoint> points_;
   std::vector<Job> jobs_;
 };
 

@@ -11,9 +11,9 @@
 
 #include "hw/base/error.h"
 #include "sim/session/options/usage.h"
-#include "sim/studies/explore/designs.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/grid.h"
 #include "sim/studies/explore/options.h"
-#include "sim/studies/explore/sample.h"
 #include "tests/support/error_of.h"
 
 using namespace csgsim;
@@ -170,8 +170,8 @@ TEST_CASE("each option of render is given its value, and any other key is a figu
   CHECK(options.curves == "facets");
   CHECK(options.pruning == "none");
   CHECK(options.machine == "pixel-planes-4+alu.bits=4");
-  CHECK(studies::varied_options() == Texts{"size", "memory-bits", "z-bits", "fraction-bits", "colour-bits", "strategy",
-                                           "stack-bits", "colouring", "curves", "pruning"});
+  CHECK(studies::axis_keys() == Texts{"size", "memory-bits", "z-bits", "fraction-bits", "colour-bits", "strategy",
+                                      "stack-bits", "colouring", "curves", "pruning"});
 }
 
 TEST_CASE("figures of the memory of a pixel are four, and no others") {

@@ -14,9 +14,9 @@
 #include "hw/base/error.h"
 #include "sim/plots/plot.h"
 #include "sim/session/options/usage.h"
-#include "sim/studies/explore/designs.h"
-#include "sim/studies/explore/front.h"
-#include "sim/studies/explore/sample.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/front.h"
+#include "sim/studies/design/grid.h"
 #include "sim/studies/explore/show.h"
 
 using namespace csgsim;
@@ -214,10 +214,10 @@ TEST_CASE("designs that differ in any one option, or in one figure, are two") {
                                               {"colour-bits", {"12", "24"}},  {"strategy", {"list", "products"}},
                                               {"stack-bits", {"3", "4"}},     {"colouring", {"rebroadcast", "field"}},
                                               {"curves", {"auto", "facets"}}, {"pruning", {"all", "no-space"}}};
-  REQUIRE(pairs.size() == studies::varied_options().size());
+  REQUIRE(pairs.size() == studies::axis_keys().size());
   for (const studies::Dimension& pair : pairs) {
     CAPTURE(pair.key);
-    CHECK(std::ranges::count(studies::varied_options(), pair.key) == 1);
+    CHECK(std::ranges::count(studies::axis_keys(), pair.key) == 1);
     session::ModelRequest base;
     if (pair.key == "stack-bits") base.strategy = "bits";
     CHECK(studies::DesignGrid(base, {pair}, {}).designs().size() == 2);
