@@ -14,6 +14,7 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "sim/session/options/lists.h"
+#include "sim/session/options/read_by.h"
 #include "sim/session/options/usage.h"
 #include "sim/studies/design/axes.h"
 #include "sim/studies/dimensions.h"
@@ -72,31 +73,20 @@ ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> di
   return one;
 }
 
-bool is_possible(const ModelRequest& base, const std::string& key, const std::string& value) {
-  try {
-    ModelRequest one = base;
-    vary(one, key, value);
+/// Why the design cannot have that value; empty if it can.
+std::string why_not(ModelRequest one, const std::string& key, const std::string& value) {
+  return session::is_read_by([&](const std::string& text) {
+    vary(one, key, text);
     static_cast<void>(session::machine_of(one));
-  } catch (const InputError&) {
-    return false;
-  } catch (const UsageError&) {
-    return false;
-  }
-  return true;
+  })(value);
 }
 
 /// The design has that value, whatever the others are; what is wrong with it is wrong with --vary.
 ModelRequest varied_once(const ModelRequest& base, const std::string& key, const std::string& value) {
+  if (const std::string why = why_not(base, key, value); !why.empty())
+    throw UsageError("--vary " + printable(key), why);
   ModelRequest one = base;
-  const auto fail = [&](const char* why) { throw UsageError("--vary " + printable(key), why); };
-  try {
-    vary(one, key, value);
-    static_cast<void>(session::machine_of(one));
-  } catch (const InputError& error) {
-    fail(error.what());
-  } catch (const UsageError& error) {
-    fail(error.what());
-  }
+  vary(one, key, value);
   return one;
 }
 
@@ -128,7 +118,7 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
     for (const std::string& value : dimension.values) {
       const ModelRequest others = with_others(with_options, dimensions, dimension);
       const bool fits_others =
-          !is_possible(with_options, dimension.key, value) && is_possible(others, dimension.key, value);
+          !why_not(with_options, dimension.key, value).empty() && why_not(others, dimension.key, value).empty();
       const ModelRequest one = varied_once(fits_others ? others : with_options, dimension.key, value);
       if (figure->load(session::machine_of(one)) != figure->load(kinds::load(one.machine)))
         throw UsageError("--vary", fmt::format("an option says otherwise than {}={}; leave out --size, --memory-bits",

@@ -165,16 +165,10 @@ Fitted DesignMeter::fitted(const DesignPoint& point, const Job& job) {
 const judges::Truth& DesignMeter::truth_of(const Job& job, const isa::Program& program) {
   const Subject& subject = *job.subject;
   const machines::Size size = job.machine.picture;
-  Exact* exact = nullptr;
-  {
-    const std::lock_guard guard(lock_);
-    exact = &truths_[{&subject, size.width, size.height}];
-  }
-  std::call_once(exact->once, [&] {
-    exact->truth = judges::exact_truth(subject.tree, subject.scene, job.camera, size.width, size.height,
-                                       program.facts.depth_scale);
+  return truths_.get({&subject, size.width, size.height}, [&] {
+    return judges::exact_truth(subject.tree, subject.scene, job.camera, size.width, size.height,
+                               program.facts.depth_scale);
   });
-  return exact->truth;
 }
 
 DesignMeter::PixelErrors DesignMeter::errors_of(const Job& job, const DrawnProgram& drawn) {
@@ -184,14 +178,14 @@ DesignMeter::PixelErrors DesignMeter::errors_of(const Job& job, const DrawnProgr
 }
 
 /// The most colours are drawn, and judged, first; fewer colours leave the rest of the picture as it is.
-std::map<unsigned, DesignMeter::PixelErrors> DesignMeter::errors_by_colour(const DesignPoint& point, const Job& job) {
+DesignMeter::ErrorsByColour DesignMeter::errors_by_colour(const DesignPoint& point, const Job& job) {
   Job one = job;
   const auto drawn_in = [&](unsigned bits) {
     one.options.colour_bits = bits;
     return draw_exactly(fitted(point, one));
   };
   const DrawnProgram finest = drawn_in(isa::most_colour_bits);
-  std::map<unsigned, PixelErrors> errors{{isa::most_colour_bits, errors_of(job, finest)}};
+  ErrorsByColour errors{{isa::most_colour_bits, errors_of(job, finest)}};
   for (const unsigned bits : question_.colour_bits) {
     if (bits == isa::most_colour_bits) continue;
     const DrawnProgram drawn = drawn_in(bits);
@@ -204,21 +198,12 @@ std::map<unsigned, DesignMeter::PixelErrors> DesignMeter::errors_by_colour(const
 
 void DesignMeter::judge(const DesignPoint& point, const Job& job, const Fitted& fitted, DesignRow& row) {
   const machines::Size size = job.machine.picture;
-  const Seen seen{job.subject.get(), size.width, size.height};
+  const SeenBits seen{{job.subject.get(), size.width, size.height}, job.sampling.z_bits, job.sampling.fraction_bits};
   const bool has_colours = !question_.colour_bits.empty();
-  Verdict* verdict = nullptr;
-  {
-    const std::lock_guard guard(lock_);
-    verdict = &verdicts_[{seen, job.sampling.z_bits, job.sampling.fraction_bits}];
-  }
-  std::call_once(verdict->once, [&] {
-    if (has_colours) {
-      verdict->errors = errors_by_colour(point, job);
-    } else {
-      verdict->errors[0] = errors_of(job, draw_exactly(fitted));
-    }
+  const ErrorsByColour& by_colour = errors_.get(seen, [&] {
+    return has_colours ? errors_by_colour(point, job) : ErrorsByColour{{0, errors_of(job, draw_exactly(fitted))}};
   });
-  const PixelErrors& errors = verdict->errors.at(has_colours ? job.options.colour_bits : 0);
+  const PixelErrors& errors = by_colour.at(has_colours ? job.options.colour_bits : 0);
   row.wrong = errors.wrong;
   row.unexplained = errors.unexplained;
   row.colour_error = errors.colour_error;

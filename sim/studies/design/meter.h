@@ -16,6 +16,7 @@
 #include "sim/studies/design/row.h"
 #include "sim/studies/fitted_program.h"
 #include "sim/studies/jobs.h"
+#include "sim/studies/memo.h"
 
 namespace csgsim::studies {
 
@@ -61,14 +62,8 @@ class DesignMeter {
     std::uint64_t unexplained = 0;
     unsigned colour_error = 0;
   };
-  struct Verdict {
-    std::once_flag once;
-    std::map<unsigned, PixelErrors> errors;  ///< by colour bits; by 0 where errors of colours are not asked for
-  };
-  struct Exact {
-    std::once_flag once;
-    judges::Truth truth;
-  };
+  /// By colour bits; by 0 where errors of colours are not asked for.
+  using ErrorsByColour = std::map<unsigned, PixelErrors>;
   /// A model's surfaces, as facets or curved, and a size.
   using Seen = std::tuple<const Subject*, std::uint32_t, std::uint32_t>;
   /// With these and with z bits and fraction bits, every strategy, colouring and pruning draws the same on every
@@ -78,14 +73,14 @@ class DesignMeter {
   Fitted fitted(const DesignPoint& point, const Job& job);
   void judge(const DesignPoint& point, const Job& job, const Fitted& fitted, DesignRow& row);
   PixelErrors errors_of(const Job& job, const DrawnProgram& drawn);
-  std::map<unsigned, PixelErrors> errors_by_colour(const DesignPoint& point, const Job& job);
+  ErrorsByColour errors_by_colour(const DesignPoint& point, const Job& job);
   const judges::Truth& truth_of(const Job& job, const isa::Program& program);
 
   DesignQuestion question_;
   RunTimer timer_;
-  std::mutex lock_;  ///< of the maps, whose entries stay where they are
-  std::map<Seen, Exact> truths_;
-  std::map<SeenBits, Verdict> verdicts_;
+  Memo<Seen, judges::Truth> truths_;
+  Memo<SeenBits, ErrorsByColour> errors_;
+  std::mutex lock_;                                                 ///< of the following
   std::map<DesignPoint, std::pair<unsigned, std::uint32_t>> bits_;  ///< but colours and ALU: colour bits, bits in all
 };
 

@@ -15,6 +15,7 @@
 #include "sim/plots/common_looks.h"
 #include "sim/session/options/numbers.h"
 #include "sim/studies/design/axes.h"
+#include "sim/studies/groups.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/rows_json.h"
 
@@ -77,21 +78,13 @@ std::string group_text(const ExploreGroup& group) {
 
 /// Each reason once, with the first design that it refuses.
 void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, const std::string& model) {
-  std::vector<std::pair<const ExploreRow*, std::uint64_t>> reasons;  // the first, and how many more
-  for (const ExploreRow& row : rows) {
-    if (row.compiled() || row.point.model != model) continue;
-    const auto same =
-        std::ranges::find_if(reasons, [&](const auto& known) { return known.first->reason == row.reason; });
-    if (same == reasons.end()) {
-      reasons.emplace_back(&row, 0);
-    } else {
-      ++same->second;
-    }
-  }
-  for (const auto& [row, more] : reasons) {
+  for (const auto& [reason, refused] :
+       grouped_by(rows, [&](const ExploreRow& row) { return row.point.model == model ? row.reason : std::string(); })) {
+    if (reason.empty()) continue;
+    const std::size_t more = refused.size() - 1;
     const std::string others =
         more > 0 ? fmt::format(", as {} {}", more == 1 ? "does" : "do", session::counted(more, "other design")) : "";
-    fmt::print("  {} cannot be drawn{}: {}\n", names.text(row->point), others, row->reason);
+    fmt::print("  {} cannot be drawn{}: {}\n", names.text(refused.front()->point), others, reason);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -9,16 +10,12 @@
 #include "sim/session/options/numbers.h"
 #include "sim/studies/design/meter.h"
 #include "sim/studies/folder.h"
+#include "sim/studies/groups.h"
 #include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
 
 namespace {
-
-auto conditions_of(const DesignPoint& point) {
-  return std::tie(point.model, point.machine, point.memory_bits, point.z_bits, point.pruning, point.colouring,
-                  point.curves);
-}
 
 using Group = std::vector<SweepRow>;
 
@@ -145,22 +142,26 @@ bool is_one_reason(std::span<const SweepRow> rows) {
 }  // namespace
 
 std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows) {
+  const auto conditions_of = [](const SweepRow& row) {
+    DesignPoint point = row.point;
+    point.strategy.clear();
+    point.stack_bits = 0;
+    return point;
+  };
   std::vector<std::vector<SweepRow>> groups;
-  for (const SweepRow& row : rows) {
-    const auto group = std::find_if(groups.begin(), groups.end(), [&](const std::vector<SweepRow>& one) {
-      return conditions_of(one.front().point) == conditions_of(row.point);
-    });
-    if (group == groups.end()) {
-      groups.push_back({row});
-    } else {
-      group->push_back(row);
-    }
+  for (const auto& [conditions, group] : grouped_by(rows, conditions_of)) {
+    std::vector<SweepRow>& copied = groups.emplace_back();
+    for (const SweepRow* const row : group) copied.push_back(*row);
   }
   return groups;
 }
 
 std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
-  std::vector<const SweepRow*> references;
+  // Machines differ in whether they draw curved surfaces without facets.
+  const auto picture_of = [](const SweepRow& row) {
+    return std::tuple(row.point.model, row.point.width, row.point.height, row.point.z_bits, row.halfspaces);
+  };
+  std::map<decltype(picture_of(rows.front())), const SweepRow*> references;
   std::vector<WrongPicture> wrong;
   for (const SweepRow& row : rows) {
     if (row.picture.empty()) continue;
@@ -168,16 +169,8 @@ std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
       wrong.push_back({row.point, std::nullopt});
       continue;
     }
-    const auto reference = std::find_if(references.begin(), references.end(), [&](const SweepRow* one) {
-      // Machines differ in whether they draw curved surfaces without facets.
-      return std::tie(one->point.model, one->point.width, one->point.height, one->point.z_bits, one->halfspaces) ==
-             std::tie(row.point.model, row.point.width, row.point.height, row.point.z_bits, row.halfspaces);
-    });
-    if (reference == references.end()) {
-      references.push_back(&row);
-    } else if ((*reference)->picture != row.picture) {
-      wrong.push_back({row.point, (*reference)->point});
-    }
+    const SweepRow& reference = *references.try_emplace(picture_of(row), &row).first->second;
+    if (reference.picture != row.picture) wrong.push_back({row.point, reference.point});
   }
   return wrong;
 }
