@@ -5,11 +5,11 @@
 
 namespace csgsim::studies {
 
-PageSubject subject_on(const ModelRequest& model, const std::string& machines) {
+PageSubject subject_on(const session::ModelRequest& model, const std::string& machines) {
   PageSubject subject{model, {}};
-  for (const std::string& name : parse_words(machines)) {
+  for (const std::string& name : session::parse_words(machines)) {
     subject.model.machine = name;
-    subject.machines.push_back(machine_of(subject.model));
+    subject.machines.push_back(session::machine_of(subject.model));
   }
   return subject;
 }

@@ -29,18 +29,16 @@ struct Section;
 
 namespace csgsim::studies {
 
-using namespace session;  // options, checks and texts of commands, in whose words a study is written
-
 /// Whose figures a page tells, and of what it shows a picture.
 struct PageSubject {
-  ModelRequest model;
+  session::ModelRequest model;
   std::vector<machines::Machine> machines;  ///< the picture is drawn on the first
   bool has_picture = true;
   std::string name{};  ///< of what was studied; the model's if empty
 };
 
 /// A model on each of these machines, which a list names.
-PageSubject subject_on(const ModelRequest& model, const std::string& machines);
+PageSubject subject_on(const session::ModelRequest& model, const std::string& machines);
 
 /// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
 /// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads,

@@ -28,7 +28,7 @@ namespace csgsim::studies {
 namespace {
 
 struct Options {
-  ModelRequest model;
+  session::ModelRequest model;
   unsigned views = 4;
   std::string knobs;
   std::string tolerances;
@@ -37,14 +37,14 @@ struct Options {
 /// Whether the knob was asked for by its name.
 bool names_knob(const Options& options, const std::string& knob) {
   if (options.knobs.empty()) return false;
-  const std::vector<std::string> named = parse_words(options.knobs);
+  const std::vector<std::string> named = session::parse_words(options.knobs);
   return std::ranges::find(named, knob) != named.end();
 }
 
 /// Those that can be drawn; none if that is facets alone, unless they are asked for. Says what is left out, and why.
 std::vector<CurvesChoice> curves_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
                                     const view::Camera& camera) {
-  const emit::Options emit = emit_options_of(options.model);
+  const emit::Options emit = session::emit_options_of(options.model);
   const emit::Look look = emit::make_look(emit.scene, tree, csg::make_positive(tree), camera);
   std::vector<CurvesChoice> possible;
   std::vector<std::string> left_out;
@@ -66,7 +66,7 @@ std::vector<CurvesChoice> curves_of(const Options& options, const machines::Mach
 Knobs knobs_of(const Options& options, const machines::Machine& machine, const model::Tree& tree,
                const facet::Geometry& scene, const view::Camera& camera) {
   Knobs knobs;
-  if (!options.knobs.empty()) knobs.names = parse_words(options.knobs);
+  if (!options.knobs.empty()) knobs.names = session::parse_words(options.knobs);
   knobs.tolerances =
       options.tolerances.empty() ? usual_tolerances(scene.box.diagonal()) : tolerances_in(options.tolerances);
   if (std::ranges::find(knobs.names, "curves") != knobs.names.end())
@@ -86,7 +86,7 @@ class Accuracy : public StudyOf<Measurement> {
         .option("--tolerances", options_.tolerances,
                 "List of faceting tolerances, model units, in place of the usual ones, which are parts of the model's "
                 "diagonal")
-        .check(is_read_by(tolerances_in));
+        .check(session::is_read_by(tolerances_in));
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override { return options_.model.inputs(); }
@@ -94,23 +94,23 @@ class Accuracy : public StudyOf<Measurement> {
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
   std::vector<Asked> ask() override {
-    machine_ = machine_of(options_.model);
-    ModelFile file = read_model_file(options_.model);
-    const Inputs inputs{file.hash, machines::hash_of(machine_), version_and_build()};
-    machine_.array.memory_bits = ample_memory_bits;
+    machine_ = session::machine_of(options_.model);
+    session::ModelFile file = session::read_model_file(options_.model);
+    const Inputs inputs{file.hash, machines::hash_of(machine_), session::version_and_build()};
+    machine_.array.memory_bits = session::ample_memory_bits;
     tree_ = std::move(file.tree);
-    const facet::Faceting faceting = faceting_of(options_.model, machine_, tree_);
+    const facet::Faceting faceting = session::faceting_of(options_.model, machine_, tree_);
     const facet::Geometry scene = facet::make_geometry(tree_, faceting);
     if (scene.box.empty()) throw InputError(options_.model.model + ": nothing in it to measure; every solid is empty");
-    const view::Camera camera = camera_of(options_.model, machine_, tree_, scene);
-    refuse_see_through(options_.model, tree_, camera);
-    points_ =
-        points(sampling_of(options_.model, machine_), faceting, knobs_of(options_, machine_, tree_, scene, camera));
+    const view::Camera camera = session::camera_of(options_.model, machine_, tree_, scene);
+    session::refuse_see_through(options_.model, tree_, camera);
+    points_ = points(session::sampling_of(options_.model, machine_), faceting,
+                     knobs_of(options_, machine_, tree_, scene, camera));
     // Small pictures cannot be divided as often: some sizes are the same.
     std::set<std::string> known;
     std::erase_if(points_, [&](const Settings& point) { return !known.insert(cells_of(point)).second; });
-    meter_ =
-        std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_, emit_options_of(options_.model));
+    meter_ = std::make_unique<Meter>(tree_, turned_views(camera, options_.views), machine_,
+                                     session::emit_options_of(options_.model));
     std::vector<Asked> asked;
     for (const Settings& point : points_) asked.push_back({cells_of(point), inputs});
     inputs_ = inputs;
@@ -124,13 +124,15 @@ class Accuracy : public StudyOf<Measurement> {
   }
 
   [[nodiscard]] std::string page_title() const override { return "What accuracy costs"; }
-  [[nodiscard]] PageSubject page_subject() const override { return {options_.model, {machine_of(options_.model)}}; }
+  [[nodiscard]] PageSubject page_subject() const override {
+    return {options_.model, {session::machine_of(options_.model)}};
+  }
 
  protected:
   [[nodiscard]] Measurement measured(std::size_t point) override {
     const view::Sampling& sampling = points_[point].sampling;
-    Measurement row = with_memory_for_picture({sampling.width, sampling.height, machine_.array.memory_bits},
-                                              [&] { return meter_->measure(points_[point]); });
+    Measurement row = session::with_memory_for_picture({sampling.width, sampling.height, machine_.array.memory_bits},
+                                                       [&] { return meter_->measure(points_[point]); });
     row.inputs = inputs_;
     return row;
   }

@@ -191,7 +191,7 @@ class Advise : public StudyOf<AdviceRow> {
 
   [[nodiscard]] std::string page_title() const override { return "The cheapest memory"; }
   [[nodiscard]] PageSubject page_subject() const override {
-    return {options_.model, {machine_of(options_.model)}, false};
+    return {options_.model, {session::machine_of(options_.model)}, false};
   }
 
   /// Without the points that were searched, which are thousands.

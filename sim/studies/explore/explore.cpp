@@ -80,7 +80,7 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<std::string> files = options_.models;
     if (!options_.model.scene_file.empty()) files.push_back(options_.model.scene_file);
     if (const std::string_view file = machines::file_of(options_.process); !file.empty()) files.emplace_back(file);
-    return input_files(files, {options_.model.machine});
+    return session::input_files(files, {options_.model.machine});
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     std::set<std::string> names{"vary", "points", "seed", "search", "axes", "machine", "process"};
@@ -127,7 +127,7 @@ class Explore : public StudyOf<ExploreRow> {
     PageSubject subject = subject_on(options_.model, options_.model.machine);
     subject.model.model = options_.models.front();
     const std::vector<std::string> models = different(options_.models);
-    if (models.size() > 1) subject.name = counted(models.size(), "model");
+    if (models.size() > 1) subject.name = session::counted(models.size(), "model");
     return subject;
   }
 
@@ -161,8 +161,9 @@ class Explore : public StudyOf<ExploreRow> {
  protected:
   [[nodiscard]] ExploreRow measured(std::size_t point) override {
     const Job& job = jobs_[point];
-    return with_memory_for_picture({job.machine.picture.width, job.machine.picture.height, ample_memory_bits},
-                                   [&] { return ExploreRow(meter_->measure(points_[point], job)); });
+    return session::with_memory_for_picture(
+        {job.machine.picture.width, job.machine.picture.height, session::ample_memory_bits},
+        [&] { return ExploreRow(meter_->measure(points_[point], job)); });
   }
 
   void conclude() override {
@@ -180,7 +181,7 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<Asked> asked;
     for (const std::string& model : different(options_.models)) {
       for (std::size_t i = first; i < grid_->designs().size(); ++i) {
-        ModelRequest design = grid_->designs()[i];
+        session::ModelRequest design = grid_->designs()[i];
         design.model = model;
         add(design);
         design_of_point_.push_back(i);
@@ -198,7 +199,7 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   /// A design whose figures do not fit each other is one that says so.
-  void add(const ModelRequest& design) {
+  void add(const session::ModelRequest& design) {
     try {
       Job job = maker_.job_of(design);
       refuse_unseen(design, job);
@@ -207,13 +208,13 @@ class Explore : public StudyOf<ExploreRow> {
       add(std::move(point), std::move(job));
     } catch (const InputError& error) {
       add_refused(design, error.what());
-    } catch (const UsageError& error) {
+    } catch (const session::UsageError& error) {
       add_refused(design, error.what());
     }
   }
 
-  void add_refused(const ModelRequest& design, const std::string& why) {
-    ModelRequest plain = options_.model;
+  void add_refused(const session::ModelRequest& design, const std::string& why) {
+    session::ModelRequest plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
     Job job = maker_.job_of(plain);
@@ -231,12 +232,12 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   /// What is seen through is not held against an exact picture.
-  void refuse_unseen(const ModelRequest& design, Job& job) {
+  void refuse_unseen(const session::ModelRequest& design, Job& job) {
     if (!job.reason.empty()) return;
     const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
     if (is_new) {
       try {
-        refuse_see_through(design, job.subject->tree, job.camera);
+        session::refuse_see_through(design, job.subject->tree, job.camera);
       } catch (const InputError& error) {
         known->second = escaped(error.what());
       }

@@ -20,8 +20,6 @@
 
 namespace csgsim::studies {
 
-using namespace session;
-
 namespace {
 
 constexpr std::string_view clock_figure = "clock.frequency";
@@ -37,21 +35,21 @@ std::string key_of(const std::string& set) { return set.substr(0, set.find('='))
 std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
   std::vector<Dimension> dimensions;
   for (const std::string& text : options.vary)
-    dimensions.push_back(for_option("--vary", [&] { return dimension_in(text); }));
+    dimensions.push_back(session::for_option("--vary", [&] { return dimension_in(text); }));
   return dimensions;
 }
 
 /// The machine with its figures as set, which then are part of its name.
-ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
-  ModelRequest base = options.model;
-  base.sets = sorted(options.model.sets).scene;
-  base.machine = with_figures({options.model.machine}, options.model.sets).front();
+session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
+  session::ModelRequest base = options.model;
+  base.sets = session::sorted(options.model.sets).scene;
+  base.machine = session::with_figures({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
-      throw UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
+      throw session::UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
   }
   if (!options.process.empty() && std::ranges::find(dimensions, clock_figure, &Dimension::key) != dimensions.end())
-    throw UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
+    throw session::UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
   static_cast<void>(base.scene());  // read once for all designs
   return base;
 }
@@ -89,7 +87,7 @@ void ExploreOptions::add_to(session::OptionList& command) {
               fmt::format("KEY=LIST: a figure of the machine, as in alu.bits=1,2,4, or one of {}; once for each key. "
                           "Every combination of values is a design",
                           fmt::join(axis_keys(), ", ")))
-      .check(is_read_by(dimension_in))
+      .check(session::is_read_by(dimension_in))
       .required();
   command
       .option("--points", points,
@@ -124,7 +122,7 @@ std::string ExploreOptions::asked_axes() const {
 std::optional<process::Process> ExploreOptions::loaded_process() const {
   if (process.empty()) return std::nullopt;
   if (!machines::file_of(process).empty()) return process::load_process(process);
-  return for_option("--process", [&] { return process::load_process(process); });
+  return session::for_option("--process", [&] { return process::load_process(process); });
 }
 
 DesignGrid ExploreOptions::designs() const {
@@ -132,7 +130,7 @@ DesignGrid ExploreOptions::designs() const {
   return {base_of(*this, dimensions), dimensions, {points, seed}};
 }
 
-bool ExploreOptions::has_memory(const ModelRequest& design) const {
+bool ExploreOptions::has_memory(const session::ModelRequest& design) const {
   if (design.memory_bits) return true;
   return std::ranges::any_of(machines::changes_of(design.machine),
                              [](const std::string& change) { return is_memory_figure(key_of(change)); });
@@ -144,7 +142,7 @@ std::string render_command(const ExploreOptions& options, const session::OptionL
   point.memory_bits = memory_bits;
   const std::string clock = row.clock_path.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
   return "csgsim render " + shell_word(named(options.models, point.model)) +
-         given_words(command, own_explore_options(), sorted(options.model.sets).scene) +
+         given_words(command, own_explore_options(), session::sorted(options.model.sets).scene) +
          shell_words("machine", point.machine + clock) + axis_words(point) + shell_words("output", picture);
 }
 

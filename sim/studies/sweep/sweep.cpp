@@ -24,23 +24,6 @@ namespace {
 
 using Rows = std::span<const SweepRow>;
 
-/// Rows of a model, with a name for its plots: that of its file, numbered where several have it.
-struct ModelRows {
-  std::string name;
-  Rows rows;
-};
-
-std::vector<ModelRows> named_models(Rows rows) {
-  std::vector<ModelRows> models;
-  std::map<std::string, unsigned> uses;
-  for (const Rows model : by_model(rows)) {
-    const std::string stem = plot_stem(model.front().point.model);
-    const unsigned use = ++uses[stem];
-    models.push_back({use == 1 ? stem : fmt::format("{}-{}", stem, use), model});
-  }
-  return models;
-}
-
 /// Whether every machine draws the same surfaces of a model: facets, or all that can be curved.
 bool draws_alike(Rows rows) {
   std::map<std::string, std::uint64_t> halfspaces;
@@ -65,7 +48,7 @@ class Sweep : public StudyOf<SweepRow> {
  public:
   void add_options(session::OptionList& command) override { options_.add_to(command); }
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return input_files(options_.models, parse_words(options_.machines));
+    return session::input_files(options_.models, session::parse_words(options_.machines));
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machines", "memory-bits", "no-draw"};
@@ -95,8 +78,10 @@ class Sweep : public StudyOf<SweepRow> {
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
     std::vector<plots::Plot> all;
-    for (const ModelRows& model : named_models(rows())) {
-      for (plots::Plot& plot : plots_of_sweep(model.rows, model.name)) all.push_back(std::move(plot));
+    PlotNames names;
+    for (const Rows model : by_model(Rows(rows()))) {
+      for (plots::Plot& plot : plots_of_sweep(model, names.next(plot_stem(model.front().point.model))))
+        all.push_back(std::move(plot));
     }
     return all;
   }
@@ -107,7 +92,7 @@ class Sweep : public StudyOf<SweepRow> {
   [[nodiscard]] PageSubject page_subject() const override {
     PageSubject subject = subject_on(options_.view, options_.machines);
     subject.model.model = options_.models.front();
-    if (options_.models.size() > 1) subject.name = counted(options_.models.size(), "model");
+    if (options_.models.size() > 1) subject.name = session::counted(options_.models.size(), "model");
     return subject;
   }
 
