@@ -51,9 +51,12 @@ std::optional<double> value_of(std::span<const ExploreRow> rows, const Design& d
   return all;
 }
 
-/// Of the designs, of which each can draw all that it has to.
-void add_candidates(std::span<const ExploreRow> rows, std::span<const Design> designs,
-                    std::span<const ExploreAxis> axes, ExploreGroup& group) {
+ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, std::vector<Design> designs,
+                      std::span<const ExploreAxis> axes) {
+  ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
+  group.refused = std::erase_if(designs, [&](const Design& design) {
+    return !std::ranges::all_of(design, [&](std::size_t row) { return rows[row].compiled(); });
+  });
   for (const ExploreAxis& axis : axes) {
     const auto has_price = [&](const Design& design) { return value_of(rows, design, axis).has_value(); };
     if (std::ranges::any_of(designs, has_price)) group.axes.push_back(axis);
@@ -72,21 +75,6 @@ void add_candidates(std::span<const ExploreRow> rows, std::span<const Design> de
   }
   group.front = pareto_of(group.values);
   group.knee = knee_of(group.values, group.front, group.axes);
-}
-
-ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, const std::vector<Design>& all,
-                      std::span<const ExploreAxis> axes) {
-  ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
-  std::vector<Design> designs;
-  for (const Design& design : all) {
-    const bool is_drawn = std::ranges::all_of(design, [&](std::size_t row) { return rows[row].compiled(); });
-    if (is_drawn) {
-      designs.push_back(design);
-    } else {
-      ++group.refused;
-    }
-  }
-  add_candidates(rows, designs, axes, group);
   return group;
 }
 

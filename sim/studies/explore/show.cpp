@@ -143,24 +143,6 @@ Json group_json(std::span<const ExploreRow> rows, const DesignNames& names, cons
   return json;
 }
 
-/// Of each row, whether its candidate is so in its model's group.
-std::vector<bool> rows_on_front(std::span<const ExploreRow> rows, std::span<const ShownGroup> groups) {
-  std::vector<bool> is_on(rows.size());
-  for (const ShownGroup& shown : groups) {
-    if (shown.group.model.empty()) continue;
-    for (std::size_t i = 0; i < shown.group.rows.size(); ++i) is_on[shown.group.rows[i]] = shown.group.front[i];
-  }
-  return is_on;
-}
-
-bool is_knee(std::span<const ShownGroup> groups, std::size_t row) {
-  for (const ShownGroup& shown : groups) {
-    const ExploreGroup& group = shown.group;
-    if (!group.model.empty() && group.knee && group.rows[*group.knee] == row) return true;
-  }
-  return false;
-}
-
 /// Two of a group's axes, and what of its candidates stands there.
 struct Panel {
   const ExploreGroup& group;
@@ -245,14 +227,20 @@ void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup
 std::string explore_json(const std::string& title, std::span<const ExploreRow> rows,
                          std::span<const ShownGroup> groups) {
   const DesignNames names(rows);
-  const std::vector<bool> is_on_front = rows_on_front(rows, groups);
+  std::map<std::size_t, std::pair<bool, bool>> marks;  // of rows on their model's front, and of its knee
+  for (const ShownGroup& shown : groups) {
+    const ExploreGroup& group = shown.group;
+    for (std::size_t i = 0; i < group.rows.size() && !group.model.empty(); ++i)
+      marks[group.rows[i]] = {group.front[i], group.knee == i};
+  }
   const SetPoint columns = setter_of(rows);
   Json json = points_json(title, rows.size(), [&](Json& point, std::size_t row) {
     columns(point, row);
     point["design"] = design_json(names, rows[row].point);
     if (!rows[row].compiled()) return;
-    point["pareto"] = static_cast<bool>(is_on_front[row]);
-    point["knee"] = is_knee(groups, row);
+    const std::pair<bool, bool>& mark = marks[row];
+    point["pareto"] = mark.first;
+    point["knee"] = mark.second;
   });
   json["fronts"] = Json::array();
   for (const ShownGroup& shown : groups) json["fronts"].push_back(group_json(rows, names, shown));
@@ -261,12 +249,11 @@ std::string explore_json(const std::string& title, std::span<const ExploreRow> r
 
 std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups) {
   std::vector<plots::Plot> all;
-  std::map<std::string, unsigned> uses;
+  PlotNames plot_names;
   for (const ShownGroup& shown : groups) {
     const ExploreGroup& group = shown.group;
     if (!group.knee || group.axes.size() < 2) continue;
-    std::string name = group.model.empty() ? "all_models" : plot_stem(group.model);
-    if (const unsigned use = ++uses[name]; use > 1) name += fmt::format("-{}", use);
+    const std::string name = plot_names.next(group.model.empty() ? "all_models" : plot_stem(group.model));
     plots::Chart chart{fmt::format("{}: what {} buys", group.model.empty() ? "all models" : name, group.axes[0].name),
                        {group.axes[0].title, plots::Scale::logarithmic},
                        {},
