@@ -2,6 +2,7 @@
 
 #include "sim/report/page.h"
 #include "sim/session/options/lists.h"
+#include "sim/session/options/numbers.h"
 
 namespace csgsim::studies {
 
@@ -11,6 +12,14 @@ PageSubject subject_on(const session::ModelRequest& model, const std::string& ma
     subject.model.machine = name;
     subject.machines.push_back(session::machine_of(subject.model));
   }
+  return subject;
+}
+
+PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
+                       const std::string& machines) {
+  PageSubject subject = subject_on(view, machines);
+  subject.model.model = models.front();
+  if (models.size() > 1) subject.name = session::counted(models.size(), "model");
   return subject;
 }
 

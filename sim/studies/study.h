@@ -40,6 +40,10 @@ struct PageSubject {
 /// A model on each of these machines, which a list names.
 PageSubject subject_on(const session::ModelRequest& model, const std::string& machines);
 
+/// The first of these models on the machines; several are told by their number.
+PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
+                       const std::string& machines);
+
 /// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
 /// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads,
 /// shards, files and the page.

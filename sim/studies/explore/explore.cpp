@@ -13,7 +13,6 @@
 #include "hw/machines/names.h"
 #include "sim/report/points.h"
 #include "sim/session/model/see_through.h"
-#include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/usage.h"
 #include "sim/session/options/version.h"
@@ -122,13 +121,8 @@ class Explore : public StudyOf<ExploreRow> {
 
   [[nodiscard]] std::string page_title() const override { return "The design space"; }
 
-  /// With a picture of the first model.
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject = subject_on(options_.model, options_.model.machine);
-    subject.model.model = options_.models.front();
-    const std::vector<std::string> models = different(options_.models);
-    if (models.size() > 1) subject.name = session::counted(models.size(), "model");
-    return subject;
+    return subject_of(different(options_.models), options_.model, options_.model.machine);
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {

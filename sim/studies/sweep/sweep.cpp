@@ -8,7 +8,6 @@
 #include "hw/base/prints.h"
 #include "hw/base/text.h"
 #include "sim/session/options/lists.h"
-#include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
 #include "sim/studies/design/axes.h"
 #include "sim/studies/design/meter.h"
@@ -88,12 +87,8 @@ class Sweep : public StudyOf<SweepRow> {
 
   [[nodiscard]] std::string page_title() const override { return "What memory bits buy"; }
 
-  /// With a picture of the first model.
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject = subject_on(options_.view, options_.machines);
-    subject.model.model = options_.models.front();
-    if (options_.models.size() > 1) subject.name = session::counted(options_.models.size(), "model");
-    return subject;
+    return subject_of(options_.models, options_.view, options_.machines);
   }
 
   void refuse() const override {
