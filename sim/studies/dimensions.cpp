@@ -1,6 +1,6 @@
 #include "sim/studies/dimensions.h"
 
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "hw/base/error.h"
 #include "hw/base/text.h"
@@ -18,8 +18,12 @@ std::vector<double> tolerances_in(const std::string& text) {
   return tolerances;
 }
 
-std::string strategy_name(const std::string& strategy, unsigned stack_bits) {
-  return has_stack_bits(strategy) ? fmt::format("{} {}", strategy, stack_bits) : strategy;
+std::vector<std::string> different(const std::vector<std::string>& names) {
+  std::vector<std::string> once;
+  for (const std::string& name : names) {
+    if (std::ranges::find(once, name) == once.end()) once.push_back(name);
+  }
+  return once;
 }
 
 }  // namespace csgsim::studies

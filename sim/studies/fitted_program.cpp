@@ -62,26 +62,17 @@ Fitted compile_fitting(const model::Tree& tree, const facet::Geometry& scene, co
   return {std::move(*program), std::move(machine)};
 }
 
-RunTimer::Run& RunTimer::run_of(const isa::Program& program, const machines::Machine& machine) {
-  std::vector<std::uint64_t> key;
-  key.reserve(program.segments.size() + 1);
-  key.push_back(machine.kind->asks_for_pixels(machine) ? 1 : 0);
-  for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
-  const std::lock_guard guard(lock_);
-  std::unique_ptr<Run>& run = runs_[std::move(key)];
-  if (!run) run = std::make_unique<Run>();
-  return *run;
-}
-
 machines::FrameTiming RunTimer::time(const isa::Program& program, const machines::Machine& machine) {
   return host::time_frame(program, machine, told(program, machine));
 }
 
 machines::Told RunTimer::told(const isa::Program& program, const machines::Machine& machine) {
   if (!functional::asks_for_run(program, machine)) return {};
-  Run& run = run_of(program, machine);
-  std::call_once(run.once, [&] { run.record = functional::record_of_run(program, machine); });
-  return run.record.told();
+  std::vector<std::uint64_t> key;
+  key.reserve(program.segments.size() + 1);
+  key.push_back(machine.kind->asks_for_pixels(machine) ? 1 : 0);
+  for (const isa::Segment& segment : program.segments) key.push_back(segment_hash(segment));
+  return runs_.get(std::move(key), [&] { return functional::record_of_run(program, machine); }).told();
 }
 
 }  // namespace csgsim::studies

@@ -1,9 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
-#include <memory>
-#include <mutex>
 #include <vector>
 
 #include "host/emit/options.h"
@@ -13,6 +10,7 @@
 #include "hw/isa/program.h"
 #include "hw/machines/machine.h"
 #include "hw/machines/timing.h"
+#include "sim/studies/memo.h"
 
 namespace csgsim::studies {
 
@@ -46,14 +44,7 @@ class RunTimer {
   machines::Told told(const isa::Program& program, const machines::Machine& machine);
 
  private:
-  struct Run {
-    std::once_flag once;
-    machines::RunRecord record;
-  };
-  Run& run_of(const isa::Program& program, const machines::Machine& machine);
-
-  std::mutex lock_;
-  std::map<std::vector<std::uint64_t>, std::unique_ptr<Run>> runs_;  ///< by hashes of the segments
+  Memo<std::vector<std::uint64_t>, machines::RunRecord> runs_;  ///< by hashes of the segments
 };
 
 }  // namespace csgsim::studies

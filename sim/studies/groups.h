@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "hw/base/error.h"
@@ -22,6 +24,20 @@ std::vector<std::span<const Row>> by_model(std::span<const Row> rows) {
     begin = end;
   }
   return models;
+}
+
+/// Rows with equal keys, in the order in which the keys come.
+template <class Row, class KeyOf>
+auto grouped_by(std::span<const Row> rows, const KeyOf& key_of) {
+  using Key = std::decay_t<decltype(key_of(rows.front()))>;
+  std::vector<std::pair<Key, std::vector<const Row*>>> groups;
+  for (const Row& row : rows) {
+    Key key = key_of(row);
+    auto group = std::ranges::find(groups, key, [](const auto& one) -> const Key& { return one.first; });
+    if (group == groups.end()) group = groups.insert(groups.end(), {std::move(key), {}});
+    group->second.push_back(&row);
+  }
+  return groups;
 }
 
 /// The machines of the rows, in their order.

@@ -217,7 +217,7 @@ void add_folder(const StudyRow& row, Folder kept, session::OptionList& command, 
   std::string unsaid;
   if (kept == Folder::usual) unsaid = fmt::format("; MODEL-{} if not given", row.name);
   if (kept == Folder::optional) unsaid = "; nothing is kept if not given";
-  Option& option = command.option(
+  session::Option& option = command.option(
       "-o,--output", folder, fmt::format("Folder for {}.csv, {}.json and the plots{}", row.name, row.name, unsaid));
   if (kept == Folder::named) option.required();
   option.folder();

@@ -2,15 +2,24 @@
 
 #include "sim/report/page.h"
 #include "sim/session/options/lists.h"
+#include "sim/session/options/numbers.h"
 
 namespace csgsim::studies {
 
-PageSubject subject_on(const ModelRequest& model, const std::string& machines) {
+PageSubject subject_on(const session::ModelRequest& model, const std::string& machines) {
   PageSubject subject{model, {}};
-  for (const std::string& name : parse_words(machines)) {
+  for (const std::string& name : session::parse_words(machines)) {
     subject.model.machine = name;
-    subject.machines.push_back(machine_of(subject.model));
+    subject.machines.push_back(session::machine_of(subject.model));
   }
+  return subject;
+}
+
+PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
+                       const std::string& machines) {
+  PageSubject subject = subject_on(view, machines);
+  subject.model.model = models.front();
+  if (models.size() > 1) subject.name = session::counted(models.size(), "model");
   return subject;
 }
 

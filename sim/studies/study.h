@@ -29,18 +29,20 @@ struct Section;
 
 namespace csgsim::studies {
 
-using namespace session;  // options, checks and texts of commands, in whose words a study is written
-
 /// Whose figures a page tells, and of what it shows a picture.
 struct PageSubject {
-  ModelRequest model;
+  session::ModelRequest model;
   std::vector<machines::Machine> machines;  ///< the picture is drawn on the first
   bool has_picture = true;
   std::string name{};  ///< of what was studied; the model's if empty
 };
 
 /// A model on each of these machines, which a list names.
-PageSubject subject_on(const ModelRequest& model, const std::string& machines);
+PageSubject subject_on(const session::ModelRequest& model, const std::string& machines);
+
+/// The first of these models on the machines; several are told by their number.
+PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
+                       const std::string& machines);
 
 /// What a study is: which points its options ask for, what is measured at a point, and what is shown of the rows. All
 /// else is the runner's (runner.h): options of all studies, the table and what is done again, progress, threads,
@@ -153,14 +155,21 @@ template <class Row>
 class StudyOf : public RowsOf<Row> {
  public:
   void measure(std::span<const std::size_t> points, unsigned threads, const Study::Finished& finished) final {
+    const std::vector<std::size_t> order = in_turn(points, threads);
     measure_each(
-        points.size(), threads, [&](std::size_t i) { return std::pair(points[i], to_line(measured(points[i]))); },
+        order.size(), threads, [&](std::size_t i) { return std::pair(order[i], to_line(measured(order[i]))); },
         [&](std::pair<std::size_t, std::string> row) { finished(row.first, std::move(row.second)); });
   }
 
  protected:
   /// Measures the point with that number; on several threads at the same time, where the study is parallel.
   [[nodiscard]] virtual Row measured(std::size_t point) = 0;
+
+  /// The points in the order in which so many threads measure them.
+  [[nodiscard]] virtual std::vector<std::size_t> in_turn(std::span<const std::size_t> points,
+                                                         unsigned /*threads*/) const {
+    return {points.begin(), points.end()};
+  }
 };
 
 }  // namespace csgsim::studies

@@ -9,9 +9,7 @@
 #include <vector>
 
 #include "sim/plots/layout.h"
-#include "sim/studies/accuracy/measure.h"
-#include "sim/studies/accuracy/pareto.h"
-#include "sim/studies/accuracy/plots.h"
+#include "sim/studies/accuracy/show.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/explore/show.h"
@@ -19,7 +17,6 @@
 #include "sim/studies/rows_json.h"
 #include "sim/studies/shard_file.h"
 #include "sim/studies/subdivide/show.h"
-#include "sim/studies/sweep/points.h"
 #include "sim/studies/sweep/show.h"
 #include "sim/studies/table.h"
 #include "tests/fuzz/property.h"

@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "sim/session/options/lists.h"
-#include "sim/studies/accuracy/measure.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
 #include "sim/studies/csv.h"
+#include "sim/studies/design/row.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/subdivide/measure.h"
-#include "sim/studies/sweep/memory_map.h"
-#include "sim/studies/sweep/points.h"
 #include "tests/fuzz/property.h"
 
 namespace fuzz = csgsim::fuzz;

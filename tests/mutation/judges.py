@@ -90,6 +90,7 @@ JUDGES_OF = {  # in the order in which they are asked
     "sim/studies/accuracy": ["studies", "cli"],
     "sim/studies/advise": ["studies", "cli"],
     "sim/studies/classify": ["cli"],
+    "sim/studies/design": ["studies", "cli"],
     "sim/studies/display": ["cli"],
     "sim/studies/explore": ["studies", "cli"],
     "sim/studies/trace": ["cli"],

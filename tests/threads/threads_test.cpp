@@ -18,8 +18,8 @@
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/formats.h"
 #include "sim/software/convert/surface.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/parallel.h"
-#include "sim/studies/sweep/measure.h"
 #include "tests/support/drawing.h"
 
 using namespace csgsim;
@@ -51,7 +51,7 @@ isa::Program carburettor(emit::Strategy strategy) {
 
 /// A point with what it is made from.
 struct Drawn {
-  studies::SweepPoint point;
+  studies::DesignPoint point;
   studies::Job job;
 };
 
@@ -82,7 +82,8 @@ std::vector<Drawn> drawn_points() {
 template <class Finished>
 void measure_all(const std::vector<Drawn>& all, bool is_drawn, const Finished& finished) {
   studies::measure_each(
-      all.size(), 4, [&](std::size_t i) { return studies::measure(all[i].point, all[i].job, is_drawn); }, finished);
+      all.size(), 4,
+      [&](std::size_t i) { return studies::SweepRow(measure_picture(all[i].point, all[i].job, is_drawn)); }, finished);
 }
 
 }  // namespace
@@ -111,7 +112,7 @@ TEST_CASE("points of one model measured on four threads are those measured on on
   measure_all(all, true, [&](studies::SweepRow row) { rows.push_back(std::move(row)); });
   REQUIRE(rows.size() == all.size());
   for (const Drawn& one : all) {
-    const studies::SweepRow alone = studies::measure(one.point, one.job, true);
+    const studies::SweepRow alone(measure_picture(one.point, one.job, true));
     CHECK(alone.compiled());
     CHECK(std::ranges::count(rows, alone) == 1);
   }

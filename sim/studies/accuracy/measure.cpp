@@ -15,16 +15,15 @@
 #include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/facts.h"
-#include "sim/engine/engine.h"
 #include "sim/functional/clocks.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "sim/judges/meant.h"
 #include "sim/judges/sight.h"
 #include "sim/judges/truth.h"
-#include "sim/observe/frame.h"
 #include "sim/observe/stats_json.h"
 #include "sim/session/model/model_request.h"
+#include "sim/studies/design/meter.h"
 
 namespace csgsim::studies {
 
@@ -33,12 +32,6 @@ namespace {
 /// The arithmetic that stands for "as fine as can be" when pictures are compared.
 constexpr unsigned finest_z_bits = 24;
 constexpr unsigned finest_fraction_bits = 16;
-
-struct Drawn {
-  isa::Program program;
-  observe::Frame frame;
-  std::uint64_t clocks = 0;
-};
 
 /// Solids are named by 0 and 1: whether they are faceted in spite of what the others are.
 std::string name_of(const facet::Faceting& faceting) {
@@ -62,13 +55,6 @@ isa::Program compile(const model::Tree& tree, const facet::Geometry& scene, cons
 machines::Machine sized(machines::Machine machine, const view::Sampling& sampling) {
   machines::set_picture_size(machine, {sampling.width, sampling.height});
   return machine;
-}
-
-Drawn draw(isa::Program program, const machines::Machine& machine) {
-  observe::FrameObserver frame(program);
-  const std::array<engine::Observer*, 1> observers{&frame};
-  const std::uint64_t clocks = engine::make_functional_engine(machine)->run(program, observers).clocks;
-  return {std::move(program), std::move(frame).frame(), clocks};
 }
 
 /// Sum over pixels and channels of the difference of the colours, which have so many bits.
@@ -139,7 +125,7 @@ Meter::Subject& Meter::subject(const Settings& settings, std::size_t camera) {
   facet::Geometry scene = facet::make_geometry(tree_, faceting);
   machines::Machine machine = sized(machine_, sampling);
   machine.array.memory_bits = std::max(machine.array.memory_bits, session::ample_memory_bits);
-  Drawn drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
+  DrawnProgram drawn = draw(compile(tree_, scene, cameras_[camera], finest(sampling), machine, options_), machine);
   const isa::DepthScale depth = drawn.program.facts->depth_scale;
   auto made = std::make_unique<Subject>(Subject{std::move(scene), nullptr, {}, {}, std::move(drawn.frame)});
   made->sight = std::make_unique<judges::Sight>(made->scene, cameras_[camera], sampling.width, sampling.height, depth);
@@ -184,7 +170,7 @@ Measurement Meter::measure_anew(const Settings& settings) {
   double difference = 0;
   for (std::size_t camera = 0; camera < cameras_.size(); ++camera) {
     const Subject& subject = this->subject(settings, camera);
-    const Drawn drawn =
+    const DrawnProgram drawn =
         draw(compile(tree_, subject.scene, cameras_[camera], settings.sampling, machine, options_), machine);
     const judges::Explainer explainer(tree_, subject.scene, *subject.sight, drawn.program);
     const judges::Errors errors = judges::judge(subject.exact, drawn.frame, drawn.program, explainer);

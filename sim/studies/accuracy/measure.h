@@ -17,58 +17,9 @@
 #include "hw/machines/machine.h"
 #include "sim/judges/analytic.h"
 #include "sim/studies/accuracy/settings.h"
-#include "sim/studies/inputs.h"
+#include "sim/studies/design/row.h"
 
 namespace csgsim::studies {
-
-/// What one point costs, and how right its pictures are. Sums over the views; depths are the worst of them.
-struct Measurement {
-  static constexpr std::size_t point_columns = 2;
-
-  std::string knob;
-  std::string value;
-  Inputs inputs;
-  std::uint64_t clocks = 0;
-  double simulated_seconds = 0;
-  std::uint64_t halfspaces = 0;
-  std::uint32_t used_bits = 0;
-  std::uint64_t covered = 0;           ///< pixels
-  std::uint64_t wrong = 0;             ///< pixels that differ from the exact picture of the same half-spaces
-  std::uint64_t wrong_silhouette = 0;  ///< of these, seen in one of the pictures only
-  std::uint64_t wrong_owner = 0;       ///< of these, another primitive seen
-  std::uint64_t unexplained = 0;       ///< of these, beyond the bounds that docs/numbers.md states
-  double depth_max = 0;                ///< model units
-  double depth_p999 = 0;               ///< model units, at most this at 99.9 % of the pixels
-  double depth_max_steps = 0;          ///< depth steps
-  double depth_p999_steps = 0;         ///< depth steps
-  std::uint64_t facet_wrong = 0;       ///< pixels that differ from the true curved surfaces
-  double facet_depth_p999 = 0;         ///< model units, from the true curved surfaces
-  double picture_difference = 0;       ///< mean difference of the colours from the finest arithmetic's, of 255
-
-  bool operator==(const Measurement&) const = default;
-
-  static void columns(auto& row, const auto& visit) {
-    visit("knob", row.knob);
-    visit("value", row.value);
-    Inputs::columns(row.inputs, visit);
-    visit("clocks", row.clocks);
-    visit("simulated_seconds", row.simulated_seconds);
-    visit("halfspaces", row.halfspaces);
-    visit("used_bits", row.used_bits);
-    visit("covered", row.covered);
-    visit("wrong", row.wrong);
-    visit("wrong_silhouette", row.wrong_silhouette);
-    visit("wrong_owner", row.wrong_owner);
-    visit("unexplained", row.unexplained);
-    visit("depth_max", row.depth_max);
-    visit("depth_p999", row.depth_p999);
-    visit("depth_max_steps", row.depth_max_steps);
-    visit("depth_p999_steps", row.depth_p999_steps);
-    visit("facet_wrong", row.facet_wrong);
-    visit("facet_depth_p999", row.facet_depth_p999);
-    visit("picture_difference", row.picture_difference);
-  }
-};
 
 /// Measures points of one model. Pictures of the exact arithmetic are worked out once for each faceting and size, and
 /// points whose settings are the same are measured once.

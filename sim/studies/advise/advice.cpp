@@ -1,57 +1,75 @@
 #include "sim/studies/advise/advice.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <limits>
-#include <tuple>
+#include <map>
 #include <utility>
 
-#include "sim/studies/dimensions.h"
+#include "sim/session/options/numbers.h"
+#include "sim/studies/design/front.h"
 
 namespace csgsim::studies {
 
 namespace {
 
-/// Less is faster. Programs that take as long from frame to frame may be drawn in different times.
-auto pace(const AdviceRow& row) { return std::tie(row.interval_clocks, row.clocks); }
+using session::counted;
 
-unsigned colour_loss(const AdviceRow& row) { return std::numeric_limits<unsigned>::max() - row.point.colour_bits; }
-
-/// Is the first nowhere worse?
-bool covers(const AdviceRow& a, const AdviceRow& b) {
-  return a.used_bits <= b.used_bits && a.wrong <= b.wrong && colour_loss(a) <= colour_loss(b) &&
-         a.point.alu_bits <= b.point.alu_bits && pace(a) <= pace(b);
+std::string missed_text(double by, const char* unit, const char* behind) {
+  return counted(static_cast<std::uint64_t>(by), unit) + behind;
 }
 
-/// The order of equals: what is cheaper to build, then what is faster, then what is more right.
-auto cost(const AdviceRow& row) {
-  return std::tuple(row.used_bits, row.point.alu_bits, row.interval_clocks, row.clocks, row.wrong, colour_loss(row));
+/// By Wish. What is missed of a speed is rounded up in the last place, so that it never shows as 0.
+constexpr WishKind kinds[] = {
+    {"fewest bits", "max_bits", "memory bits a pixel, at most", false,
+     [](const Wishes& wishes) { return static_cast<double>(wishes.max_bits); },
+     [](const DesignRow& row) { return static_cast<double>(row.used_bits); },
+     [](const Wishes& wishes) { return fmt::format("at most {} a pixel", counted(wishes.max_bits, "bit")); },
+     [](const DesignRow& row) { return fmt::format("{} a pixel", counted(row.used_bits, "bit")); },
+     [](double by) { return missed_text(by, "bit", " too many"); }},
+    {"most accurate", "max_wrong_pixels", "wrong pixels, at most", false,
+     [](const Wishes& wishes) { return static_cast<double>(wishes.max_wrong_pixels); },
+     [](const DesignRow& row) { return static_cast<double>(row.wrong); },
+     [](const Wishes& wishes) { return "at most " + counted(wishes.max_wrong_pixels, "wrong pixel"); },
+     [](const DesignRow& row) { return counted(row.wrong, "wrong pixel"); },
+     [](double by) { return missed_text(by, "wrong pixel", " too many"); }},
+    {"fastest", "min_fps", "frames a second, at least", true, [](const Wishes& wishes) { return wishes.min_fps; },
+     [](const DesignRow& row) { return row.frames_per_second; },
+     [](const Wishes& wishes) {
+       return wishes.min_fps > 0 ? fmt::format("at least {:g} frames a second", wishes.min_fps) : "any speed";
+     },
+     [](const DesignRow& row) { return fmt::format("{:.2f} frames a second", row.frames_per_second); },
+     [](double by) { return fmt::format("{:.2f} frames a second too few", std::ceil(by * 100.0) / 100.0); }},
+    {"most colours", "min_colour_bits", "bits of colour, at least", true,
+     [](const Wishes& wishes) { return static_cast<double>(wishes.min_colour_bits); },
+     [](const DesignRow& row) { return static_cast<double>(row.point.colour_bits); },
+     [](const Wishes& wishes) { return fmt::format("at least {} of colour", counted(wishes.min_colour_bits, "bit")); },
+     [](const DesignRow& row) { return fmt::format("{} of colour", counted(row.point.colour_bits, "bit")); },
+     [](double by) { return missed_text(by, "bit", " of colour too few"); }},
+};
+
+/// The order of equals: what is cheaper to build, then what is faster, then what is more right. Programs that take as
+/// long from frame to frame may be drawn in different times.
+Values cost(const AdviceRow& row) {
+  return {static_cast<double>(row.used_bits),       static_cast<double>(row.point.alu_bits),
+          static_cast<double>(row.interval_clocks), static_cast<double>(row.clocks),
+          static_cast<double>(row.wrong),           -static_cast<double>(row.point.colour_bits)};
 }
 
-bool is_better(Wish wish, const AdviceRow& a, const AdviceRow& b) {
-  switch (wish) {
-    case Wish::bits: return cost(a) < cost(b);
-    case Wish::wrong_pixels: return std::tuple(a.wrong, cost(a)) < std::tuple(b.wrong, cost(b));
-    case Wish::speed: return std::tuple(pace(a), cost(a)) < std::tuple(pace(b), cost(b));
-    case Wish::colour: return std::tuple(colour_loss(a), cost(a)) < std::tuple(colour_loss(b), cost(b));
-  }
-  return false;
-}
-
-/// What is asked for.
-double wished(Wish wish, const Wishes& wishes) {
-  switch (wish) {
-    case Wish::bits: return wishes.max_bits;
-    case Wish::wrong_pixels: return static_cast<double>(wishes.max_wrong_pixels);
-    case Wish::speed: return wishes.min_fps;
-    case Wish::colour: return wishes.min_colour_bits;
-  }
-  return 0;
+/// The order of choices by a wish.
+Values rank(Wish wish, const AdviceRow& row) {
+  Values values = cost(row);
+  // Speed is the time from frame to frame, then that of drawing; bits come first in any case.
+  if (wish == Wish::speed) values.insert(values.begin(), {values[2], values[3]});
+  if (wish == Wish::wrong_pixels) values.insert(values.begin(), values[4]);
+  if (wish == Wish::colour) values.insert(values.begin(), values[5]);
+  return values;
 }
 
 bool meets_all_but(const AdviceRow& row, Wish but, const Wishes& wishes) {
-  return std::all_of(std::begin(all_wishes), std::end(all_wishes),
-                     [&](Wish wish) { return wish == but || miss(row, wish, wishes) == 0; });
+  return std::ranges::all_of(all_wishes, [&](Wish wish) { return wish == but || miss(row, wish, wishes) == 0; });
 }
 
 std::vector<AdviceRow> compiled(std::span<const AdviceRow> rows) {
@@ -67,60 +85,35 @@ std::pair<int, double> distance(const AdviceRow& row, const Wishes& wishes) {
     const double by = miss(row, wish, wishes);
     if (by == 0) continue;
     ++sum.first;
-    sum.second += by / std::max(1.0, wished(wish, wishes));
+    sum.second += by / std::max(1.0, kind_of(wish).limit(wishes));
   }
   return sum;
 }
 
 }  // namespace
 
-std::vector<AdvicePoint> points_of(const AdviceRanges& ranges) {
-  std::vector<AdvicePoint> points;
-  for (const unsigned z_bits : ranges.z_bits) {
-    for (const unsigned fraction_bits : ranges.fraction_bits) {
-      for (const unsigned colour_bits : ranges.colour_bits) {
-        for (const std::string& colouring : ranges.colourings) {
-          for_each_strategy(ranges, AdvicePoint{z_bits, fraction_bits, colour_bits, colouring, {}, 0, 0},
-                            [&](AdvicePoint point) {
-                              for (const unsigned alu_bits : ranges.alu_bits) {
-                                point.alu_bits = alu_bits;
-                                points.push_back(point);
-                              }
-                            });
-        }
-      }
-    }
-  }
-  return points;
-}
-
-std::string strategy_name(const AdvicePoint& point) { return strategy_name(point.strategy, point.stack_bits); }
+const WishKind& kind_of(Wish wish) { return kinds[static_cast<std::size_t>(wish)]; }
 
 double miss(const AdviceRow& row, Wish wish, const Wishes& wishes) {
-  const double limit = wished(wish, wishes);
-  switch (wish) {
-    case Wish::bits: return std::max(0.0, static_cast<double>(row.used_bits) - limit);
-    case Wish::wrong_pixels: return std::max(0.0, static_cast<double>(row.wrong) - limit);
-    case Wish::speed: return std::max(0.0, limit - row.frames_per_second);
-    case Wish::colour: return std::max(0.0, limit - static_cast<double>(row.point.colour_bits));
-  }
-  return 0;
+  const WishKind& kind = kind_of(wish);
+  const double over = kind.value(row) - kind.limit(wishes);
+  return std::max(0.0, kind.is_least ? -over : over);
 }
 
 bool meets_all(const AdviceRow& row, const Wishes& wishes) {
-  return std::all_of(std::begin(all_wishes), std::end(all_wishes),
-                     [&](Wish wish) { return miss(row, wish, wishes) == 0; });
+  return std::ranges::all_of(all_wishes, [&](Wish wish) { return miss(row, wish, wishes) == 0; });
 }
 
 std::vector<AdviceRow> advice_front(std::span<const AdviceRow> rows) {
-  std::vector<AdviceRow> sorted = compiled(rows);
-  std::ranges::stable_sort(sorted, {}, cost);  // what beats another comes before it then
-  std::vector<AdviceRow> front;
-  for (AdviceRow& row : sorted) {
-    if (std::ranges::none_of(front, [&](const AdviceRow& one) { return covers(one, row); }))
-      front.push_back(std::move(row));
-  }
-  return front;
+  const std::vector<AdviceRow> choices = compiled(rows);
+  std::map<std::pair<std::uint64_t, std::uint64_t>, double> paces;  // in one number, the least first
+  for (const AdviceRow& row : choices) paces[{row.interval_clocks, row.clocks}] = 0;
+  double place = 0;
+  for (auto& [pace, number] : paces) number = place++;
+  return front_rows(std::span<const AdviceRow>(choices), [&](const AdviceRow& row) {
+    const Values costs = cost(row);
+    return Values{costs[0], costs[1], paces.at({row.interval_clocks, row.clocks}), costs[4], costs[5]};
+  });
 }
 
 std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wishes& wishes) {
@@ -129,27 +122,17 @@ std::vector<Recommendation> recommend(std::span<const AdviceRow> rows, const Wis
     const AdviceRow* best = nullptr;
     for (const AdviceRow& row : rows) {
       if (!row.compiled() || !meets_all_but(row, wish, wishes)) continue;
-      if (best == nullptr || is_better(wish, row, *best)) best = &row;
+      if (best == nullptr || rank(wish, row) < rank(wish, *best)) best = &row;
     }
     if (best != nullptr) all.push_back({wish, *best, miss(*best, wish, wishes)});
   }
   return all;
 }
 
-std::string recommendation_name(Wish wish) {
-  switch (wish) {
-    case Wish::bits: return "fewest bits";
-    case Wish::wrong_pixels: return "most accurate";
-    case Wish::speed: return "fastest";
-    case Wish::colour: return "most colours";
-  }
-  return {};
-}
-
 std::vector<AdviceRow> nearest_choices(std::span<const AdviceRow> rows, const Wishes& wishes, std::size_t most) {
   std::vector<AdviceRow> nearest = compiled(rows);
   std::ranges::stable_sort(nearest, {},
-                           [&](const AdviceRow& row) { return std::tuple(distance(row, wishes), cost(row)); });
+                           [&](const AdviceRow& row) { return std::pair(distance(row, wishes), cost(row)); });
   nearest.resize(std::min(most, nearest.size()));
   return nearest;
 }

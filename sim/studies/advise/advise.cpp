@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "hw/base/error.h"
@@ -14,6 +16,7 @@
 #include "sim/studies/folder.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
+#include "sim/studies/vocabulary.h"
 
 namespace csgsim::studies {
 
@@ -22,8 +25,12 @@ namespace {
 using Rows = std::span<const AdviceRow>;
 
 /// What is recommended is drawn again, each with its own strategy, colouring and ALU.
-void check_by_drawing(const AdviceJob& job, const AdviceRow& row, bool are_read) {
-  if (draw_advice(job, row.point) == row) return;
+void check_by_drawing(const AdviseOptions& options, const AdviceQuestion& question, const AdviceRow& row,
+                      bool are_read) {
+  DesignQuestion measured = question.measured;
+  measured.colour_bits = {row.point.colour_bits};
+  const Job job = question.job_of(options, row.point);
+  if (to_line(AdviceRow(DesignMeter(measured).measure(row.point, job))) == to_line(row)) return;
   if (are_read)
     throw InputError("a choice that is recommended draws another picture than its row says; " + whose_fault(true));
   throw std::logic_error("a choice that is recommended draws another picture than was judged");
@@ -39,13 +46,12 @@ Advice advice_of(const AdviseOptions& options, const session::OptionList& comman
                  Rows rows, bool are_read) {
   Advice advice{recommend(rows, question.wishes), {}};
   for (const Recommendation& one : advice.recommendations) {
-    check_by_drawing(question.job, one.row, are_read);
-    advice.commands.push_back(
-        render_command(options, command, one.row, picture_name(options, recommendation_name(one.wish))));
+    check_by_drawing(options, question, one.row, are_read);
+    advice.commands.push_back(render_command(options, command, one.row, picture_name(options, kind_of(one.wish).best)));
   }
   const AdviceRow nearest = nearest_choices(rows, question.wishes, 1).front();
   if (meets_all(nearest, question.wishes)) return advice;
-  check_by_drawing(question.job, nearest, are_read);
+  check_by_drawing(options, question, nearest, are_read);
   advice.nearest = nearest;
   advice.nearest_command = render_command(options, command, nearest, picture_name(options, "nearest"));
   return advice;
@@ -62,7 +68,7 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Adv
       known->second += ", " + name;
     }
   };
-  for (const Recommendation& one : advice.recommendations) add(one.row, recommendation_name(one.wish));
+  for (const Recommendation& one : advice.recommendations) add(one.row, kind_of(one.wish).best);
   if (advice.nearest) add(*advice.nearest, "nearest to all wishes");
   std::vector<report::Picture> pictures;
   pictures.reserve(choices.size());
@@ -70,26 +76,16 @@ std::vector<report::Picture> pictures_of(const AdviseOptions& options, const Adv
   return pictures;
 }
 
-constexpr report::PointColumn advise_columns[] = {{"used_bits", "bits in all"},
-                                                  {"z_bits", "z bits"},
-                                                  {"fraction_bits", "fraction bits"},
-                                                  {"colour_bits", "colour bits"},
-                                                  {"colour_error", "colour error of 255"},
-                                                  {"strategy", "strategy"},
-                                                  {"stack_bits", "stack bits"},
-                                                  {"colouring", "colouring"},
-                                                  {"alu_bits", "ALU bits"},
-                                                  {"clocks", "clocks"},
-                                                  {"frames_per_second", "frames a second"},
-                                                  {"wrong", "wrong pixels"}};
+std::vector<report::PointColumn> advised_columns() {
+  return page_columns(
+      "used_bits,z_bits,fraction_bits,colour_bits,colour_error,strategy,stack_bits,colouring,alu_bits,clocks,"
+      "frames_per_second,wrong");
+}
 
 report::Table wishes_table(const report::Json& data) {
-  constexpr std::pair<const char*, const char*> rows[] = {{"memory bits a pixel, at most", "/wishes/max_bits"},
-                                                          {"wrong pixels, at most", "/wishes/max_wrong_pixels"},
-                                                          {"frames a second, at least", "/wishes/min_fps"},
-                                                          {"bits of colour, at least", "/wishes/min_colour_bits"}};
   report::Table table{"Wishes", {"wish", "value"}, {}};
-  for (const auto& [name, at] : rows) table.rows.push_back({{name}, report::cell(data, at)});
+  for (const Wish wish : all_wishes)
+    table.rows.push_back({{kind_of(wish).title}, report::cell(data, std::string("/wishes/") + kind_of(wish).key)});
   return table;
 }
 
@@ -109,14 +105,14 @@ report::Cell name_of(const report::Json& data, const std::string& at) {
 
 report::Table recommendations_table(const report::Json& data) {
   report::Table table{"The best by each wish", {"best by", "meets all wishes", "misses its own by"}, {}};
-  for (const report::PointColumn& column : advise_columns) table.columns.emplace_back(column.title);
+  const std::vector<report::PointColumn> columns = advised_columns();
+  for (const report::PointColumn& column : columns) table.columns.emplace_back(column.title);
   for (const std::string& at : recommended(data)) {
     const bool is_nearest = at == "/nearest";
     report::Row row{name_of(data, at),
                     is_nearest ? report::cell(data, "/meets_all") : report::cell(data, at + "/meets_all"),
                     is_nearest ? report::Cell{} : report::cell(data, at + "/missed_by")};
-    for (const report::PointColumn& column : advise_columns)
-      row.push_back(report::cell(data, at + "/point/" + column.key));
+    for (const report::PointColumn& column : columns) row.push_back(report::cell(data, at + "/point/" + column.key));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -148,7 +144,7 @@ report::Section recommendations(const report::Json& data, std::uint64_t searched
   return section;
 }
 
-class Advise : public RowsOf<AdviceRow> {
+class Advise : public StudyOf<AdviceRow> {
  public:
   void add_options(session::OptionList& command) override {
     options_.add_to(command);
@@ -169,28 +165,18 @@ class Advise : public RowsOf<AdviceRow> {
 
   std::vector<Asked> ask() override {
     question_ = question_of(options_);
+    meter_ = std::make_unique<DesignMeter>(question_.measured);
     std::vector<Asked> asked;
-    for (const AdvicePoint& point : question_.points) asked.push_back({to_line(point), question_.job.inputs});
+    for (const DesignPoint& point : question_.points)
+      asked.push_back({point_cells<AdviceRow>(point), question_.jobs.begin()->second.inputs});
     return asked;
   }
 
-  /// Points that draw the same picture together.
-  void measure(std::span<const std::size_t> points, unsigned threads, const Finished& finished) override {
-    std::vector<AdvicePoint> missing;
-    std::map<AdvicePoint, std::size_t> numbers;
-    for (const std::size_t point : points) {
-      missing.push_back(question_.points[point]);
-      numbers.emplace(missing.back(), point);
-    }
-    measure_advice(question_.job, missing, threads,
-                   [&](const AdviceRow& row) { finished(numbers.at(row.point), to_line(row)); });
-  }
-
   void print() const override {
-    const view::Sampling& sampling = question_.job.sampling;
-    print_question(fmt::format("{}, {} x {} pixels, on {}", options_.model.model, sampling.width, sampling.height,
-                               options_.model.machine),
-                   rows(), question_.wishes);
+    const machines::Size size = question_.jobs.begin()->second.machine.picture;
+    print_question(
+        fmt::format("{}, {} x {} pixels, on {}", options_.model.model, size.width, size.height, options_.model.machine),
+        rows(), question_.wishes);
     studies::print_front(rows(), question_.wishes);
     print_advice(advice_, question_.wishes);
   }
@@ -205,7 +191,7 @@ class Advise : public RowsOf<AdviceRow> {
 
   [[nodiscard]] std::string page_title() const override { return "The cheapest memory"; }
   [[nodiscard]] PageSubject page_subject() const override {
-    return {options_.model, {machine_of(options_.model)}, false};
+    return {options_.model, {session::machine_of(options_.model)}, false};
   }
 
   /// Without the points that were searched, which are thousands.
@@ -219,7 +205,7 @@ class Advise : public RowsOf<AdviceRow> {
     return {recommendations(data, rows().size(), static_cast<std::uint64_t>(refused), pictures_of(options_, advice_)),
             {"Front",
              {report::points_table(data, "/front", "Choices that no other beats, fewest memory bits first",
-                                   advise_columns)}}};
+                                   advised_columns())}}};
   }
 
   void refuse() const override {
@@ -231,6 +217,30 @@ class Advise : public RowsOf<AdviceRow> {
   }
 
  protected:
+  [[nodiscard]] AdviceRow measured(std::size_t point) override {
+    const DesignPoint& design = question_.points[point];
+    return AdviceRow(meter_->measure(design, question_.job_of(options_, design)));
+  }
+
+  /// Points with the same z bits and fraction bits, which follow each other, wait for one picture: each thread has its
+  /// own at a time.
+  [[nodiscard]] std::vector<std::size_t> in_turn(std::span<const std::size_t> points, unsigned threads) const override {
+    std::map<std::pair<unsigned, unsigned>, std::size_t> pictures;
+    std::vector<std::size_t> counts;  // of the points of each
+    std::vector<std::tuple<std::size_t, std::size_t, std::size_t>> turns;
+    for (const std::size_t point : points) {
+      const DesignPoint& design = question_.points[point];
+      const std::size_t picture =
+          pictures.emplace(std::pair(design.z_bits, design.fraction_bits), pictures.size()).first->second;
+      counts.resize(pictures.size());
+      turns.emplace_back(picture / threads, counts[picture]++, point);
+    }
+    std::ranges::sort(turns);
+    std::vector<std::size_t> order;
+    for (const auto& turn : turns) order.push_back(std::get<2>(turn));
+    return order;
+  }
+
   void conclude() override {
     if (std::ranges::none_of(rows(), &AdviceRow::compiled)) throw InputError(rows().front().reason);
     advice_ = advice_of(options_, *asked_, question_, rows(), are_read());
@@ -240,6 +250,7 @@ class Advise : public RowsOf<AdviceRow> {
   AdviseOptions options_;
   const session::OptionList* asked_ = nullptr;
   AdviceQuestion question_;
+  std::unique_ptr<DesignMeter> meter_;
   studies::Advice advice_;
 };
 

@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string_view>
 #include <utility>
 
+#include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
@@ -17,49 +17,52 @@
 #include "sim/report/page.h"
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/see_through.h"
-#include "sim/session/options/progress.h"
+#include "sim/session/options/lists.h"
+#include "sim/session/options/read_by.h"
 #include "sim/session/options/usage.h"
 #include "sim/session/options/version.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/grid.h"
 #include "sim/studies/dimensions.h"
 
 namespace csgsim::studies {
 
-using namespace session;
-
 namespace {
+
+using session::ModelRequest;
+using Texts = std::vector<std::string>;
 
 constexpr std::uint64_t default_wrong_pixels = 10;
 constexpr unsigned most_fraction_bits = 30;
 constexpr std::string_view alu_figure = "alu.bits";
 
-std::vector<unsigned> fraction_bits_of(const std::string& text) { return parse_numbers(text, 0, most_fraction_bits); }
-std::vector<unsigned> colour_bits_of(const std::string& text) {
-  return parse_numbers(text, isa::fewest_colour_bits, isa::most_colour_bits);
+/// Axes that are searched, those that vary slowest first; options of render that the command does not take.
+struct Searched {
+  const char* key;
+  std::string AdviseOptions::*list;
+};
+constexpr Searched searched[] = {
+    {"z-bits", &AdviseOptions::z_bits},           {"fraction-bits", &AdviseOptions::fraction_bits},
+    {"colour-bits", &AdviseOptions::colour_bits}, {"colouring", &AdviseOptions::colourings},
+    {"strategy", &AdviseOptions::strategies},     {"stack-bits", &AdviseOptions::stack_bits}};
+
+Texts texts_of_numbers(const std::string& list, unsigned least, unsigned most) {
+  Texts texts;
+  for (const unsigned number : session::parse_numbers(list, least, most)) texts.push_back(std::to_string(number));
+  return texts;
 }
-std::vector<unsigned> alu_bits_of(const std::string& text) {
-  return text.empty() ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_field_width);
-}
-std::vector<std::string> strategies_of(const std::string& text) {
-  return text.empty() ? std::vector<std::string>{} : parse_names(text, "strategy", fixed_names_of(emit::strategies));
-}
-/// All but polygons, which take the bits of a stack and more clocks (docs/memory-bits.md).
-std::vector<std::string> usual_strategies() {
-  std::vector<std::string> names = fixed_names_of(emit::strategies);
-  std::erase(names, emit::name_of(emit::Strategy::polygons));
-  return names;
-}
-std::vector<std::string> colourings_of(const std::string& text) {
-  return parse_names(text, "colouring", fixed_names_of(emit::colourings));
+
+/// Of no list of strategies or ALU widths none.
+Texts values_in(std::string_view key, const std::string& list) {
+  if (key == "alu-bits") return list.empty() ? Texts{} : texts_of_numbers(list, 1, isa::max_field_width);
+  if (key == "fraction-bits") return texts_of_numbers(list, 0, most_fraction_bits);
+  if (key == "strategy" && list.empty()) return {};
+  return find_axis(key)->values(list);
 }
 
 std::string not_negative(const std::string& text) {
   const bool is_number = !text.empty() && text.find_first_not_of("0123456789.eE+") == std::string::npos;
   return is_number ? "" : "'" + text + "' is not a number, 0 or more";
-}
-
-bool has_alu_figure(const machines::Machine& machine) {
-  return std::any_of(machine.figures.begin(), machine.figures.end(),
-                     [](const machines::Figure& figure) { return figure.key == alu_figure; });
 }
 
 /// The machine's name, with that ALU if it is not its own.
@@ -69,125 +72,128 @@ std::string machine_name(const AdviseOptions& options, unsigned alu_bits) {
   return fmt::format("{}+{}={}", options.model.machine, alu_figure, alu_bits);
 }
 
+/// 0 where the machine's kind has no such figure.
 std::vector<unsigned> alu_widths(const AdviseOptions& options, const machines::Machine& machine) {
-  const std::vector<unsigned> asked = alu_bits_of(options.alu_bits);
-  if (has_alu_figure(machine)) return asked.empty() ? std::vector<unsigned>{machine.alu_bits} : asked;
+  std::vector<unsigned> asked;
+  for (const std::string& bits : values_in("alu-bits", options.alu_bits))
+    asked.push_back(static_cast<unsigned>(std::stoul(bits)));
+  if (std::ranges::find(machine.figures, alu_figure, &machines::Figure::key) != machine.figures.end())
+    return asked.empty() ? std::vector<unsigned>{machine.alu_bits} : asked;
   if (!asked.empty())
-    throw UsageError("--alu-bits", "machine " + machine.name + " has no figure alu.bits; leave it out");
+    throw session::UsageError("--alu-bits", "machine " + machine.name + " has no figure alu.bits; leave it out");
   return {0};
 }
 
-AdviceRanges ranges_of(const AdviseOptions& options, const machines::Machine& machine) {
-  AdviceRanges ranges;
-  ranges.z_bits = z_bits_of(options.z_bits);
-  ranges.fraction_bits = fraction_bits_of(options.fraction_bits);
-  ranges.colour_bits = colour_bits_of(options.colour_bits);
-  ranges.colourings = colourings_of(options.colourings);
-  ranges.strategies = strategies_of(options.strategies);
-  if (ranges.strategies.empty()) {
-    // A machine that divides the model itself knows one alone.
-    ranges.strategies = machines::division(machine) ? std::vector{std::string(emit::name_of(emit::Strategy::stack))}
-                                                    : usual_strategies();
-  }
-  ranges.stack_bits = stack_bits_of(options.stack_bits);
-  ranges.alu_bits = alu_widths(options, machine);
-  return ranges;
+/// All but polygons, which take the bits of a stack and more clocks (docs/memory-bits.md). A machine that divides the
+/// model itself has one.
+Texts usual_strategies(const machines::Machine& machine) {
+  if (machines::division(machine)) return {std::string(emit::name_of(emit::Strategy::stack))};
+  Texts names = fixed_names_of(emit::strategies);
+  std::erase(names, emit::name_of(emit::Strategy::polygons));
+  return names;
 }
 
-AdviceJob job_of(const AdviseOptions& options, const machines::Machine& machine,
-                 const std::vector<unsigned>& alu_bits) {
-  ModelFile file = read_model_file(options.model);
-  facet::Geometry scene = facet::make_geometry(file.tree, faceting_of(options.model, machine, file.tree));
+std::vector<Dimension> dimensions_of(const AdviseOptions& options, const machines::Machine& machine) {
+  std::vector<Dimension> dimensions;
+  for (const Searched& one : searched) {
+    Texts values = values_in(one.key, options.*one.list);
+    dimensions.push_back({one.key, values.empty() ? usual_strategies(machine) : std::move(values)});
+  }
+  return dimensions;
+}
+
+std::map<unsigned, Job> jobs_of(const AdviseOptions& options, const machines::Machine& machine,
+                                const std::vector<unsigned>& alu_bits) {
+  session::ModelFile file = session::read_model_file(options.model);
+  facet::Geometry scene = facet::make_geometry(file.tree, session::faceting_of(options.model, machine, file.tree));
   if (scene.box.empty()) throw InputError(options.model.model + ": nothing in it to draw; every solid is empty");
   const auto subject = std::make_shared<Subject>(Subject{std::move(file.tree), std::move(scene), std::move(file.hash)});
-  const view::Camera camera = camera_of(options.model, machine, subject->tree, subject->scene);
-  refuse_see_through(options.model, subject->tree, camera);
-  AdviceJob job{subject,
-                camera,
-                sampling_of(options.model, machine),
-                emit_options_of(options.model),
-                {},
-                {subject->hash, machines::hash_of(machine), version_and_build()}};
+  const view::Camera camera = session::camera_of(options.model, machine, subject->tree, subject->scene);
+  session::refuse_see_through(options.model, subject->tree, camera);
+  const Inputs inputs{subject->hash, machines::hash_of(machine), session::version_and_build()};
+  std::map<unsigned, Job> jobs;
   for (const unsigned bits : alu_bits) {
     ModelRequest one = options.model;
     one.machine = machine_name(options, bits);
-    job.machines.push_back(machine_of(one));
+    jobs[bits] = {subject, camera, {}, session::machine_of(one), {}, inputs};
   }
-  return job;
+  return jobs;
 }
 
-/// An option and its value for a shell, behind a blank.
-std::string words_of(const std::string& name, const std::string& value) {
-  std::string text;
-  for (const std::string& word : option_words(name, value)) text += " " + shell_word(word);
-  return text;
-}
-
-/// Those that were given, and that render has too.
-std::string given_words(const AdviseOptions& options, const session::OptionList& command) {
-  const std::vector<std::string> own = own_options();
-  std::string words;
-  for (const GivenOption& option : command.given()) {
-    if (option.is_default || std::find(own.begin(), own.end(), option.name) != own.end()) continue;
-    const bool is_flag = option.value == "true";
-    words += is_flag ? " --" + option.name : words_of(option.name, option.value);
+ModelRequest with_searched(const AdviseOptions& options, const DesignPoint& point) {
+  ModelRequest one = options.model;
+  for (const Searched& axis : searched) {
+    if (const std::string value = find_axis(axis.key)->text(point); !value.empty()) put(one, axis.key, value);
   }
-  for (const std::string& set : options.model.sets) words += words_of("set", set);
-  return words;
+  return one;
 }
 
 }  // namespace
 
-std::vector<std::string> own_options() {
+ModelRequest AdviseOptions::design(const DesignPoint& point) const {
+  ModelRequest one = with_searched(*this, point);
+  one.machine = machine_name(*this, point.alu_bits);
+  return one;
+}
+
+Texts own_options() {
   return {"max-bits", "max-wrong-pixels", "min-fps",   "min-colour-bits", "z-bits",  "fraction-bits", "colour-bits",
           "strategy", "stack-bits",       "colouring", "alu-bits",        "machine", "output",        "threads",
           "no-plots", "progress",         "set",       "report",          "quiet"};
 }
 
+Job AdviceQuestion::job_of(const AdviseOptions& options, const DesignPoint& point) const {
+  const ModelRequest design = with_searched(options, point);
+  Job job = jobs.at(point.alu_bits);
+  job.sampling = session::sampling_of(design, job.machine);
+  job.options = session::emit_options_of(design);
+  return job;
+}
+
 AdviceQuestion question_of(const AdviseOptions& options) {
-  const machines::Machine machine = machine_of(options.model);
-  const AdviceRanges ranges = ranges_of(options, machine);
-  Wishes wishes;
-  wishes.max_bits = options.max_bits.value_or(machine.array.memory_bits);
-  wishes.max_wrong_pixels = options.max_wrong_pixels.value_or(default_wrong_pixels);
-  wishes.min_fps = options.min_fps.value_or(0.0);
-  wishes.min_colour_bits =
-      options.min_colour_bits.value_or(*std::max_element(ranges.colour_bits.begin(), ranges.colour_bits.end()));
-  return {job_of(options, machine, ranges.alu_bits), points_of(ranges), wishes};
+  const machines::Machine machine = session::machine_of(options.model);
+  const std::vector<Dimension> dimensions = dimensions_of(options, machine);
+  const std::vector<unsigned> widths = alu_widths(options, machine);
+  AdviceQuestion question;
+  question.jobs = jobs_of(options, machine, widths);
+  const DesignGrid grid(options.model, dimensions);
+  for (const ModelRequest& design : grid.designs()) {
+    DesignPoint point = point_of(design, machine.picture);
+    for (const unsigned alu_bits : widths) {
+      point.alu_bits = alu_bits;
+      question.points.push_back(point);
+    }
+  }
+  for (const std::string& bits : values_in("colour-bits", options.colour_bits))
+    question.measured.colour_bits.push_back(static_cast<unsigned>(std::stoul(bits)));
+  question.measured.most_bits = std::max(machine.array.memory_bits, most_fitted_bits);
+  question.wishes = {options.max_bits.value_or(machine.array.memory_bits),
+                     options.max_wrong_pixels.value_or(default_wrong_pixels), options.min_fps.value_or(0.0),
+                     options.min_colour_bits.value_or(std::ranges::max(question.measured.colour_bits))};
+  return question;
 }
 
 std::string render_command(const AdviseOptions& options, const session::OptionList& command, const AdviceRow& row,
                            const std::string& picture) {
-  const AdvicePoint& point = row.point;
-  std::string text = "csgsim render " + shell_word(options.model.model) + given_words(options, command);
+  DesignPoint point = row.point;
+  point.memory_bits = row.used_bits;
   const std::string machine = machine_name(options, point.alu_bits);
-  if (machine != ModelRequest().machine) text += words_of("machine", machine);
-  text +=
-      fmt::format(" --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {} --strategy {}",
-                  row.used_bits, point.z_bits, point.fraction_bits, point.colour_bits, point.colouring, point.strategy);
-  if (point.stack_bits > 0) text += fmt::format(" --stack-bits {}", point.stack_bits);
-  return text + " --check" + words_of("output", picture);
+  constexpr std::string_view given[] = {"size", "curves", "pruning"};
+  return "csgsim render " + shell_word(options.model.model) + given_words(command, own_options(), options.model.sets) +
+         (machine != ModelRequest().machine ? shell_words("machine", machine) : "") + axis_words(point, given) +
+         " --check" + shell_words("output", picture);
 }
 
 report::Picture picture_of(const AdviseOptions& options, const AdviceRow& row, const std::string& caption) {
-  const AdvicePoint& point = row.point;
-  ModelRequest model = options.model;
-  model.machine = machine_name(options, point.alu_bits);
+  ModelRequest model = options.design(row.point);
   model.memory_bits = row.used_bits;
-  model.z_bits = point.z_bits;
-  model.fraction_bits = point.fraction_bits;
-  model.colour_bits = point.colour_bits;
-  model.colouring = point.colouring;
-  model.strategy = point.strategy;
-  if (point.stack_bits > 0) model.stack_bits = point.stack_bits;
-  return session::picture_of(model, machine_of(model), caption);
+  return session::picture_of(model, session::machine_of(model), caption);
 }
 
 void AdviseOptions::add_to(session::OptionList& command) {
   model.add_to(command);
-  for (const char* name :
-       {"--memory-bits", "--z-bits", "--fraction-bits", "--colour-bits", "--colouring", "--strategy", "--stack-bits"})
-    command.remove(name);  // searched
+  command.remove("--memory-bits");
+  for (const Searched& one : searched) command.remove(std::string("--") + one.key);
   command
       .option("--max-bits", max_bits,
               "Wish: at most so many memory bits a pixel; as many as the machine has if not given")
@@ -201,17 +207,21 @@ void AdviseOptions::add_to(session::OptionList& command) {
       .option("--min-colour-bits", min_colour_bits,
               "Wish: at least so many bits of colour; the most of --colour-bits if not given")
       .between(isa::fewest_colour_bits, isa::most_colour_bits);
-  add_list(command, "--strategy", strategies, strategies_of,
-           fmt::format("Searched: list of {}; all that the machine can draw by if not given",
-                       fmt::join(fixed_names_of(emit::strategies), ", ")));
-  add_list(command, "--stack-bits", stack_bits, stack_bits_of, "Searched: numbers, bits that strategy bits is given");
-  add_list(command, "--z-bits", z_bits, z_bits_of, "Searched: numbers, bits of depth");
-  add_list(command, "--fraction-bits", fraction_bits, fraction_bits_of,
-           "Searched: numbers, fraction bits of the planes' coefficients");
-  add_list(command, "--colour-bits", colour_bits, colour_bits_of, "Searched: numbers, bits of a colour");
-  add_list(command, "--colouring", colourings, colourings_of, "Searched: list of rebroadcast, field");
-  add_list(command, "--alu-bits", alu_bits, alu_bits_of,
-           "Searched: numbers, bits that a pixel's ALU works on in a clock; the machine's own if not given");
+  const auto add = [&](const char* key, std::string& list, const std::string& help) {
+    command.option(std::string("--") + key, list, help).check(session::is_read_by([key](const std::string& text) {
+      return values_in(key, text);
+    }));
+  };
+  add("strategy", strategies,
+      fmt::format("Searched: list of {}; all that the machine can draw by if not given",
+                  fmt::join(fixed_names_of(emit::strategies), ", ")));
+  add("stack-bits", stack_bits, "Searched: numbers, bits that strategy bits is given");
+  add("z-bits", z_bits, "Searched: numbers, bits of depth");
+  add("fraction-bits", fraction_bits, "Searched: numbers, fraction bits of the planes' coefficients");
+  add("colour-bits", colour_bits, "Searched: numbers, bits of a colour");
+  add("colouring", colourings, "Searched: list of rebroadcast, field");
+  add("alu-bits", alu_bits,
+      "Searched: numbers, bits that a pixel's ALU works on in a clock; the machine's own if not given");
 }
 
 }  // namespace csgsim::studies

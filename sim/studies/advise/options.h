@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +9,8 @@
 #include "sim/session/model/model_request.h"
 #include "sim/session/options/option_list.h"
 #include "sim/session/run/report_option.h"
-#include "sim/studies/advise/measure.h"
+#include "sim/studies/advise/advice.h"
+#include "sim/studies/design/meter.h"
 
 namespace csgsim::studies {
 
@@ -28,6 +30,9 @@ struct AdviseOptions {
   std::optional<std::uint32_t> min_colour_bits;
 
   void add_to(session::OptionList& command);
+
+  /// As `csgsim render` draws the choice.
+  [[nodiscard]] session::ModelRequest design(const DesignPoint& point) const;
 };
 
 /// Names of the options that ask for wishes or lists: all others are those of `csgsim render`, but for those without
@@ -36,9 +41,12 @@ std::vector<std::string> own_options();
 
 /// All that is asked for.
 struct AdviceQuestion {
-  AdviceJob job;
-  std::vector<AdvicePoint> points;
+  std::vector<DesignPoint> points;  ///< z bits and fraction bits vary slowest, ALU widths fastest
+  std::map<unsigned, Job> jobs;     ///< by ALU width, but for what else points say
+  DesignQuestion measured;
   Wishes wishes;
+
+  [[nodiscard]] Job job_of(const AdviseOptions& options, const DesignPoint& point) const;
 };
 
 /// Reads the model and the machine. Throws InputError, or UsageError for an ALU that the machine has not.

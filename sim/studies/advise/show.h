@@ -19,6 +19,10 @@ void print_front(std::span<const AdviceRow> rows, const Wishes& wishes);
 /// far the nearest choice is.
 void print_advice(const Advice& advice, const Wishes& wishes);
 
+/// A file of advice: wishes, what is recommended, the front and all points.
+std::string advice_json(const std::string& title, const Wishes& wishes, std::span<const AdviceRow> rows,
+                        const Advice& advice);
+
 /// `6 bits too many, 2.3 frames a second too few`: all wishes that the choice misses.
 std::string misses_text(const AdviceRow& row, const Wishes& wishes);
 

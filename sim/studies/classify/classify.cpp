@@ -30,16 +30,16 @@ namespace {
 constexpr const char* no_coherence = "none";
 
 std::vector<std::string> methods_in(const std::string& text) {
-  return parse_names(text, "method", software::names_in(software::methods()));
+  return session::parse_names(text, "method", software::names_in(software::methods()));
 }
 std::vector<std::string> coherences_in(const std::string& text) {
-  return parse_names(text, "coherence", software::names_in(software::coherences()));
+  return session::parse_names(text, "coherence", software::names_in(software::coherences()));
 }
 std::vector<std::string> shapes_in(const std::string& text) {
-  return parse_names(text, "shape", software::names_in(software::shapes()));
+  return session::parse_names(text, "shape", software::names_in(software::shapes()));
 }
 std::vector<std::string> reductions_in(const std::string& text) {
-  return parse_names(text, "reduction", software::names_in(software::prunings()));
+  return session::parse_names(text, "reduction", software::names_in(software::prunings()));
 }
 
 template <class Rows>
@@ -64,15 +64,15 @@ class Classify : public StudyOf<ClassifyRow> {
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
-        .words(software::names_in(software::methods()), is_read_by(methods_in));
+        .words(software::names_in(software::methods()), session::is_read_by(methods_in));
     command.option("--coherences", coherences_, "List of what methods keep from point to point")
-        .words(software::names_in(software::coherences()), is_read_by(coherences_in));
+        .words(software::names_in(software::coherences()), session::is_read_by(coherences_in));
     command.option("--shapes", shapes_, "List of shapes of the tree")
-        .words(software::names_in(software::shapes()), is_read_by(shapes_in));
+        .words(software::names_in(software::shapes()), session::is_read_by(shapes_in));
     command
         .option("--reduced", reduced_,
                 "List of ways to prune trees beforehand: for cells of the picture, inside a primitive")
-        .words(software::names_in(software::prunings()), is_read_by(reductions_in));
+        .words(software::names_in(software::prunings()), session::is_read_by(reductions_in));
     add_processors(command, processors_);
     json_.add_to(command, "The surfaces that each ray meets, in order, and what it sees");
   }
@@ -87,13 +87,13 @@ class Classify : public StudyOf<ClassifyRow> {
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
   std::vector<Asked> ask() override {
-    const machines::Machine machine = machine_of(options_);
-    ModelFile file = read_model_file(options_);
+    const machines::Machine machine = session::machine_of(options_);
+    session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
-    geometry_ = facet::make_geometry(tree_, faceting_of(options_, machine, tree_));
-    view_ = view::make_view(*geometry_, tree_, camera_of(options_, machine, tree_, *geometry_),
-                            sampling_of(options_, machine));
-    inputs_ = {file.hash, machines::hash_of(machine), version_and_build()};
+    geometry_ = facet::make_geometry(tree_, session::faceting_of(options_, machine, tree_));
+    view_ = view::make_view(*geometry_, tree_, session::camera_of(options_, machine, tree_, *geometry_),
+                            session::sampling_of(options_, machine));
+    inputs_ = {file.hash, machines::hash_of(machine), session::version_and_build()};
     std::vector<Asked> asked;
     for (const std::string& shape : shapes_in(shapes_)) {
       for (const std::string& reduced : reductions_in(reduced_)) add_points(shape, reduced);
@@ -105,7 +105,7 @@ class Classify : public StudyOf<ClassifyRow> {
 
   void print() const override {
     fmt::print("{}: what classifying its rays takes, as in tables 4.9 and 4.10 of the thesis\n",
-               printable(shown_name(options_.model)));
+               printable(session::shown_name(options_.model)));
     print_classification(rows(), processors_in(processors_));
     if (difference_of(rows()).empty()) fmt::print("\nAll methods see the same surfaces, at every pixel.\n");
   }
@@ -130,7 +130,7 @@ class Classify : public StudyOf<ClassifyRow> {
   }
 
   [[nodiscard]] std::string page_title() const override { return "What classifying rays takes"; }
-  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
     if (std::ranges::none_of(rows(), &ClassifyRow::drawn)) throw InputError(rows().front().reason);
@@ -157,7 +157,7 @@ class Classify : public StudyOf<ClassifyRow> {
     }
   }
 
-  ModelRequest options_;
+  session::ModelRequest options_;
   std::string methods_ = all_of(software::methods());
   std::string coherences_ = all_of(software::coherences());
   std::string shapes_ = "balanced";

@@ -36,8 +36,8 @@ using Rows = std::span<const ComparisonRow>;
 constexpr unsigned most_fragments = 4096;
 
 struct Options {
-  ModelRequest model;
-  std::string machines = all_machines();
+  session::ModelRequest model;
+  std::string machines = session::all_machines();
   std::string sides = "128,256,512";
   std::string fragments = "8,16,32,64";
   std::string with = "none";
@@ -48,10 +48,10 @@ struct Options {
 bool is_none(const std::string& text) { return text.empty() || text == "none"; }
 
 std::vector<unsigned> fragments_of(const std::string& text) {
-  return is_none(text) ? std::vector<unsigned>{} : parse_numbers(text, 3, most_fragments);
+  return is_none(text) ? std::vector<unsigned>{} : session::parse_numbers(text, 3, most_fragments);
 }
 std::vector<unsigned> sides_of(const std::string& text) {
-  return is_none(text) ? std::vector<unsigned>{} : parse_numbers(text, 1, isa::max_array_side);
+  return is_none(text) ? std::vector<unsigned>{} : session::parse_numbers(text, 1, isa::max_array_side);
 }
 
 std::vector<SoftwareChoice> software_of(const std::string& text) {
@@ -66,11 +66,11 @@ struct Named {
 
 std::vector<Named> named_machines(const Options& options) {
   std::vector<Named> machines;
-  for (const std::string& name : with_figures(parse_words(options.machines), options.model.sets)) {
-    ModelRequest one = options.model;
+  for (const std::string& name : session::with_figures(session::parse_words(options.machines), options.model.sets)) {
+    session::ModelRequest one = options.model;
     one.machine = name;  // with its figures as set
-    one.sets = sorted(one.sets).scene;
-    machines.push_back({escaped(name), machine_of(one)});
+    one.sets = session::sorted(one.sets).scene;
+    machines.push_back({escaped(name), session::machine_of(one)});
   }
   return machines;
 }
@@ -101,7 +101,7 @@ std::vector<ComparisonPoint> points_of(const Options& options, const Named& mach
 }
 
 view::Sampling sampling_at(const Options& options, const ComparisonPoint& point, const machines::Machine& machine) {
-  view::Sampling sampling = sampling_of(options.model, machine);
+  view::Sampling sampling = session::sampling_of(options.model, machine);
   sampling.width = point.width;
   sampling.height = point.height;
   return sampling;
@@ -205,14 +205,14 @@ class Compare : public StudyOf<ComparisonRow> {
     command.remove("--tolerance");
     command.remove("--curves");  // all machines draw the same facets
     command.option("--machines", options_.machines, "List of machines, by name or .toml file")
-        .check(is_read_by(check_machines));
+        .check(session::is_read_by(session::check_machines));
     command
         .option("--fragments", options_.fragments,
                 "Numbers: $fn of all curved solids, to vary half-spaces at the machine's own size or that of --size; "
                 "none for the model's own only")
-        .check(is_read_by(fragments_of));
+        .check(session::is_read_by(fragments_of));
     command.option("--sides", options_.sides, "Numbers: sides of square pictures in pixels; none for one size only")
-        .check(is_read_by(sides_of));
+        .check(session::is_read_by(sides_of));
     command.flag(
         "--ideal", options_.ideal,
         "What each idealisation is worth: every figure of a machine that may be ideal is, one after the other and "
@@ -221,26 +221,27 @@ class Compare : public StudyOf<ComparisonRow> {
         .option("--with", options_.with,
                 "List of PROCESSOR:METHOD: software beside the machines, as in mc68000:status/one-list (csgsim manual "
                 "methods, processors; this-computer is measured); none for machines alone")
-        .check(is_read_by(software_of))
+        .check(session::is_read_by(software_of))
         .excludes("--ideal");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return input_files({options_.model.model}, parse_words(options_.machines));
+    return session::input_files({options_.model.model}, session::parse_words(options_.machines));
   }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines", "sides", "fragments", "with"}; }
   [[nodiscard]] std::string table_model() const override { return options_.model.model; }
   [[nodiscard]] std::string usual_folder() const override { return plot_stem(options_.model.model) + "-compare"; }
 
   std::vector<Asked> ask() override {
-    ModelFile file = read_model_file(options_.model);
+    session::ModelFile file = session::read_model_file(options_.model);
     tree_ = std::move(file.tree);
     const facet::Geometry scene = facet::make_geometry(tree_);
     const std::vector<Named> machines = named_machines(options_);
     for (const Named& machine : machines) add_jobs(machine, std::nullopt, file.hash, scene);
     // Software draws the pictures of the first machine, of opaque solids.
     for (const SoftwareChoice& software : software_of(options_.with)) {
-      refuse_see_through(options_.model, tree_, camera_of(options_.model, machines.front().machine, tree_, scene));
+      session::refuse_see_through(options_.model, tree_,
+                                  session::camera_of(options_.model, machines.front().machine, tree_, scene));
       add_jobs({software.name, machines.front().machine}, software, file.hash, scene);
     }
     std::vector<Asked> asked;
@@ -284,19 +285,20 @@ class Compare : public StudyOf<ComparisonRow> {
  protected:
   [[nodiscard]] ComparisonRow measured(std::size_t point) override {
     const ComparisonJob& job = jobs_[point];
-    return with_memory_for_picture({job.point.width, job.point.height, job.machine.array.memory_bits},
-                                   [&] { return studies::measure(job, tree_); });
+    return session::with_memory_for_picture({job.point.width, job.point.height, job.machine.array.memory_bits},
+                                            [&] { return studies::measure(job, tree_); });
   }
 
  private:
   void add_jobs(const Named& machine, const std::optional<SoftwareChoice>& software, const std::string& hash,
                 const facet::Geometry& scene) {
     const Inputs inputs{hash, software ? hash_of(software->processor) : machines::hash_of(machine.machine),
-                        version_and_build()};
-    const view::Camera camera = camera_of(options_.model, machine.machine, tree_, scene);
+                        session::version_and_build()};
+    const view::Camera camera = session::camera_of(options_.model, machine.machine, tree_, scene);
     for (const ComparisonPoint& point : points_of(options_, machine)) {
       jobs_.push_back({point, inputs, made_ideal(machine.machine, point.ideal), camera,
-                       sampling_at(options_, point, machine.machine), emit_options_of(options_.model), software});
+                       sampling_at(options_, point, machine.machine), session::emit_options_of(options_.model),
+                       software});
     }
   }
 

@@ -51,8 +51,9 @@ void add_model(std::span<const CorpusRow> rows, Lines& lines) {
     lines.push_back({told_of(rows.front().point.model, rows.front().reason)});
     return;
   }
-  lines.push_back({fmt::format("{}: {}, {}, {}", drawn->point.model, counted(drawn->primitives, "primitive"),
-                               counted(drawn->pieces, "piece"), counted(drawn->halfspaces, "half-space"))});
+  lines.push_back(
+      {fmt::format("{}: {}, {}, {}", drawn->point.model, session::counted(drawn->primitives, "primitive"),
+                   session::counted(drawn->pieces, "piece"), session::counted(drawn->halfspaces, "half-space"))});
   for (const CorpusRow& row : rows) lines.push_back(row_line(row));
 }
 
@@ -60,7 +61,7 @@ void print_rows(Rows rows) {
   Lines lines{{"model and machine", "clocks", "render", "classify", "merge", "shade", "pixel operations", "bits",
                "frames/s", "bound by"}};
   for (const std::span<const CorpusRow> model : by_model(rows)) add_model(model, lines);
-  fmt::print("{}", in_columns(lines, "<>>>>>>>><"));
+  fmt::print("{}", session::in_columns(lines, "<>>>>>>>><"));
 }
 
 std::vector<std::string> distribution_line(const CorpusColumn& column, const Distribution& one) {
@@ -85,7 +86,7 @@ void print_distributions(Rows rows) {
     Lines lines{{"", "minimum", "quartile", "median", "quartile", "maximum", "total"}};
     for (const CorpusColumn& column : corpus_columns())
       lines.push_back(distribution_line(column, distribution_of(rows, machine, column)));
-    fmt::print("{}", in_columns(lines, "<>>>>>>"));
+    fmt::print("{}", session::in_columns(lines, "<>>>>>>"));
   }
 }
 
@@ -124,13 +125,13 @@ class Corpus : public StudyOf<CorpusRow> {
   void add_options(session::OptionList& command) override {
     command.option("MODEL", models_, "Models, .csg, .scad or .jan, and folders that hold such").required();
     command.option("--machines", machines_, "List of machines, by name or .toml file")
-        .check(is_read_by(check_machines));
+        .check(session::is_read_by(session::check_machines));
     view_.add_view_to(command);
     command.option("--z-bits", view_.z_bits, "Bits of depth").between(view::fewest_z_bits, view::most_z_bits);
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return input_files(corpus_files(models_), parse_words(machines_));
+    return session::input_files(corpus_files(models_), session::parse_words(machines_));
   }
   [[nodiscard]] std::set<std::string> varied() const override { return {"machines"}; }
 
@@ -139,8 +140,8 @@ class Corpus : public StudyOf<CorpusRow> {
     JobMaker maker;
     std::vector<Asked> asked;
     for (const std::string& model : corpus_files(models_)) {
-      for (const std::string& machine : parse_words(machines_)) {
-        ModelRequest one = view_;
+      for (const std::string& machine : session::parse_words(machines_)) {
+        session::ModelRequest one = view_;
         one.model = model;
         one.machine = machine;
         points_.push_back({escaped(model), escaped(machine)});
@@ -176,7 +177,7 @@ class Corpus : public StudyOf<CorpusRow> {
     subject.has_picture = false;
     subject.model.model = rows().front().point.model;
     const std::size_t models = by_model(Rows(rows())).size();
-    if (models > 1) subject.name = counted(models, "model");
+    if (models > 1) subject.name = session::counted(models, "model");
     return subject;
   }
 
@@ -195,9 +196,9 @@ class Corpus : public StudyOf<CorpusRow> {
   }
 
  private:
-  ModelRequest view_;
+  session::ModelRequest view_;
   std::vector<std::string> models_;  ///< files and folders
-  std::string machines_ = all_machines();
+  std::string machines_ = session::all_machines();
   std::vector<CorpusPoint> points_;
   std::vector<Job> jobs_;
 };

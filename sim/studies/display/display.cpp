@@ -35,15 +35,17 @@ constexpr unsigned most_display_fragments = 4096;
 constexpr unsigned most_bucket_size = 10'000;
 
 std::vector<std::string> display_methods_in(const std::string& text) {
-  return parse_names(text, "method", software::names_in(software::display_methods()));
+  return session::parse_names(text, "method", software::names_in(software::display_methods()));
 }
 std::vector<unsigned> display_fragments_in(const std::string& text) {
-  return parse_numbers(text, 3, most_display_fragments);
+  return session::parse_numbers(text, 3, most_display_fragments);
 }
 std::vector<std::string> display_directories_in(const std::string& text) {
-  return parse_names(text, "directory", software::halving_directories());
+  return session::parse_names(text, "directory", software::halving_directories());
 }
-std::vector<unsigned> bucket_sizes_in(const std::string& text) { return parse_numbers(text, 1, most_bucket_size); }
+std::vector<unsigned> bucket_sizes_in(const std::string& text) {
+  return session::parse_numbers(text, 1, most_bucket_size);
+}
 
 /// Exact methods see the same surfaces of the same facets.
 std::string display_difference(std::span<const DisplayStudyRow> rows) {
@@ -68,19 +70,19 @@ class Display : public StudyOf<DisplayStudyRow> {
   void add_options(session::OptionList& command) override {
     add_model_without_machine(options_, command);
     command.option("--methods", methods_, "List of methods, as csgsim manual methods tells of them")
-        .words(software::names_in(software::display_methods()), is_read_by(display_methods_in));
+        .words(software::names_in(software::display_methods()), session::is_read_by(display_methods_in));
     command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
-        .check(is_read_by(tolerances_in))
+        .check(session::is_read_by(tolerances_in))
         .excludes("--tolerance");
     command.option("--fragments", fragments_, "Numbers of $fn that curved solids are faceted with, whatever they say")
-        .check(is_read_by(display_fragments_in))
+        .check(session::is_read_by(display_fragments_in))
         .excludes("--tolerances");
     command.option("--bucket-sizes", bucket_sizes_, "Numbers of polygons that a bucket takes, of list priority")
-        .check(is_read_by(bucket_sizes_in));
+        .check(session::is_read_by(bucket_sizes_in));
     command
         .option("--directories", directories_,
                 "List of directories, of list priority, as csgsim manual methods tells of them")
-        .words(software::halving_directories(), is_read_by(display_directories_in));
+        .words(software::halving_directories(), session::is_read_by(display_directories_in));
     add_processors(command, processors_);
   }
 
@@ -94,11 +96,11 @@ class Display : public StudyOf<DisplayStudyRow> {
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
   std::vector<Asked> ask() override {
-    machine_ = machine_of(options_);
-    ModelFile file = read_model_file(options_);
+    machine_ = session::machine_of(options_);
+    session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
-    faceting_ = flat_faceting_of(options_, machine_, tree_);
-    inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
+    faceting_ = session::flat_faceting_of(options_, machine_, tree_);
+    inputs_ = {file.hash, machines::hash_of(machine_), session::version_and_build()};
     std::vector<Asked> asked;
     for (const std::string& method : display_methods_in(methods_)) {
       const bool has_buckets = method.starts_with("list-priority");
@@ -117,7 +119,7 @@ class Display : public StudyOf<DisplayStudyRow> {
 
   void print() const override {
     fmt::print("{}: what displaying it facet by facet takes, as in table 5.1 of the thesis\n",
-               printable(shown_name(options_.model)));
+               printable(session::shown_name(options_.model)));
     print_display(rows(), processors_in(processors_));
     if (display_difference(rows()).empty()) fmt::print("\nExact methods see the same surfaces, at every pixel.\n");
   }
@@ -145,7 +147,7 @@ class Display : public StudyOf<DisplayStudyRow> {
   }
 
   [[nodiscard]] std::string page_title() const override { return "What displaying facets takes"; }
-  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
     if (std::ranges::none_of(rows(), &DisplayStudyRow::drawn)) throw InputError(rows().front().reason);
@@ -160,8 +162,8 @@ class Display : public StudyOf<DisplayStudyRow> {
     if (point.tolerance) faceting = {.tolerance = point.tolerance};
     if (point.fragments != 0) faceting = {.fragments = point.fragments};
     const facet::Geometry geometry = facet::make_geometry(tree_, faceting);
-    const view::View view = view::make_view(geometry, tree_, camera_of(options_, machine_, tree_, geometry),
-                                            sampling_of(options_, machine_));
+    const view::View view = view::make_view(geometry, tree_, session::camera_of(options_, machine_, tree_, geometry),
+                                            session::sampling_of(options_, machine_));
     return measure_display(point, inputs_, tree_, geometry, view);
   }
 
@@ -182,7 +184,7 @@ class Display : public StudyOf<DisplayStudyRow> {
     }
   }
 
-  ModelRequest options_;
+  session::ModelRequest options_;
   std::string methods_ = fmt::format("{}", fmt::join(software::names_in(software::display_methods()), ","));
   std::string tolerances_;
   std::string fragments_;

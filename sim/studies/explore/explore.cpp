@@ -13,13 +13,14 @@
 #include "hw/machines/names.h"
 #include "sim/report/points.h"
 #include "sim/session/model/see_through.h"
-#include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
 #include "sim/session/options/usage.h"
 #include "sim/session/options/version.h"
 #include "sim/session/run/memory.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/grid.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/dimensions.h"
-#include "sim/studies/explore/designs.h"
 #include "sim/studies/explore/options.h"
 #include "sim/studies/explore/show.h"
 #include "sim/studies/folder.h"
@@ -30,32 +31,6 @@
 namespace csgsim::studies {
 
 namespace {
-
-/// Each once, in their order.
-std::vector<std::string> different(const std::vector<std::string>& names) {
-  std::vector<std::string> once;
-  for (const std::string& name : names) {
-    if (std::ranges::find(once, name) == once.end()) once.push_back(name);
-  }
-  return once;
-}
-
-ExplorePoint point_of(const ModelRequest& design, const machines::Size& size) {
-  ExplorePoint point;
-  point.model = escaped(design.model);
-  point.machine = escaped(design.machine);
-  point.width = size.width;
-  point.height = size.height;
-  point.z_bits = design.z_bits;
-  point.fraction_bits = design.fraction_bits;
-  point.colour_bits = design.colour_bits;
-  point.pruning = design.pruning;
-  point.colouring = design.colouring;
-  point.strategy = design.strategy;
-  point.stack_bits = has_stack_bits(design.strategy) ? design.stack_bits : 0;
-  point.curves = design.curves;
-  return point;
-}
 
 /// A hash of the machine and of every figure of the process.
 std::string with_process(const std::string& machine_hash, const process::Process& process) {
@@ -104,17 +79,18 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<std::string> files = options_.models;
     if (!options_.model.scene_file.empty()) files.push_back(options_.model.scene_file);
     if (const std::string_view file = machines::file_of(options_.process); !file.empty()) files.emplace_back(file);
-    return input_files(files, {options_.model.machine});
+    return session::input_files(files, {options_.model.machine});
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     std::set<std::string> names{"vary", "points", "seed", "search", "axes", "machine", "process"};
-    for (const std::string& name : varied_options()) names.insert(name);
+    for (const Axis& axis : axes()) names.emplace(axis.key);
     return names;
   }
 
   std::vector<Asked> ask() override {
     grid_.emplace(options_.designs());
     process_ = options_.loaded_process();
+    meter_ = std::make_unique<DesignMeter>(DesignQuestion{most_fitted_bits, process_});
     std::vector<Asked> asked = ask_from(0);
     refuse_unread();
     return asked;
@@ -145,13 +121,8 @@ class Explore : public StudyOf<ExploreRow> {
 
   [[nodiscard]] std::string page_title() const override { return "The design space"; }
 
-  /// With a picture of the first model.
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject = subject_on(options_.model, options_.model.machine);
-    subject.model.model = options_.models.front();
-    const std::vector<std::string> models = different(options_.models);
-    if (models.size() > 1) subject.name = counted(models.size(), "model");
-    return subject;
+    return subject_of(different(options_.models), options_.model, options_.model.machine);
   }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
@@ -174,7 +145,7 @@ class Explore : public StudyOf<ExploreRow> {
 
   void refuse() const override {
     const std::span<const ExploreRow> all = rows();
-    if (std::ranges::none_of(all, &ExploreRow::drawn) && by_model(all).size() == 1)
+    if (std::ranges::none_of(all, &ExploreRow::compiled) && by_model(all).size() == 1)
       throw InputError(all.front().reason);
     if (std::ranges::any_of(all, [](const ExploreRow& row) { return row.unexplained > 0; }))
       throw InputError("a picture is wrong beyond the bounds of docs/numbers.md; " + whose_fault(are_read()));
@@ -184,8 +155,9 @@ class Explore : public StudyOf<ExploreRow> {
  protected:
   [[nodiscard]] ExploreRow measured(std::size_t point) override {
     const Job& job = jobs_[point];
-    return with_memory_for_picture({job.machine.picture.width, job.machine.picture.height, ample_memory_bits},
-                                   [&] { return meter_.measure(points_[point], job, process_); });
+    return session::with_memory_for_picture(
+        {job.machine.picture.width, job.machine.picture.height, session::ample_memory_bits},
+        [&] { return ExploreRow(meter_->measure(points_[point], job)); });
   }
 
   void conclude() override {
@@ -203,11 +175,11 @@ class Explore : public StudyOf<ExploreRow> {
     std::vector<Asked> asked;
     for (const std::string& model : different(options_.models)) {
       for (std::size_t i = first; i < grid_->designs().size(); ++i) {
-        ModelRequest design = grid_->designs()[i];
+        session::ModelRequest design = grid_->designs()[i];
         design.model = model;
         add(design);
         design_of_point_.push_back(i);
-        asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+        asked.push_back({point_cells<ExploreRow>(points_.back()), jobs_.back().inputs});
       }
     }
     if (first == 0) asked_first_ = grid_->designs().size();
@@ -221,22 +193,22 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   /// A design whose figures do not fit each other is one that says so.
-  void add(const ModelRequest& design) {
+  void add(const session::ModelRequest& design) {
     try {
       Job job = maker_.job_of(design);
       refuse_unseen(design, job);
-      ExplorePoint point = point_of(design, job.machine.picture);
+      DesignPoint point = point_of(design, job.machine.picture);
       if (options_.has_memory(design)) point.memory_bits = job.machine.array.memory_bits;
       add(std::move(point), std::move(job));
     } catch (const InputError& error) {
       add_refused(design, error.what());
-    } catch (const UsageError& error) {
+    } catch (const session::UsageError& error) {
       add_refused(design, error.what());
     }
   }
 
-  void add_refused(const ModelRequest& design, const std::string& why) {
-    ModelRequest plain = options_.model;
+  void add_refused(const session::ModelRequest& design, const std::string& why) {
+    session::ModelRequest plain = options_.model;
     plain.model = design.model;
     plain.sets = design.sets;
     Job job = maker_.job_of(plain);
@@ -244,7 +216,7 @@ class Explore : public StudyOf<ExploreRow> {
     add(point_of(design, {}), std::move(job));
   }
 
-  void add(ExplorePoint point, Job job) {
+  void add(DesignPoint point, Job job) {
     if (process_) {
       point.process = escaped(process_->name);
       job.inputs.machine_hash = with_process(job.inputs.machine_hash, *process_);
@@ -254,12 +226,12 @@ class Explore : public StudyOf<ExploreRow> {
   }
 
   /// What is seen through is not held against an exact picture.
-  void refuse_unseen(const ModelRequest& design, Job& job) {
+  void refuse_unseen(const session::ModelRequest& design, Job& job) {
     if (!job.reason.empty()) return;
     const auto [known, is_new] = see_through_.try_emplace(job.subject.get());
     if (is_new) {
       try {
-        refuse_see_through(design, job.subject->tree, job.camera);
+        session::refuse_see_through(design, job.subject->tree, job.camera);
       } catch (const InputError& error) {
         known->second = escaped(error.what());
       }
@@ -270,14 +242,14 @@ class Explore : public StudyOf<ExploreRow> {
   /// Of the design that is a group's knee, for each model that it draws; with memory for all of them.
   [[nodiscard]] std::vector<std::string> commands_of(const ExploreGroup& group) const {
     if (!group.knee) return {};
-    const ExplorePoint& knee = rows()[group.rows[*group.knee]].point;
+    const DesignPoint& knee = rows()[group.rows[*group.knee]].point;
     std::vector<const ExploreRow*> drawn;
     std::uint32_t memory_bits = 0;
     for (const ExploreRow& row : rows()) {
-      ExplorePoint same = row.point;
+      DesignPoint same = row.point;
       same.model = knee.model;
       const bool is_meant = group.model.empty() || row.point.model == group.model;
-      if (!is_meant || to_line(same) != to_line(knee)) continue;
+      if (!is_meant || same != knee) continue;
       drawn.push_back(&row);
       memory_bits = std::max(memory_bits, row.point.memory_bits.value_or(row.used_bits));
     }
@@ -295,11 +267,11 @@ class Explore : public StudyOf<ExploreRow> {
   std::optional<DesignGrid> grid_;
   std::size_t asked_first_ = 0;  ///< designs, before any was searched for
   JobMaker maker_;
-  std::vector<ExplorePoint> points_;
+  std::vector<DesignPoint> points_;
   std::vector<std::size_t> design_of_point_;  ///< the grid's number
   std::vector<Job> jobs_;
   std::map<const Subject*, std::string> see_through_;  ///< why a model cannot be judged; empty where it can
-  ExploreMeter meter_;
+  std::unique_ptr<DesignMeter> meter_;
   std::vector<ShownGroup> groups_;
 };
 

@@ -14,13 +14,11 @@
 #include "sim/session/options/read_by.h"
 #include "sim/session/options/sets.h"
 #include "sim/session/options/usage.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/front.h"
 #include "sim/studies/dimensions.h"
-#include "sim/studies/explore/designs.h"
-#include "sim/studies/explore/front.h"
 
 namespace csgsim::studies {
-
-using namespace session;
 
 namespace {
 
@@ -37,48 +35,29 @@ std::string key_of(const std::string& set) { return set.substr(0, set.find('='))
 std::vector<Dimension> dimensions_of(const ExploreOptions& options) {
   std::vector<Dimension> dimensions;
   for (const std::string& text : options.vary)
-    dimensions.push_back(for_option("--vary", [&] { return dimension_in(text); }));
+    dimensions.push_back(session::for_option("--vary", [&] { return dimension_in(text); }));
   return dimensions;
 }
 
 /// The machine with its figures as set, which then are part of its name.
-ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
-  ModelRequest base = options.model;
-  base.sets = sorted(options.model.sets).scene;
-  base.machine = with_figures({options.model.machine}, options.model.sets).front();
+session::ModelRequest base_of(const ExploreOptions& options, const std::vector<Dimension>& dimensions) {
+  session::ModelRequest base = options.model;
+  base.sets = session::sorted(options.model.sets).scene;
+  base.machine = session::with_figures({options.model.machine}, options.model.sets).front();
   for (const std::string& change : machines::changes_of(base.machine)) {
     if (std::ranges::find(dimensions, key_of(change), &Dimension::key) != dimensions.end())
-      throw UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
+      throw session::UsageError("--vary", "'" + printable(key_of(change)) + "' is set besides; leave out one of both");
   }
   if (!options.process.empty() && std::ranges::find(dimensions, clock_figure, &Dimension::key) != dimensions.end())
-    throw UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
+    throw session::UsageError("--vary", "the clock follows from the process; leave out clock.frequency or --process");
   static_cast<void>(base.scene());  // read once for all designs
   return base;
-}
-
-/// An option and its value for a shell, behind a blank.
-std::string shell_words(const std::string& name, const std::string& value) {
-  std::string text;
-  for (const std::string& word : option_words(name, value)) text += " " + shell_word(word);
-  return text;
-}
-
-/// Those that were given, and that render has too.
-std::string given_words(const ExploreOptions& options, const session::OptionList& command) {
-  const std::vector<std::string> own = own_explore_options();
-  std::string words;
-  for (const GivenOption& option : command.given()) {
-    if (option.is_default || std::ranges::find(own, option.name) != own.end()) continue;
-    words += option.value == "true" ? " --" + option.name : shell_words(option.name, option.value);
-  }
-  for (const std::string& set : sorted(options.model.sets).scene) words += shell_words("set", set);
-  return words;
 }
 
 }  // namespace
 
 std::vector<std::string> own_explore_options() {
-  std::vector<std::string> names = varied_options();
+  std::vector<std::string> names = axis_keys();
   for (const char* name : {"vary", "points", "seed", "search", "axes", "process", "machine", "set", "output", "threads",
                            "shard", "no-plots", "progress", "report", "quiet"})
     names.emplace_back(name);
@@ -107,8 +86,8 @@ void ExploreOptions::add_to(session::OptionList& command) {
       .option("--vary", vary,
               fmt::format("KEY=LIST: a figure of the machine, as in alu.bits=1,2,4, or one of {}; once for each key. "
                           "Every combination of values is a design",
-                          fmt::join(varied_options(), ", ")))
-      .check(is_read_by(dimension_in))
+                          fmt::join(axis_keys(), ", ")))
+      .check(session::is_read_by(dimension_in))
       .required();
   command
       .option("--points", points,
@@ -143,7 +122,7 @@ std::string ExploreOptions::asked_axes() const {
 std::optional<process::Process> ExploreOptions::loaded_process() const {
   if (process.empty()) return std::nullopt;
   if (!machines::file_of(process).empty()) return process::load_process(process);
-  return for_option("--process", [&] { return process::load_process(process); });
+  return session::for_option("--process", [&] { return process::load_process(process); });
 }
 
 DesignGrid ExploreOptions::designs() const {
@@ -151,7 +130,7 @@ DesignGrid ExploreOptions::designs() const {
   return {base_of(*this, dimensions), dimensions, {points, seed}};
 }
 
-bool ExploreOptions::has_memory(const ModelRequest& design) const {
+bool ExploreOptions::has_memory(const session::ModelRequest& design) const {
   if (design.memory_bits) return true;
   return std::ranges::any_of(machines::changes_of(design.machine),
                              [](const std::string& change) { return is_memory_figure(key_of(change)); });
@@ -159,18 +138,12 @@ bool ExploreOptions::has_memory(const ModelRequest& design) const {
 
 std::string render_command(const ExploreOptions& options, const session::OptionList& command, const ExploreRow& row,
                            std::uint32_t memory_bits, const std::string& picture) {
-  const ExplorePoint& point = row.point;
-  std::string text = "csgsim render " + shell_word(named(options.models, point.model)) + given_words(options, command);
+  DesignPoint point = row.point;
+  point.memory_bits = memory_bits;
   const std::string clock = row.clock_path.empty() ? "" : fmt::format("+{}={}", clock_figure, row.clock_hz);
-  text += shell_words("machine", point.machine + clock);
-  text += fmt::format(" --size {}x{} --memory-bits {} --z-bits {} --fraction-bits {} --colour-bits {} --colouring {}",
-                      point.width, point.height, memory_bits, point.z_bits, point.fraction_bits, point.colour_bits,
-                      point.colouring);
-  text += fmt::format(" --strategy {}", point.strategy);
-  if (point.stack_bits > 0) text += fmt::format(" --stack-bits {}", point.stack_bits);
-  if (point.curves != "auto") text += shell_words("curves", point.curves);
-  if (point.pruning != "all") text += shell_words("pruning", point.pruning);
-  return text + shell_words("output", picture);
+  return "csgsim render " + shell_word(named(options.models, point.model)) +
+         given_words(command, own_explore_options(), session::sorted(options.model.sets).scene) +
+         shell_words("machine", point.machine + clock) + axis_words(point) + shell_words("output", picture);
 }
 
 }  // namespace csgsim::studies

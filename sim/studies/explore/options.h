@@ -8,8 +8,8 @@
 #include "hw/process/process.h"
 #include "sim/session/model/model_request.h"
 #include "sim/session/options/option_list.h"
-#include "sim/studies/explore/designs.h"
-#include "sim/studies/explore/measure.h"
+#include "sim/studies/design/grid.h"
+#include "sim/studies/design/row.h"
 
 namespace csgsim::studies {
 

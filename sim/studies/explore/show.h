@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/plots/plot.h"
-#include "sim/studies/explore/front.h"
+#include "sim/studies/design/front.h"
 
 namespace csgsim::studies {
 
@@ -19,9 +19,9 @@ class DesignNames {
   /// As in --vary; `machine` and `model` are none of them.
   [[nodiscard]] const std::vector<std::string>& keys() const { return keys_; }
   /// Of each key; empty where the design does not say it.
-  [[nodiscard]] std::vector<std::string> values(const ExplorePoint& point) const;
+  [[nodiscard]] std::vector<std::string> values(const DesignPoint& point) const;
   /// As `alu.bits=4, strategy=list`.
-  [[nodiscard]] std::string text(const ExplorePoint& point) const;
+  [[nodiscard]] std::string text(const DesignPoint& point) const;
 
  private:
   std::vector<std::string> keys_;

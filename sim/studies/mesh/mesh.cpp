@@ -34,8 +34,10 @@ namespace {
 const std::vector<std::string> flatnesses{of_plane, of_sides};
 const std::vector<std::string> repairs{by_filter, by_quadtree};
 
-std::vector<std::string> flatness_in(const std::string& text) { return parse_names(text, "flatness test", flatnesses); }
-std::vector<std::string> repairs_in(const std::string& text) { return parse_names(text, "repair", repairs); }
+std::vector<std::string> flatness_in(const std::string& text) {
+  return session::parse_names(text, "flatness test", flatnesses);
+}
+std::vector<std::string> repairs_in(const std::string& text) { return session::parse_names(text, "repair", repairs); }
 
 std::vector<software::Priced> meshing_processors(const std::string& list) {
   std::vector<software::Priced> processors = processors_in(list);
@@ -48,21 +50,22 @@ class Mesh : public StudyOf<MeshRow> {
  public:
   void add_options(session::OptionList& command) override {
     command.option("MODEL", model_, "Commands, .jan, with sweeps or patches").required();
-    command.option("--tolerances", tolerances_, "List of tolerances, model units").check(is_read_by(tolerances_in));
+    command.option("--tolerances", tolerances_, "List of tolerances, model units")
+        .check(session::is_read_by(tolerances_in));
     command
         .option("--flatness", flatness_,
                 "List of tests that let an element be: plane, the thesis's; sides, which takes its sides too")
-        .words(flatnesses, is_read_by(flatness_in));
+        .words(flatnesses, session::is_read_by(flatness_in));
     command
         .option("--repairs", repairs_, "List of ways to make elements meet: filter, the thesis's; quadtree, its rival")
-        .words(repairs, is_read_by(repairs_in));
+        .words(repairs, session::is_read_by(repairs_in));
     command.option("--processors", processors_, "List of processors that the work is priced for, by name or .toml file")
-        .check(is_read_by(meshing_processors));
+        .check(session::is_read_by(meshing_processors));
     json_.add_to(command, "Vertices and elements of each mesh");
   }
 
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return input_files({model_}, parse_words(processors_));
+    return session::input_files({model_}, session::parse_words(processors_));
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"tolerances", "flatness", "repairs", "processors"};
@@ -76,14 +79,14 @@ class Mesh : public StudyOf<MeshRow> {
       throw InputError(
           fmt::format("{}: elements are made of the sweeps and patches of commands, .jan; csgsim convert makes "
                       "a mesh of other models",
-                      printable(shown_name(model_))));
+                      printable(session::shown_name(model_))));
     Hash hash;
     hash.add(text);
-    inputs_ = {hash.text(), "none", version_and_build()};
-    surfaces_ = commands::surfaces_in(text, shown_name(model_));
+    inputs_ = {hash.text(), "none", session::version_and_build()};
+    surfaces_ = commands::surfaces_in(text, session::shown_name(model_));
     if (surfaces_.empty())
       throw InputError(fmt::format("{}: there is no sweep and no patch in it, which a mesh is made of",
-                                   printable(shown_name(model_))));
+                                   printable(session::shown_name(model_))));
     std::vector<Asked> asked;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
       for (const std::string& flatness : flatness_in(flatness_)) {
@@ -101,7 +104,7 @@ class Mesh : public StudyOf<MeshRow> {
   }
 
   void print() const override {
-    fmt::print("{}: elements of its surfaces, as in table 3.1 of the thesis\n", printable(shown_name(model_)));
+    fmt::print("{}: elements of its surfaces, as in table 3.1 of the thesis\n", printable(session::shown_name(model_)));
     print_meshes(rows(), meshing_processors(processors_));
   }
 
@@ -135,7 +138,7 @@ class Mesh : public StudyOf<MeshRow> {
 
  private:
   void write_meshes() const {
-    const auto facts = [&] { return nlohmann::ordered_json{{"model", shown_name(model_)}}; };
+    const auto facts = [&] { return nlohmann::ordered_json{{"model", session::shown_name(model_)}}; };
     json_.write(inputs(), facts, "meshes", [&](const JsonExport::Put& put) {
       for (std::size_t i = 0; i < points_.size(); ++i) put(mesh_json(points_[i], surfaces_[numbers_[i]]));
     });

@@ -28,15 +28,15 @@ namespace {
 
 std::vector<unsigned> levels_of(const std::string& text) {
   constexpr unsigned most_levels = 20;
-  return parse_numbers(text, 0, most_levels);
+  return session::parse_numbers(text, 0, most_levels);
 }
 
 bool subdivides(const machines::Kind& kind) {
   return kind.subdivided(machines::blank(kind), 0, machines::Parts::segments).has_value();
 }
 
-machines::Machine subdividing_machine(const ModelRequest& options) {
-  machines::Machine machine = machine_of(options);
+machines::Machine subdividing_machine(const session::ModelRequest& options) {
+  machines::Machine machine = session::machine_of(options);
   if (subdivides(*machine.kind)) return machine;
   std::vector<std::string_view> kinds;
   for (const machines::Kind* const kind : kinds::all()) {
@@ -82,9 +82,9 @@ class Subdivide : public StudyOf<SubdivideRow> {
     options_.machine = "pixel-square";
     options_.add_to(command);
     command.option("--subdivisions", levels_, "Numbers: levels of binary subdivision, 0 to 20")
-        .check(is_read_by(levels_of));
+        .check(session::is_read_by(levels_of));
     command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
-        .check(is_read_by(tolerances_in))
+        .check(session::is_read_by(tolerances_in))
         .excludes("--tolerance");
   }
 
@@ -96,11 +96,11 @@ class Subdivide : public StudyOf<SubdivideRow> {
   /// Level after level.
   std::vector<Asked> ask() override {
     machine_ = subdividing_machine(options_);
-    ModelFile file = read_model_file(options_);
+    session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
     std::vector<std::optional<double>> tolerances{std::nullopt};
     if (tolerances_.empty()) {
-      faceting_ = faceting_of(options_, machine_, tree_);
+      faceting_ = session::faceting_of(options_, machine_, tree_);
     } else {
       const std::vector<double> asked = tolerances_in(tolerances_);
       tolerances.assign(asked.begin(), asked.end());
@@ -111,7 +111,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
         SubdivideRow point;
         point.subdivisions = levels;
         point.tolerance = tolerance;
-        point.inputs = {file.hash, machines::hash_of(machine_), version_and_build()};
+        point.inputs = {file.hash, machines::hash_of(machine_), session::version_and_build()};
         asked.push_back({to_cell(levels) + "," + to_cell(tolerance), point.inputs});
         points_.push_back(std::move(point));
       }
@@ -121,7 +121,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
 
   void print() const override {
     fmt::print("{}: what subdivision leaves to do in a square, as in tables 7.2 and 7.3 of the thesis\n",
-               printable(shown_name(options_.model)));
+               printable(session::shown_name(options_.model)));
     print_subdivision(rows());
   }
 
@@ -136,7 +136,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
   [[nodiscard]] std::string page_title() const override { return "What subdivision leaves to do"; }
-  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   [[nodiscard]] std::vector<report::Section> sections(const report::Json& data) const override {
     return {{"Squares",
@@ -148,9 +148,10 @@ class Subdivide : public StudyOf<SubdivideRow> {
     const SubdivideRow& point = points_[number];
     const facet::Geometry scene =
         facet::make_geometry(tree_, point.tolerance ? facet::Faceting{.tolerance = point.tolerance} : faceting_);
-    const view::View view =
-        view::make_view(scene, tree_, camera_of(options_, machine_, tree_, scene), sampling_of(options_, machine_));
-    SubdivideRow row = measure_squares({tree_, scene, view, machine_, emit_options_of(options_)}, point.subdivisions);
+    const view::View view = view::make_view(scene, tree_, session::camera_of(options_, machine_, tree_, scene),
+                                            session::sampling_of(options_, machine_));
+    SubdivideRow row =
+        measure_squares({tree_, scene, view, machine_, session::emit_options_of(options_)}, point.subdivisions);
     row.subdivisions = point.subdivisions;
     row.tolerance = point.tolerance;
     row.inputs = point.inputs;
@@ -160,7 +161,7 @@ class Subdivide : public StudyOf<SubdivideRow> {
   }
 
  private:
-  ModelRequest options_;
+  session::ModelRequest options_;
   std::string levels_ = "4,6,8";
   std::string tolerances_;
   machines::Machine machine_;

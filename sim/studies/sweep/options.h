@@ -5,7 +5,6 @@
 
 #include "sim/session/model/model_request.h"
 #include "sim/session/options/option_list.h"
-#include "sim/studies/sweep/points.h"
 
 namespace csgsim::studies {
 
@@ -28,11 +27,8 @@ struct SweepOptions {
 
   void add_to(session::OptionList& command);
 
-  /// The points asked for.
-  [[nodiscard]] std::vector<SweepPoint> points() const;
-
-  /// Those with which `csgsim render` would draw the point.
-  [[nodiscard]] session::ModelRequest at(const SweepPoint& point) const;
+  /// The points asked for, as `csgsim render` would draw them.
+  [[nodiscard]] std::vector<session::ModelRequest> designs() const;
 };
 
 }  // namespace csgsim::studies

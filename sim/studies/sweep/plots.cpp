@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <map>
 #include <utility>
 
 #include "sim/plots/common_looks.h"
-#include "sim/studies/sweep/axis.h"
+#include "sim/studies/groups.h"
 #include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
@@ -18,32 +17,18 @@ constexpr const char* sweep_table = "sweep.csv";
 
 plots::Axis count_axis(const char* title) { return {title, plots::Scale::by_range, {}, false, true}; }
 
-/// Points that differ in what the x axis shows only.
-struct Line {
-  std::string name;
-  std::vector<const SweepRow*> rows;
-};
-
-std::vector<Line> lines_of(const std::vector<SweepRow>& rows, const SweepAxis& axis) {
-  std::vector<Line> lines;
-  for (const SweepRow& row : rows) {
-    const std::string name = axis.others(row.point);
-    auto line = std::ranges::find(lines, name, &Line::name);
-    if (line == lines.end()) line = lines.insert(lines.end(), {name, {}});
-    line->rows.push_back(&row);
-  }
-  return lines;
-}
+/// Points of one name.
+using Line = std::pair<std::string, std::vector<const SweepRow*>>;
 
 /// A line in every panel: a height for all of the axis where it has no place on it.
 std::vector<plots::Series> series_of(const Line& line, const SweepAxis& axis,
-                                     std::span<std::uint64_t SweepRow::*const> counts) {
-  const bool is_level = !axis.place(line.rows.front()->point);
+                                     std::span<std::uint64_t DesignRow::*const> counts) {
+  const bool is_level = !axis.place(line.second.front()->point);
   std::vector<plots::Series> all;
   for (std::size_t panel = 0; panel < counts.size(); ++panel) {
     plots::Series& series = all.emplace_back(
-        plots::Series{line.name, panel, is_level ? plots::Trace::level : plots::Trace::line, {}, false});
-    for (const SweepRow* row : line.rows)
+        plots::Series{line.first, panel, is_level ? plots::Trace::level : plots::Trace::line, {}, false});
+    for (const SweepRow* row : line.second)
       series.points.push_back({axis.place(row->point).value_or(0), static_cast<double>(row->*counts[panel])});
     if (axis.axis().is_names) series.trace = plots::Trace::marks;
     std::ranges::stable_sort(series.points, {}, &plots::Point::x);
@@ -59,17 +44,17 @@ bool is_same(const std::vector<plots::Series>& one, const std::vector<plots::Ser
 }
 
 /// Counts against what is varied. Lines that would cover each other are one.
-plots::Chart varied_chart(const std::vector<SweepRow>& rows, std::string title, std::vector<plots::Axis> panels,
-                          std::span<std::uint64_t SweepRow::*const> counts) {
+plots::Chart varied_chart(std::span<const SweepRow> rows, std::string title, std::vector<plots::Axis> panels,
+                          std::span<std::uint64_t DesignRow::*const> counts) {
   const SweepAxis axis(rows);
   std::vector<std::pair<std::vector<plots::Series>, std::vector<std::string>>> drawn;
-  for (const Line& line : lines_of(rows, axis)) {
+  for (const Line& line : grouped_by(rows, [&](const SweepRow& row) { return axis.others(row.point); })) {
     std::vector<plots::Series> series = series_of(line, axis, counts);
     const auto same = std::ranges::find_if(drawn, [&](const auto& one) { return is_same(one.first, series); });
     if (same == drawn.end()) {
-      drawn.emplace_back(std::move(series), std::vector<std::string>{line.name});
+      drawn.emplace_back(std::move(series), std::vector<std::string>{line.first});
     } else {
-      same->second.push_back(line.name);
+      same->second.push_back(line.first);
     }
   }
   plots::Chart chart{std::move(title), axis.axis(), std::move(panels), {}, sweep_table};
@@ -96,25 +81,20 @@ std::string stack_bits_label(std::span<const SweepRow* const> rows) {
 constexpr std::ptrdiff_t most_labelled = 3;
 
 /// Strategies, each under the same conditions, as clocks against the bits that they use.
-plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& model) {
+plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model) {
   plots::Chart chart{model + ": what memory buys",
                      {"bits of pixel memory that the classification uses", plots::Scale::linear, {}, false, true},
                      {count_axis("clocks")},
                      {},
                      sweep_table};
   const PointNames names(rows);
-  std::map<std::string, std::vector<const SweepRow*>> lines;
-  std::vector<std::string> order;
-  for (const SweepRow& row : rows) {
+  const std::vector<Line> lines = grouped_by(rows, [&](const SweepRow& row) {
     const std::string conditions = names.conditions(row.point);
-    const std::string name = row.point.strategy + (conditions.empty() ? "" : ", " + conditions);
-    if (lines[name].empty()) order.push_back(name);
-    lines[name].push_back(&row);
-  }
+    return row.point.strategy + (conditions.empty() ? "" : ", " + conditions);
+  });
   const auto lines_with_stack_bits =
-      std::ranges::count_if(lines, [](const auto& line) { return line.second.front()->point.stack_bits > 0; });
-  for (const std::string& name : order) {
-    const std::vector<const SweepRow*>& line = lines[name];
+      std::ranges::count_if(lines, [](const Line& one) { return one.second.front()->point.stack_bits > 0; });
+  for (const auto& [name, line] : lines) {
     plots::Series series{name, 0, plots::Trace::line, {}, false};
     for (std::size_t i = 0; i < line.size();) {
       std::size_t end = i + 1;
@@ -130,6 +110,52 @@ plots::Chart bits_chart(const std::vector<SweepRow>& rows, const std::string& mo
     chart.series.push_back(std::move(series));
   }
   return chart;
+}
+
+/// As many names as there is room for, and the number of the others.
+std::string label_of(std::span<const SweepRow* const> alike, const PointNames& names) {
+  constexpr std::size_t room = 36;
+  std::string label = names.name(alike.front()->point);
+  std::size_t said = 1;
+  for (; said < alike.size(); ++said) {
+    const std::string name = names.name(alike[said]->point);
+    if (label.size() + name.size() >= room) break;
+    label += "; " + name;
+  }
+  return said == alike.size() ? label : fmt::format("{} (+ {} alike)", label, alike.size() - said);
+}
+
+std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
+  constexpr std::uint32_t most_ticks = 16;
+  std::uint64_t step = 8;
+  while (most / step > most_ticks) step *= 2;
+  std::vector<plots::Tick> ticks;
+  for (std::uint64_t bit = 0; bit <= most; bit += step)
+    ticks.push_back({static_cast<double>(bit), std::to_string(bit)});
+  return ticks;
+}
+
+/// Which bits of pixel memory hold what, a bar for each way in which the rows lay it out.
+plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model) {
+  plots::Bars plot{model + ": which bits hold what",
+                   {"bit of pixel memory"},
+                   {},
+                   {"Z2", "Z1", "colour", "colour1", "mask", "product", "label", "stack", "stored", "shown"},
+                   "sweep.csv"};
+  std::uint32_t most = 0;
+  const PointNames names(rows);
+  const auto layout_of = [](const SweepRow& row) {
+    return std::pair(row.memory_map, row.point.memory_bits.value_or(0));
+  };
+  for (const auto& [layout, alike] : grouped_by(rows, layout_of)) {
+    const auto& [map, bits] = layout;
+    plots::Bar& bar = plot.bars.emplace_back(plots::Bar{label_of(alike, names), static_cast<double>(bits), {}});
+    for (const MemoryPart& part : map)
+      bar.parts.push_back({part.name, static_cast<double>(part.base), static_cast<double>(part.base) + part.width});
+    most = std::max(most, bits);
+  }
+  plot.x.ticks = bit_ticks(most);
+  return {model + "_memory", std::move(plot)};
 }
 
 }  // namespace

@@ -8,13 +8,12 @@
 #include "hw/base/prints.h"
 #include "hw/base/text.h"
 #include "sim/session/options/lists.h"
-#include "sim/session/options/numbers.h"
 #include "sim/session/options/paths.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/groups.h"
 #include "sim/studies/plot_names.h"
 #include "sim/studies/study.h"
-#include "sim/studies/sweep/axis.h"
-#include "sim/studies/sweep/measure.h"
 #include "sim/studies/sweep/options.h"
 #include "sim/studies/sweep/show.h"
 
@@ -23,23 +22,6 @@ namespace csgsim::studies {
 namespace {
 
 using Rows = std::span<const SweepRow>;
-
-/// Rows of a model, with a name for its plots: that of its file, numbered where several have it.
-struct ModelRows {
-  std::string name;
-  Rows rows;
-};
-
-std::vector<ModelRows> named_models(Rows rows) {
-  std::vector<ModelRows> models;
-  std::map<std::string, unsigned> uses;
-  for (const Rows model : by_model(rows)) {
-    const std::string stem = plot_stem(model.front().point.model);
-    const unsigned use = ++uses[stem];
-    models.push_back({use == 1 ? stem : fmt::format("{}-{}", stem, use), model});
-  }
-  return models;
-}
 
 /// Whether every machine draws the same surfaces of a model: facets, or all that can be curved.
 bool draws_alike(Rows rows) {
@@ -65,7 +47,7 @@ class Sweep : public StudyOf<SweepRow> {
  public:
   void add_options(session::OptionList& command) override { options_.add_to(command); }
   [[nodiscard]] std::vector<std::filesystem::path> inputs() const override {
-    return input_files(options_.models, parse_words(options_.machines));
+    return session::input_files(options_.models, session::parse_words(options_.machines));
   }
   [[nodiscard]] std::set<std::string> varied() const override {
     return {"strategy", "stack-bits", "z-bits", "colouring", "curves", "pruning", "machines", "memory-bits", "no-draw"};
@@ -74,12 +56,11 @@ class Sweep : public StudyOf<SweepRow> {
   std::vector<Asked> ask() override {
     JobMaker maker;
     std::vector<Asked> asked;
-    for (SweepPoint& point : options_.points()) {
-      jobs_.push_back(maker.job_of(options_.at(point)));
-      point.model = escaped(point.model);
-      point.machine = escaped(point.machine);
-      points_.push_back(std::move(point));
-      asked.push_back({to_line(points_.back()), jobs_.back().inputs});
+    for (const session::ModelRequest& design : options_.designs()) {
+      jobs_.push_back(maker.job_of(design));
+      DesignPoint& point = points_.emplace_back(point_of(design, jobs_.back().machine.picture));
+      point.memory_bits = design.memory_bits;
+      asked.push_back({point_cells<SweepRow>(point), jobs_.back().inputs});
     }
     return asked;
   }
@@ -96,20 +77,18 @@ class Sweep : public StudyOf<SweepRow> {
 
   [[nodiscard]] std::vector<plots::Plot> plots() const override {
     std::vector<plots::Plot> all;
-    for (const ModelRows& model : named_models(rows())) {
-      for (plots::Plot& plot : plots_of_sweep(model.rows, model.name)) all.push_back(std::move(plot));
+    PlotNames names;
+    for (const Rows model : by_model(Rows(rows()))) {
+      for (plots::Plot& plot : plots_of_sweep(model, names.next(plot_stem(model.front().point.model))))
+        all.push_back(std::move(plot));
     }
     return all;
   }
 
   [[nodiscard]] std::string page_title() const override { return "What memory bits buy"; }
 
-  /// With a picture of the first model.
   [[nodiscard]] PageSubject page_subject() const override {
-    PageSubject subject = subject_on(options_.view, options_.machines);
-    subject.model.model = options_.models.front();
-    if (options_.models.size() > 1) subject.name = counted(options_.models.size(), "model");
-    return subject;
+    return subject_of(options_.models, options_.view, options_.machines);
   }
 
   void refuse() const override {
@@ -126,12 +105,12 @@ class Sweep : public StudyOf<SweepRow> {
 
  protected:
   [[nodiscard]] SweepRow measured(std::size_t point) override {
-    return studies::measure(points_[point], jobs_[point], !options_.no_draw);
+    return SweepRow(measure_picture(points_[point], jobs_[point], !options_.no_draw));
   }
 
  private:
   SweepOptions options_;
-  std::vector<SweepPoint> points_;
+  std::vector<DesignPoint> points_;
   std::vector<Job> jobs_;
 };
 

@@ -1,21 +1,23 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
 #include "sim/session/options/numbers.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/folder.h"
-#include "sim/studies/sweep/axis.h"
+#include "sim/studies/groups.h"
 #include "sim/studies/sweep/show.h"
 
 namespace csgsim::studies {
 
 namespace {
 
-using Rows = std::vector<SweepRow>;
+using Group = std::vector<SweepRow>;
 
 /// Is the first the better one, for those who have no bit to spare?
 bool takes_fewer_bits(const SweepRow& a, const SweepRow& b) {
@@ -52,7 +54,7 @@ void print_points(std::span<const SweepRow> rows) {
 }
 
 /// The rows of strategy bits in the form of the thesis's table; empty if there are none.
-std::string table_6_1(const Rows& rows) {
+std::string table_6_1(const Group& rows) {
   constexpr int label_width = 68;
   std::string bits = fmt::format("  {:<{}}", "number of available bits for the stack", label_width);
   std::string rendered = fmt::format("  {:<{}}", "number of scan-conversions of primitives", label_width);
@@ -77,7 +79,7 @@ template <class Text>
 std::vector<std::pair<std::string, std::string>> shared(std::span<const SweepRow> rows, Text text_of) {
   const PointNames names(rows);
   std::vector<std::pair<std::string, std::string>> texts;
-  for (const Rows& group : by_conditions(rows)) {
+  for (const Group& group : by_conditions(rows)) {
     const std::string text = text_of(group);
     if (text.empty()) continue;
     const std::string conditions = names.conditions(group.front().point);
@@ -100,8 +102,8 @@ std::string classification(const SweepRow& row) {
 }
 
 /// What one set of strategies comes to.
-std::string conclusion(const Rows& group) {
-  Rows by_bits;
+std::string conclusion(const Group& group) {
+  Group by_bits;
   for (const SweepRow& row : group) {
     if (row.compiled()) by_bits.push_back(row);
   }
@@ -139,6 +141,40 @@ bool is_one_reason(std::span<const SweepRow> rows) {
 
 }  // namespace
 
+std::vector<std::vector<SweepRow>> by_conditions(std::span<const SweepRow> rows) {
+  const auto conditions_of = [](const SweepRow& row) {
+    DesignPoint point = row.point;
+    point.strategy.clear();
+    point.stack_bits = 0;
+    return point;
+  };
+  std::vector<std::vector<SweepRow>> groups;
+  for (const auto& [conditions, group] : grouped_by(rows, conditions_of)) {
+    std::vector<SweepRow>& copied = groups.emplace_back();
+    for (const SweepRow* const row : group) copied.push_back(*row);
+  }
+  return groups;
+}
+
+std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows) {
+  // Machines differ in whether they draw curved surfaces without facets.
+  const auto picture_of = [](const SweepRow& row) {
+    return std::tuple(row.point.model, row.point.width, row.point.height, row.point.z_bits, row.halfspaces);
+  };
+  std::map<decltype(picture_of(rows.front())), const SweepRow*> references;
+  std::vector<WrongPicture> wrong;
+  for (const SweepRow& row : rows) {
+    if (row.picture.empty()) continue;
+    if (row.picture == overflow) {
+      wrong.push_back({row.point, std::nullopt});
+      continue;
+    }
+    const SweepRow& reference = *references.try_emplace(picture_of(row), &row).first->second;
+    if (reference.picture != row.picture) wrong.push_back({row.point, reference.point});
+  }
+  return wrong;
+}
+
 void print_sweep(std::span<const SweepRow> rows) {
   // A row without a Program knows nothing of its model.
   const auto compiled = std::find_if(rows.begin(), rows.end(), [](const SweepRow& row) { return row.compiled(); });
@@ -148,7 +184,7 @@ void print_sweep(std::span<const SweepRow> rows) {
   }
   const SweepRow& facts = compiled == rows.end() ? rows.front() : *compiled;
   fmt::print("\n{}: {}, {}, {} x {} pixels\n", facts.point.model, session::counted(facts.primitives, "primitive"),
-             session::counted(facts.halfspaces, "half-space"), facts.width, facts.height);
+             session::counted(facts.halfspaces, "half-space"), facts.point.width, facts.point.height);
   print_points(rows);
   for (const auto& [table, conditions] : shared(rows, table_6_1)) {
     fmt::print("\nTable 6.1: rendering versus memory, {} primitive solids{}{}\n{}", grouped(facts.primitives),

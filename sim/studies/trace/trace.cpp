@@ -39,16 +39,22 @@ const std::vector<std::string> facet_test_names{"space", "projected"};
 const std::vector<std::string> item_names{"without", "list-priority", "depth-lists"};
 
 std::vector<std::string> directories_in(const std::string& text) {
-  return parse_names(text, "directory", software::names_in(software::directories()));
+  return session::parse_names(text, "directory", software::names_in(software::directories()));
 }
 std::vector<unsigned> bucket_sizes_in(const std::string& text) {
   constexpr unsigned most = 1000;
-  return parse_numbers(text, 1, most);
+  return session::parse_numbers(text, 1, most);
 }
-std::vector<std::string> cast_in(const std::string& text) { return parse_names(text, "ray", cast_names); }
-std::vector<std::string> facet_tests_in(const std::string& text) { return parse_names(text, "test", facet_test_names); }
-std::vector<std::string> items_in(const std::string& text) { return parse_names(text, "item buffer", item_names); }
-std::vector<std::string> switches_in(const std::string& text) { return parse_names(text, "choice", switch_names); }
+std::vector<std::string> cast_in(const std::string& text) { return session::parse_names(text, "ray", cast_names); }
+std::vector<std::string> facet_tests_in(const std::string& text) {
+  return session::parse_names(text, "test", facet_test_names);
+}
+std::vector<std::string> items_in(const std::string& text) {
+  return session::parse_names(text, "item buffer", item_names);
+}
+std::vector<std::string> switches_in(const std::string& text) {
+  return session::parse_names(text, "choice", switch_names);
+}
 
 /// Pictures do not depend on how rays find what they meet, so all of one tolerance have to be the same.
 std::string difference_of(std::span<const TraceRow> rows) {
@@ -69,27 +75,27 @@ class Trace : public StudyOf<TraceRow> {
     command
         .option("--directories", directories_,
                 "List of what rays find facets by, as csgsim manual methods tells of them")
-        .words(software::names_in(software::directories()), is_read_by(directories_in));
+        .words(software::names_in(software::directories()), session::is_read_by(directories_in));
     command.option("--bucket-sizes", bucket_sizes_, "Numbers: facets of a cell, above which it is divided, 1 to 1000")
-        .check(is_read_by(bucket_sizes_in));
+        .check(session::is_read_by(bucket_sizes_in));
     command.option("--cast", cast_, "List of the rays that are cast, each with those before it")
-        .words(cast_names, is_read_by(cast_in));
+        .words(cast_names, session::is_read_by(cast_in));
     command
         .option(
             "--facet-test", facet_test_,
             "List: primary rays are held against facets in space, or in the picture, into which these are projected")
-        .words(facet_test_names, is_read_by(facet_tests_in));
+        .words(facet_test_names, session::is_read_by(facet_tests_in));
     command
         .option("--item-buffer", item_buffer_,
                 "List: primary rays, or in their place a projective pass: list priority with a depth buffer, or lists "
                 "of all depths")
-        .words(item_names, is_read_by(items_in));
+        .words(item_names, session::is_read_by(items_in));
     command.option("--mailboxes", mailboxes_, "List: a facet of several cells is held against a ray again, or once")
-        .words(switch_names, is_read_by(switches_in));
+        .words(switch_names, session::is_read_by(switches_in));
     command.option("--reflections", reflections_, "Number: mirrors that are seen in one another, 1 to 4")
         .between(1U, most_mirror_depth);
     command.option("--tolerances", tolerances_, "List of tolerances, model units, that curved solids are faceted with")
-        .check(is_read_by(tolerances_in))
+        .check(session::is_read_by(tolerances_in))
         .excludes("--tolerance");
     add_processors(command, processors_);
     json_.add_to(command, "The facets, and the cells of the first of the directories that halves space");
@@ -106,11 +112,11 @@ class Trace : public StudyOf<TraceRow> {
   [[nodiscard]] bool is_of_one_machine() const override { return true; }
 
   std::vector<Asked> ask() override {
-    machine_ = machine_of(options_);
-    ModelFile file = read_model_file(options_);
+    machine_ = session::machine_of(options_);
+    session::ModelFile file = session::read_model_file(options_);
     tree_ = std::move(file.tree);
-    faceting_ = flat_faceting_of(options_, machine_, tree_);
-    inputs_ = {file.hash, machines::hash_of(machine_), version_and_build()};
+    faceting_ = session::flat_faceting_of(options_, machine_, tree_);
+    inputs_ = {file.hash, machines::hash_of(machine_), session::version_and_build()};
     std::vector<std::optional<double>> tolerances{std::nullopt};
     if (!tolerances_.empty()) {
       const std::vector<double> asked = tolerances_in(tolerances_);
@@ -125,7 +131,7 @@ class Trace : public StudyOf<TraceRow> {
 
   void print() const override {
     fmt::print("{}: what tracing its rays takes, as in section 5.3 of the thesis\n",
-               printable(shown_name(options_.model)));
+               printable(session::shown_name(options_.model)));
     print_tracing(rows(), processors_in(processors_));
     if (difference_of(rows()).empty()) fmt::print("\nAll ways see the same surfaces, at every pixel.\n");
   }
@@ -156,7 +162,7 @@ class Trace : public StudyOf<TraceRow> {
   }
 
   [[nodiscard]] std::string page_title() const override { return "What tracing rays takes"; }
-  [[nodiscard]] PageSubject page_subject() const override { return {options_, {machine_of(options_)}}; }
+  [[nodiscard]] PageSubject page_subject() const override { return {options_, {session::machine_of(options_)}}; }
 
   void refuse() const override {
     if (std::ranges::none_of(rows(), &TraceRow::drawn)) throw InputError(rows().front().reason);
@@ -214,14 +220,14 @@ class Trace : public StudyOf<TraceRow> {
   void make_subject(const std::optional<double>& tolerance) {
     facet::Geometry geometry =
         facet::make_geometry(tree_, tolerance ? facet::Faceting{.tolerance = tolerance} : faceting_);
-    view::View view = view::make_view(geometry, tree_, camera_of(options_, machine_, tree_, geometry),
-                                      sampling_of(options_, machine_));
+    view::View view = view::make_view(geometry, tree_, session::camera_of(options_, machine_, tree_, geometry),
+                                      session::sampling_of(options_, machine_));
     subject_ =
         std::make_unique<TraceSubject>(tree_, std::move(geometry), std::move(view), options_.scene(), reflections_);
     subject_tolerance_ = tolerance;
   }
 
-  ModelRequest options_;
+  session::ModelRequest options_;
   std::string directories_ = "excell,excell-recursive,boxes,octree,grid,kd-tree,bvh";
   std::string bucket_sizes_ = "8";
   std::string cast_ = "primary,shadow,mirror";

@@ -10,7 +10,7 @@
 #include "hw/kinds/load.h"
 #include "sim/session/model/model_request.h"
 #include "sim/studies/accuracy/measure.h"
-#include "sim/studies/accuracy/pareto.h"
+#include "sim/studies/accuracy/show.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/csv.h"
 #include "sim/studies/row_text.h"

@@ -1,9 +1,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <utility>
 #include <variant>
@@ -16,15 +15,18 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
 #include "sim/studies/accuracy/measure.h"
-#include "sim/studies/advise/measure.h"
+#include "sim/studies/advise/options.h"
 #include "sim/studies/advise/show.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/grid.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/fitted_program.h"
-#include "sim/studies/sweep/measure.h"
+#include "sim/studies/parallel.h"
 #include "sim/studies/table.h"
 
 using namespace csgsim;
-using studies::AdvicePoint;
 using studies::AdviceRow;
+using studies::DesignPoint;
 using studies::Wish;
 
 namespace {
@@ -36,10 +38,21 @@ const char* const bitten_cube =
     "intersection(){cube(size=10,center=false);sphere($fn=12,$fa=12,$fs=2,r=8);}}";
 constexpr unsigned side = 40;
 
+DesignPoint point_of_bits(unsigned z_bits, unsigned fraction_bits, unsigned colour_bits, const std::string& colouring,
+                          const std::string& strategy, unsigned stack_bits, unsigned alu_bits) {
+  return {.z_bits = z_bits,
+          .fraction_bits = fraction_bits,
+          .colour_bits = colour_bits,
+          .colouring = colouring,
+          .strategy = strategy,
+          .stack_bits = stack_bits,
+          .alu_bits = alu_bits};
+}
+
 AdviceRow row(std::uint32_t bits, std::uint64_t wrong, std::uint64_t interval, unsigned colour_bits = 24,
               unsigned alu_bits = 1) {
   AdviceRow one;
-  one.point = {16, 6, colour_bits, "rebroadcast", "stack", 0, alu_bits};
+  one.point = point_of_bits(16, 6, colour_bits, "rebroadcast", "stack", 0, alu_bits);
   one.used_bits = bits;
   one.wrong = wrong;
   one.interval_clocks = interval;
@@ -48,60 +61,91 @@ AdviceRow row(std::uint32_t bits, std::uint64_t wrong, std::uint64_t interval, u
   return one;
 }
 
-studies::AdviceRanges small_ranges() {
-  return {{12, 16}, {2, 6}, {24, 12}, {"rebroadcast", "field"}, {"stack", "list", "bits"}, {3, 5}, {1, 4}};
-}
-
-studies::AdviceJob job_on(const std::vector<std::string>& machines, const emit::Options& options = {},
-                          const std::string& model = bitten_cube) {
-  model::Tree tree = read::read_csg_text(model, "test");
-  facet::Geometry scene = facet::make_geometry(tree);
-  studies::AdviceJob job;
-  job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
-  job.camera = {{40, -60, 45}, {0, 0, 0}};
-  job.sampling.width = job.sampling.height = side;
-  job.options = options;
-  for (const std::string& name : machines) {
-    job.machines.push_back(kinds::load(name));
-    machines::set_picture_size(job.machines.back(), {side, side});
+/// Two values or more on each axis; ALU widths together.
+std::vector<DesignPoint> small_points() {
+  std::vector<DesignPoint> points;
+  const studies::DesignGrid grid({}, {{"z-bits", {"12", "16"}},
+                                      {"fraction-bits", {"2", "6"}},
+                                      {"colour-bits", {"24", "12"}},
+                                      {"colouring", {"rebroadcast", "field"}},
+                                      {"strategy", {"stack", "list", "bits"}},
+                                      {"stack-bits", {"3", "5"}}});
+  for (const session::ModelRequest& design : grid.designs()) {
+    for (const unsigned alu_bits : {1U, 4U}) {
+      points.push_back(studies::point_of(design, {side, side}));
+      points.back().machine.clear();
+      points.back().alu_bits = alu_bits;
+    }
   }
-  return job;
+  return points;
 }
 
-Rows measured(const studies::AdviceJob& job, const std::vector<AdvicePoint>& points, unsigned threads) {
-  Rows rows;
-  studies::measure_advice(job, points, threads, [&](AdviceRow one) { rows.push_back(std::move(one)); });
-  std::sort(rows.begin(), rows.end(), [](const AdviceRow& a, const AdviceRow& b) { return a.point < b.point; });
-  return rows;
-}
+/// On machines by their ALU widths.
+struct AdviceJobs {
+  std::map<unsigned, studies::Job> jobs;
+
+  explicit AdviceJobs(const std::vector<std::string>& machines, const emit::Options& options = {},
+                      const std::string& model = bitten_cube) {
+    model::Tree tree = read::read_csg_text(model, "test");
+    facet::Geometry scene = facet::make_geometry(tree);
+    const auto subject =
+        std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
+    for (const std::string& name : machines) {
+      machines::Machine machine = kinds::load(name);
+      machines::set_picture_size(machine, {side, side});
+      studies::Job& job = jobs[machine.alu_bits];
+      job = {subject, {{40, -60, 45}, {0, 0, 0}}, {}, std::move(machine), options, {}};
+      job.sampling.width = job.sampling.height = side;
+    }
+  }
+
+  [[nodiscard]] const studies::Job& front() const { return jobs.begin()->second; }
+  [[nodiscard]] studies::Job at(const DesignPoint& point) const;
+};
 
 template <class Choices>
 auto named(const Choices& choices, const std::string& name) {
   return *std::find_if(choices.begin(), choices.end(), [&](auto choice) { return emit::name_of(choice) == name; });
 }
 
+studies::Job AdviceJobs::at(const DesignPoint& point) const {
+  studies::Job job = jobs.at(point.alu_bits);
+  job.sampling.z_bits = point.z_bits;
+  job.sampling.fraction_bits = point.fraction_bits;
+  job.options.strategy = named(emit::strategies, point.strategy);
+  job.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
+  job.options.colouring = named(emit::colourings, point.colouring);
+  job.options.colour_bits = point.colour_bits;
+  return job;
+}
+
+Rows measured(const AdviceJobs& choices, const std::vector<DesignPoint>& points, unsigned threads) {
+  studies::DesignMeter meter({.colour_bits = {24, 12}});
+  Rows rows;
+  studies::measure_each(
+      points.size(), threads, [&](std::size_t i) { return meter.measure(points[i], choices.at(points[i])); },
+      [&](studies::DesignRow one) { rows.emplace_back(std::move(one)); });
+  std::ranges::sort(rows, {}, &AdviceRow::point);
+  return rows;
+}
+
+/// The point alone, as what is recommended is drawn again.
+AdviceRow drawn(const AdviceJobs& choices, const DesignPoint& point) {
+  return AdviceRow(studies::DesignMeter({.colour_bits = {point.colour_bits}}).measure(point, choices.at(point)));
+}
+
 /// As csgsim sweep measures it.
-studies::SweepRow swept(const studies::AdviceJob& job, const AdvicePoint& point, std::uint32_t memory_bits) {
-  machines::Machine machine = *std::find_if(job.machines.begin(), job.machines.end(),
-                                            [&](const auto& one) { return one.alu_bits == point.alu_bits; });
-  machine.array.memory_bits = memory_bits;
-  studies::Job sweep{job.subject, job.camera, job.sampling, machine, job.options, {}};
-  sweep.sampling.z_bits = point.z_bits;
-  sweep.sampling.fraction_bits = point.fraction_bits;
-  sweep.options.strategy = named(emit::strategies, point.strategy);
-  sweep.options.stack_bits = std::max(point.stack_bits, emit::fewest_stack_bits);
-  sweep.options.colouring = named(emit::colourings, point.colouring);
-  sweep.options.colour_bits = point.colour_bits;
-  return studies::measure({}, sweep, true);
+studies::SweepRow swept(const AdviceJobs& choices, const DesignPoint& point, std::uint32_t memory_bits) {
+  studies::Job job = choices.at(point);
+  job.machine.array.memory_bits = memory_bits;
+  return studies::SweepRow(measure_picture({}, job, true));
 }
 
 /// As csgsim accuracy judges it.
-std::uint64_t judged(const studies::AdviceJob& job, const AdvicePoint& point) {
-  studies::Meter meter(job.subject->tree, {job.camera}, job.machines.front(), job.options);
-  studies::Settings settings{"together", "", {}, job.sampling};
-  settings.sampling.z_bits = point.z_bits;
-  settings.sampling.fraction_bits = point.fraction_bits;
-  return meter.measure(settings).wrong;
+std::uint64_t judged(const AdviceJobs& choices, const DesignPoint& point) {
+  const studies::Job job = choices.at(point);
+  studies::Meter meter(job.subject->tree, {job.camera}, job.machine, choices.front().options);
+  return meter.measure({"together", "", {}, job.sampling}).wrong;
 }
 
 /// Is the first as good in everything?
@@ -117,13 +161,13 @@ const Wish every_wish[] = {Wish::bits, Wish::wrong_pixels, Wish::speed, Wish::co
 }  // namespace
 
 TEST_CASE("points of advice are every combination once, ALU widths together") {
-  const std::vector<AdvicePoint> points = points_of(small_ranges());
+  const std::vector<DesignPoint> points = small_points();
   CHECK(points.size() == 2 * 2 * 2 * 2 * 4 * 2);
-  CHECK(points[0] == AdvicePoint{12, 2, 24, "rebroadcast", "stack", 0, 1});
-  CHECK(points[1] == AdvicePoint{12, 2, 24, "rebroadcast", "stack", 0, 4});
-  CHECK(points[4] == AdvicePoint{12, 2, 24, "rebroadcast", "bits", 3, 1});
+  CHECK(studies::point_cells<AdviceRow>(points[0]) == "12,2,24,rebroadcast,stack,0,1");
+  CHECK(studies::point_cells<AdviceRow>(points[1]) == "12,2,24,rebroadcast,stack,0,4");
+  CHECK(studies::point_cells<AdviceRow>(points[4]) == "12,2,24,rebroadcast,bits,3,1");
   CHECK(studies::strategy_name(points[6]) == "bits 5");
-  std::vector<AdvicePoint> sorted = points;
+  std::vector<DesignPoint> sorted = points;
   std::sort(sorted.begin(), sorted.end());
   CHECK(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end());
 }
@@ -184,8 +228,8 @@ TEST_CASE("where no wrong pixel is wished, choices that miss it and another wish
 }
 
 TEST_CASE("advice agrees with sweep and accuracy at every point of a grid, and its answers with a plain search") {
-  const studies::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
-  const std::vector<AdvicePoint> points = points_of(small_ranges());
+  const AdviceJobs job({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
+  const std::vector<DesignPoint> points = small_points();
   const Rows rows = measured(job, points, 2);
   REQUIRE(rows.size() == points.size());
   for (const AdviceRow& one : rows) {
@@ -250,17 +294,17 @@ TEST_CASE("the plot of advice has a staircase for each limit of wrong pixels tha
 }
 
 TEST_CASE("advice does not depend on threads, nor on which points are measured together") {
-  const studies::AdviceJob job = job_on({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
-  const std::vector<AdvicePoint> points = points_of(small_ranges());
+  const AdviceJobs job({"pixel-planes-4", "pixel-planes-4+alu.bits=4"});
+  const std::vector<DesignPoint> points = small_points();
   const Rows rows = measured(job, points, 1);
   CHECK(measured(job, points, 3) == rows);
-  for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(studies::draw_advice(job, rows[i].point) == rows[i]);
+  for (std::size_t i = 0; i < rows.size(); i += 7) CHECK(drawn(job, rows[i].point) == rows[i]);
 }
 
 TEST_CASE("memory that shows one picture while the next is drawn counts among a choice's bits") {
-  const AdvicePoint point{16, 6, 24, "rebroadcast", "stack", 0, 1};
-  const AdviceRow one = studies::draw_advice(job_on({"pixel-planes-4"}), point);
-  const AdviceRow two = studies::draw_advice(job_on({"pixel-planes-4+scan_out.buffers=2"}), point);
+  const DesignPoint point = point_of_bits(16, 6, 24, "rebroadcast", "stack", 0, 1);
+  const AdviceRow one = drawn(AdviceJobs({"pixel-planes-4"}), point);
+  const AdviceRow two = drawn(AdviceJobs({"pixel-planes-4+scan_out.buffers=2"}), point);
   CHECK(two.used_bits == one.used_bits + 24);
 }
 
@@ -270,17 +314,16 @@ TEST_CASE("the error of colours is found in whichever channel it is, and is half
   for (const char* const colour : {"0.9,0,0", "0,0.9,0", "0,0,0.9"}) {
     CAPTURE(colour);
     const std::string model = std::string("color([") + colour + ",1]){cube(size=14,center=true);}";
-    const studies::AdviceJob job = job_on({"pixel-planes-4"}, before_black, model);
-    CHECK(studies::draw_advice(job, {16, 6, 24, "rebroadcast", "stack", 0, 1}).colour_error == 0);
+    const AdviceJobs job({"pixel-planes-4"}, before_black, model);
+    CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "stack", 0, 1)).colour_error == 0);
     // Of 12 bits a channel has 4, which are 17 of 255 apart.
-    const AdviceRow row = studies::draw_advice(job, {16, 6, 12, "rebroadcast", "stack", 0, 1});
+    const AdviceRow row = drawn(job, point_of_bits(16, 6, 12, "rebroadcast", "stack", 0, 1));
     CHECK(row.colour_error > 0);
     CHECK(row.colour_error <= 8);
   }
 }
 
 TEST_CASE("a choice that needs more memory than any may take is a row that says so") {
-  studies::AdviceJob job = job_on({"pixel-planes-4"});
   const std::string many = [] {
     std::string text = "intersection(){cube(size=14,center=true);union(){";
     for (int i = 0; i < 600; ++i)
@@ -288,21 +331,21 @@ TEST_CASE("a choice that needs more memory than any may take is a row that says 
               "],[0,0,1,7],[0,0,0,1]]){difference(){cube(size=1,center=true);sphere($fn=8,$fa=12,$fs=2,r=0.6);}}";
     return text + "}}";
   }();
-  model::Tree tree = read::read_csg_text(many, "test");
-  facet::Geometry scene = facet::make_geometry(tree);
-  job.subject = std::make_shared<studies::Subject>(studies::Subject{std::move(tree), std::move(scene), "hash"});
-  job.options.pruning = {.space = false, .picture = false, .separation = false};
-  const AdviceRow refused = studies::draw_advice(job, {16, 6, 24, "rebroadcast", "parallel", 0, 1});
+  emit::Options unpruned;
+  unpruned.pruning = {.space = false, .picture = false, .separation = false};
+  const AdviceJobs job({"pixel-planes-4"}, unpruned, many);
+  const AdviceRow refused = drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "parallel", 0, 1));
   CHECK(refused.reason.find("memory bits") != std::string::npos);
-  CHECK(studies::draw_advice(job, {16, 6, 24, "rebroadcast", "list", 0, 1}).compiled());
+  CHECK(drawn(job, point_of_bits(16, 6, 24, "rebroadcast", "list", 0, 1)).compiled());
 }
 
 TEST_CASE("a Program fitted to its memory is the same whatever was guessed") {
-  const studies::AdviceJob job = job_on({"pixel-planes-4"});
-  const view::View view = view::make_view(job.subject->scene, job.subject->tree, job.camera, job.sampling);
+  const AdviceJobs job({"pixel-planes-4"});
+  const view::View view =
+      view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
   const auto fitted = [&](std::uint32_t likely) {
-    return studies::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(), job.options,
-                                    {likely, 256});
+    return studies::compile_fitting(job.front().subject->tree, job.front().subject->scene, view, job.front().machine,
+                                    job.front().options, {likely, 256});
   };
   const studies::Fitted plain = fitted(0);
   const std::uint32_t bits = plain.machine.array.memory_bits;
@@ -312,20 +355,22 @@ TEST_CASE("a Program fitted to its memory is the same whatever was guessed") {
     CHECK(other.machine.array.memory_bits == bits);
     CHECK(other.program.segments == plain.program.segments);
   }
-  CHECK_THROWS_AS(studies::compile_fitting(job.subject->tree, job.subject->scene, view, job.machines.front(),
-                                           job.options, {0, bits - 1}),
+  CHECK_THROWS_AS(studies::compile_fitting(job.front().subject->tree, job.front().subject->scene, view,
+                                           job.front().machine, job.front().options, {0, bits - 1}),
                   InputError);
 }
 
 TEST_CASE("a timer tells of every machine what a run of its own tells, though it runs a Program once") {
-  const studies::AdviceJob job = job_on({"pixel-planes-4"});
-  const view::View view = view::make_view(job.subject->scene, job.subject->tree, job.camera, job.sampling);
+  const AdviceJobs job({"pixel-planes-4"});
+  const view::View view =
+      view::make_view(job.front().subject->scene, job.front().subject->tree, job.front().camera, job.front().sampling);
   studies::RunTimer timer;
   bool skips = false;
   for (const char* name : {"pixel-planes-4", "pixel-planes-4+alu.bits=2", "pixel-planes-4+link.width=16"}) {
     machines::Machine machine = kinds::load(name);
     machines::set_picture_size(machine, {side, side});
-    const isa::Program program = emit::compile(job.subject->tree, job.subject->scene, view, machine, job.options);
+    const isa::Program program =
+        emit::compile(job.front().subject->tree, job.front().subject->scene, view, machine, job.front().options);
     const engine::RunResult result = engine::make_functional_engine(machine)->run(program, {});
     skips = skips || result.skipped > 0;
     const machines::FrameTiming timing = timer.time(program, machine);

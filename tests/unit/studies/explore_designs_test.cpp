@@ -11,9 +11,9 @@
 
 #include "hw/base/error.h"
 #include "sim/session/options/usage.h"
-#include "sim/studies/explore/designs.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/grid.h"
 #include "sim/studies/explore/options.h"
-#include "sim/studies/explore/sample.h"
 #include "tests/support/error_of.h"
 
 using namespace csgsim;
@@ -126,7 +126,9 @@ TEST_CASE("what is varied needs a key and an equals sign, and the first of these
   const std::string words = " varies nothing; say KEY=a,b,c, as in alu.bits=1,2,4";
   for (const char* const text : {"", "alu.bits", "=1", "=a=1"})
     CHECK(dimension_error(text) == "'" + std::string(text) + "'" + words);
+  for (const char* const text : {"alu.bits=", "alu.bits=1,,2"}) CHECK(dimension_error(text) != "");
   CHECK(studies::dimension_in("a=b=c,d") == Dimension{"a", {"b=c", "d"}});
+  CHECK(studies::dimension_in("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
 }
 
 TEST_CASE("each option of render takes its own values, up to its limits") {
@@ -170,8 +172,8 @@ TEST_CASE("each option of render is given its value, and any other key is a figu
   CHECK(options.curves == "facets");
   CHECK(options.pruning == "none");
   CHECK(options.machine == "pixel-planes-4+alu.bits=4");
-  CHECK(studies::varied_options() == Texts{"size", "memory-bits", "z-bits", "fraction-bits", "colour-bits", "strategy",
-                                           "stack-bits", "colouring", "curves", "pruning"});
+  CHECK(studies::axis_keys() == Texts{"size", "memory-bits", "z-bits", "fraction-bits", "colour-bits", "strategy",
+                                      "stack-bits", "colouring", "curves", "pruning"});
 }
 
 TEST_CASE("figures of the memory of a pixel are four, and no others") {
@@ -240,6 +242,8 @@ TEST_CASE("a value is wrong if it is possible neither by itself nor with the las
   CHECK(design_error({}, {trees, {"alu.bits", {"4", "1"}}}).starts_with("--vary evaluator.bits: "));
   CHECK(design_error({}, {{"alu.bits", {"0"}}}).starts_with("--vary alu.bits: "));
   CHECK(design_error({}, {{"z-bits", {"3"}}}).starts_with("--vary z-bits: "));
+  CHECK(design_error({}, {{"strategy", {"auto"}}}).starts_with("--vary strategy: "));
+  CHECK(design_error({}, {{"strategy", {"stak"}}}).find("did you mean stack") != std::string::npos);
   CHECK(design_error({}, {{"size", {"8x8", "0x8"}}}).starts_with("--vary size: "));
   CHECK(design_error({}, {{"pruning", {"al"}}}).starts_with("--vary pruning: "));
 }
@@ -264,16 +268,6 @@ TEST_CASE("a figure that an option says otherwise is refused, for size and memor
         error("array.memory_bits", "91"));
 }
 
-TEST_CASE("designs that differ in what their strategy has not are one, and others are two") {
-  const auto count = [](const session::ModelRequest& base, const Dimension& dimension) {
-    return studies::DesignGrid(base, {dimension}, {}).designs().size();
-  };
-  session::ModelRequest base;
-  CHECK(count(base, {"stack-bits", {"3", "4"}}) == 1);
-  base.strategy = "bits";
-  CHECK(count(base, {"stack-bits", {"3", "4"}}) == 2);
-}
-
 TEST_CASE("neighbours are asked for in the order of their keys, the value before first, and known ones not again") {
   // z bits 10 to 14 times fraction bits 2 to 6: of the middle four neighbours, of what was known none again.
   const std::vector<Dimension> dimensions{{"z-bits", numbers_from(10, 5)}, {"fraction-bits", numbers_from(2, 5)}};
@@ -294,6 +288,8 @@ TEST_CASE("neighbours are asked for in the order of their keys, the value before
     if (fraction < 6) expected.emplace_back(z, fraction + 1);
     corners += expected.size() == 3 ? 1U : 0U;
     const std::array<std::size_t, 1> first{0};
+    grid.add_neighbours(first, 0);
+    CHECK(told(grid).size() == 1);
     grid.add_neighbours(first, 2);
     CHECK(told(grid) == Pairs{expected[0], expected[1], expected[2]});
     grid.add_neighbours(first, 100);

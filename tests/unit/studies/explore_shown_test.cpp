@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sim/plots/plot.h"
-#include "sim/studies/explore/front.h"
+#include "sim/studies/design/front.h"
 #include "sim/studies/explore/show.h"
 #include "sim/studies/row_text.h"
 #include "tests/support/captured.h"
@@ -80,8 +80,8 @@ TEST_CASE("a row without values is all zeros and empty cells, in the order of it
   CHECK(studies::to_line(ExploreRow{}) == ",,,,0,0,0,0,0,,,,0,,,,,0,0,0,,0,0,0,0,0,0,,,,,0,0,");
   // The columns before the inputs say which point it is.
   CHECK(ExploreRow::point_columns == 14);
-  CHECK(ExploreRow{}.drawn());
-  CHECK_FALSE(refused_row("m", "1", 8, "why").drawn());
+  CHECK(ExploreRow{}.compiled());
+  CHECK_FALSE(refused_row("m", "1", 8, "why").compiled());
 }
 
 TEST_CASE("each axis has its value of a row, none where there is no price, and what is of a picture adds up") {
@@ -235,7 +235,7 @@ TEST_CASE("a group without a drawn design has no front and no knee, and prints t
 
 TEST_CASE("designs differ in any figure or option, printed in the order of the machine, size and options") {
   std::vector<ExploreRow> rows(2);
-  const auto fill = [](studies::ExplorePoint& point, unsigned number) {
+  const auto fill = [](studies::DesignPoint& point, unsigned number) {
     const std::string text = std::to_string(number);
     point.machine = "p+b=" + text + "+a=" + text;
     point.width = number;

@@ -11,12 +11,10 @@
 #include <variant>
 #include <vector>
 
-#include "hw/base/error.h"
 #include "sim/plots/plot.h"
-#include "sim/session/options/usage.h"
-#include "sim/studies/explore/designs.h"
-#include "sim/studies/explore/front.h"
-#include "sim/studies/explore/sample.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/design/front.h"
+#include "sim/studies/design/grid.h"
 #include "sim/studies/explore/show.h"
 
 using namespace csgsim;
@@ -64,15 +62,6 @@ ExploreRow row(const std::string& model, const std::string& machine, double fps,
   one.wrong = wrong;
   one.machine_transistors = transistors;
   return one;
-}
-
-std::string key_wrong(const std::vector<studies::Dimension>& dimensions, const studies::GridChoice& choice = {}) {
-  try {
-    static_cast<void>(studies::DesignGrid({}, dimensions, choice));
-  } catch (const session::UsageError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace
@@ -182,17 +171,6 @@ TEST_CASE("grids are in the order of their axes, the last fastest") {
   CHECK(studies::grid_cell({2, 3}, 5) == Cell{1, 2});
 }
 
-TEST_CASE("what is varied is a key with values, of which ranges are several, none twice") {
-  using studies::Dimension;
-  CHECK(studies::dimension_in("alu.bits=1,2,4") == Dimension{"alu.bits", {"1", "2", "4"}});
-  CHECK(studies::dimension_in("z-bits=8..10,9,16") == Dimension{"z-bits", {"8", "9", "10", "16"}});
-  CHECK(studies::dimension_in("strategy=stack,list") == Dimension{"strategy", {"stack", "list"}});
-  CHECK(studies::dimension_in("pruning=all,no-space+no-near").values.size() == 2);
-  for (const char* const wrong :
-       {"", "alu.bits", "=1", "alu.bits=", "alu.bits=1,,2", "z-bits=10..8", "z-bits=1..99999999", "z-bits=1..2..3"})
-    CHECK_THROWS_AS(studies::dimension_in(wrong), InputError);
-}
-
 TEST_CASE("designs are all combinations, in order, and those that draw alike are one") {
   const std::vector<studies::Dimension> dimensions{
       {"alu.bits", {"1", "2"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "4", "5"}}};
@@ -214,63 +192,15 @@ TEST_CASE("designs that differ in any one option, or in one figure, are two") {
                                               {"colour-bits", {"12", "24"}},  {"strategy", {"list", "products"}},
                                               {"stack-bits", {"3", "4"}},     {"colouring", {"rebroadcast", "field"}},
                                               {"curves", {"auto", "facets"}}, {"pruning", {"all", "no-space"}}};
-  REQUIRE(pairs.size() == studies::varied_options().size());
+  REQUIRE(pairs.size() == studies::axis_keys().size());
   for (const studies::Dimension& pair : pairs) {
     CAPTURE(pair.key);
-    CHECK(std::ranges::count(studies::varied_options(), pair.key) == 1);
+    CHECK(std::ranges::count(studies::axis_keys(), pair.key) == 1);
     session::ModelRequest base;
     if (pair.key == "stack-bits") base.strategy = "bits";
     CHECK(studies::DesignGrid(base, {pair}, {}).designs().size() == 2);
   }
   CHECK(studies::DesignGrid({}, {{"alu.bits", {"1", "2"}}}, {}).designs().size() == 2);
-}
-
-TEST_CASE("neighbours of a design differ in one key, by a place in its list, each once, and as many as are asked for") {
-  const std::vector<studies::Dimension> dimensions{{"alu.bits", {"1", "2", "4"}}, {"memory.reads", {"1", "2"}}};
-  const std::vector<std::size_t> first{0};
-  const auto machines_beside = [&](std::uint32_t seed, std::size_t most) {
-    studies::DesignGrid grid({}, dimensions, {1, seed});
-    grid.add_neighbours(first, most);
-    std::set<std::string> machines;
-    for (const session::ModelRequest& one : grid.designs()) machines.insert(one.machine);
-    CHECK(machines.size() == grid.designs().size());
-    return std::pair(grid.designs().front().machine, machines);
-  };
-  const std::string name = "pixel-planes-4+alu.bits=";
-  std::set<std::string> began;
-  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
-    const auto [start, machines] = machines_beside(seed, 100);
-    began.insert(start);
-    if (start == name + "2+memory.reads=1") {
-      CHECK(machines == std::set<std::string>{start, name + "1+memory.reads=1", name + "4+memory.reads=1",
-                                              name + "2+memory.reads=2"});
-    } else if (start == name + "1+memory.reads=2") {
-      CHECK(machines == std::set<std::string>{start, name + "2+memory.reads=2", name + "1+memory.reads=1"});
-    }
-    CHECK(machines_beside(seed, 1).second.size() == 2);
-    CHECK(machines_beside(seed, 0).second.size() == 1);
-  }
-  CHECK(began.contains(name + "2+memory.reads=1"));
-  CHECK(began.contains(name + "1+memory.reads=2"));
-}
-
-TEST_CASE("a wrong key or value is told, and so are too many designs") {
-  CHECK(key_wrong({{"alu.bit", {"1"}}}).find("the nearest known is 'alu.bits'") != std::string::npos);
-  CHECK(key_wrong({{"zbits", {"12"}}}).find("the nearest known is 'z-bits'") != std::string::npos);
-  CHECK(key_wrong({{"alu.bits", {"1", "999"}}}).find("--vary alu.bits") != std::string::npos);
-  CHECK(key_wrong({{"strategy", {"stak"}}}).find("did you mean stack") != std::string::npos);
-  CHECK(key_wrong({{"strategy", {"auto"}}}) != "");
-  CHECK(key_wrong({{"chains.count", {"4"}}}).find("neither a figure of pixel-planes-4") != std::string::npos);
-  CHECK(key_wrong({{"z-bits", {"12"}}, {"z-bits", {"13"}}}).find("said twice") != std::string::npos);
-  std::vector<std::string> many;
-  many.reserve(200);
-  for (int i = 0; i < 200; ++i) many.push_back(std::to_string(1'000'000 + i));
-  const std::vector<studies::Dimension> large{
-      {"clock.frequency", many},
-      {"z-bits", {"10", "11", "12", "13", "14"}},
-      {"fraction-bits", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "10"}}};
-  CHECK(key_wrong(large).find("--points") != std::string::npos);
-  CHECK(key_wrong(large, {10, 1}).empty());
 }
 
 TEST_CASE("what has no price on an axis is on no front, and what none has a price on is no axis") {
@@ -308,15 +238,6 @@ TEST_CASE("of all models times and wrong pixels add up, and what is built is the
   CHECK(all.values[1][0] == doctest::Approx(50 + 200));
   CHECK(all.values[1][1] == 50);
   CHECK(all.values[1][2] == 10);
-}
-
-TEST_CASE("designs are called by what varies among them") {
-  std::vector<ExploreRow> rows{row("m", "pixel-planes-4+alu.bits=1+memory.reads=2", 10, 100, 1),
-                               row("m", "pixel-planes-4+alu.bits=4+memory.reads=2", 10, 100, 1)};
-  rows[1].point.z_bits = 12;
-  const studies::DesignNames names(rows);
-  CHECK(names.keys() == std::vector<std::string>{"alu.bits", "z-bits"});
-  CHECK(names.text(rows[1].point) == "alu.bits=4, z-bits=12");
 }
 
 TEST_CASE("a plot has every design once a panel, on the front or not, the front of its two axes, and the knee") {

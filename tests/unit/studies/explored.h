@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sim/session/options/option_list.h"
-#include "sim/studies/explore/measure.h"
+#include "sim/studies/design/row.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/runner.h"
 #include "tests/unit/studies/study_rows.h"

@@ -1,5 +1,3 @@
-#include "sim/studies/accuracy/plots.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,9 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "sim/studies/accuracy/show.h"
 #include "sim/studies/compare/measure.h"
 #include "sim/studies/corpus/measure.h"
-#include "sim/studies/sweep/axis.h"
 #include "sim/studies/sweep/show.h"
 
 using namespace csgsim;
@@ -20,7 +18,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-studies::SweepRow row(const studies::SweepPoint& point, std::uint64_t clocks) {
+studies::SweepRow row(const studies::DesignPoint& point, std::uint64_t clocks) {
   studies::SweepRow one;
   one.point = point;
   one.clocks = clocks;
@@ -29,8 +27,15 @@ studies::SweepRow row(const studies::SweepPoint& point, std::uint64_t clocks) {
   return one;
 }
 
-studies::SweepPoint point(const std::string& strategy, unsigned stack_bits, const std::string& pruning = "all") {
-  return {"a.csg", "pixel-planes-4", 72, 20, pruning, "rebroadcast", strategy, stack_bits};
+studies::DesignPoint point(const std::string& strategy, unsigned stack_bits, const std::string& pruning = "all") {
+  return {.model = "a.csg",
+          .machine = "pixel-planes-4",
+          .memory_bits = 72,
+          .z_bits = 20,
+          .pruning = pruning,
+          .colouring = "rebroadcast",
+          .strategy = strategy,
+          .stack_bits = stack_bits};
 }
 
 Words tick_texts(const plots::Axis& axis) {
@@ -66,7 +71,7 @@ TEST_CASE("a sweep's x axis is what it varies most, numbers before names, and th
 }
 
 TEST_CASE("machines of a sweep stand side by side, each by its name") {
-  studies::SweepPoint other = point("stack", 0);
+  studies::DesignPoint other = point("stack", 0);
   other.machine = "alu-4.toml";
   const std::vector<studies::SweepRow> rows{row(point("stack", 0), 100), row(other, 50)};
   const plots::Chart chart = chart_named(studies::plots_of_sweep(rows, "a"), "a_clocks");
@@ -77,9 +82,9 @@ TEST_CASE("machines of a sweep stand side by side, each by its name") {
 }
 
 TEST_CASE("prunings are called as they were asked for, also where one begins as another does") {
-  studies::SweepPoint space = point("stack", 0);
+  studies::DesignPoint space = point("stack", 0);
   space.pruning = "space";
-  studies::SweepPoint both = point("stack", 0);
+  studies::DesignPoint both = point("stack", 0);
   both.pruning = "space+hidden";
   const std::vector<studies::SweepRow> rows{row(space, 100), row(both, 50)};
   CHECK(tick_texts(studies::SweepAxis(rows).axis()) == Words{"space", "space+hidden"});

@@ -14,11 +14,12 @@
 #include "hw/machines/area.h"
 #include "sim/session/options/lists.h"
 #include "sim/session/options/option_list.h"
+#include "sim/studies/design/grid.h"
+#include "sim/studies/design/meter.h"
 #include "sim/studies/parallel.h"
 #include "sim/studies/row_text.h"
 #include "sim/studies/runner.h"
-#include "sim/studies/sweep/axis.h"
-#include "sim/studies/sweep/measure.h"
+#include "sim/studies/sweep/show.h"
 #include "tests/support/drawing.h"
 #include "tests/unit/studies/study_rows.h"
 
@@ -29,25 +30,22 @@ namespace {
 using Numbers = std::vector<unsigned>;
 using Words = std::vector<std::string>;
 
-studies::SweepRanges small_ranges() {
-  studies::SweepRanges ranges;
-  ranges.models = {"a.csg", "b.csg"};
-  ranges.machines = {"m"};
-  ranges.memory_bits = {{"m", {72}}};
-  ranges.z_bits = {16, 20};
-  ranges.prunings = {"all"};
-  ranges.colourings = {"rebroadcast"};
-  ranges.strategies = {"stack", "bits"};
-  ranges.stack_bits = {3, 5};
-  return ranges;
+std::vector<studies::DesignPoint> small_points() {
+  std::vector<studies::DesignPoint> points;
+  for (const char* const model : {"a.csg", "b.csg"}) {
+    session::ModelRequest base;
+    base.model = model;
+    const studies::DesignGrid grid(
+        base, {{"z-bits", {"16", "20"}}, {"strategy", {"stack", "bits"}}, {"stack-bits", {"3", "5"}}});
+    for (const session::ModelRequest& design : grid.designs()) points.push_back(studies::point_of(design, {48, 36}));
+  }
+  return points;
 }
 
-studies::SweepRow row_of(const studies::SweepPoint& point, const std::string& picture) {
+studies::SweepRow row_of(const studies::DesignPoint& point, const std::string& picture) {
   studies::SweepRow row;
   row.point = point;
   row.inputs = {"0123456789abcdef", "fedcba9876543210", "0.1.0"};
-  row.width = 48;
-  row.height = 36;
   row.picture = picture;
   if (point.strategy == "bits") row.pixel_transistors = 650;
   return row;
@@ -57,7 +55,7 @@ const char* const bitten_cube = "difference(){cube(size=14,center=true);sphere($
 
 /// A point with what it is made from.
 struct Drawn {
-  studies::SweepPoint point;
+  studies::DesignPoint point;
   studies::Job job;
 };
 
@@ -80,7 +78,9 @@ std::vector<Drawn> drawn_points() {
   return all;
 }
 
-studies::SweepRow measured(const Drawn& one, bool is_drawn) { return studies::measure(one.point, one.job, is_drawn); }
+studies::SweepRow measured(const Drawn& one, bool is_drawn) {
+  return studies::SweepRow(measure_picture(one.point, one.job, is_drawn));
+}
 
 }  // namespace
 
@@ -112,10 +112,10 @@ TEST_CASE("an unknown name is told with the nearest known one, if any is like it
 }
 
 TEST_CASE("the product has a point for each combination, and stack bits only where they matter") {
-  const std::vector<studies::SweepPoint> points = studies::points_of(small_ranges());
+  const std::vector<studies::DesignPoint> points = small_points();
   REQUIRE(points.size() == 2 * 2 * 3);
-  CHECK(points[0] == studies::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "stack", 0});
-  CHECK(points[1] == studies::SweepPoint{"a.csg", "m", 72, 16, "all", "rebroadcast", "bits", 3});
+  CHECK(studies::point_cells<studies::SweepRow>(points[0]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,stack,0,auto");
+  CHECK(studies::point_cells<studies::SweepRow>(points[1]) == "a.csg,pixel-planes-4,,16,all,rebroadcast,bits,3,auto");
   CHECK(points[2].stack_bits == 5);
   CHECK(points[3].z_bits == 20);
   CHECK(points[6].model == "b.csg");
@@ -123,8 +123,9 @@ TEST_CASE("the product has a point for each combination, and stack bits only whe
 }
 
 TEST_CASE("a row comes back from a table as it was, commas and quotes included") {
-  studies::SweepRow row = row_of(studies::points_of(small_ranges())[1], "");
+  studies::SweepRow row = row_of(small_points()[1], "");
   row.point.model = "a \"model\", of mine.csg";
+  row.point.fraction_bits = row.point.colour_bits = 0;  // no columns of a sweep
   row.reason = "needs 90 bits, has 72; take \"list\"";
   row.memory_map = {{"Z2", 0, 20}, {"stack", 65, 3}};
   row.simulated_seconds = 0.1;
@@ -149,16 +150,15 @@ TEST_CASE("a memory map comes back from a table, whatever its names hold but bla
 }
 
 TEST_CASE("a line of a table that an editor ended with CR LF is refused") {
-  const std::string line = studies::to_line(row_of(studies::points_of(small_ranges())[1], "")) + "\r";
+  const std::string line = studies::to_line(row_of(small_points()[1], "")) + "\r";
   CHECK_THROWS_WITH_AS(studies::from_line<studies::SweepRow>(line),
                        "a line break within the line, maybe of an editor that ends lines with CR LF", InputError);
 }
 
 TEST_CASE("names of points say what varies") {
-  studies::SweepRanges ranges = small_ranges();
-  ranges.models = {"a.csg"};
   std::vector<studies::SweepRow> rows;
-  for (const studies::SweepPoint& point : studies::points_of(ranges)) rows.push_back(row_of(point, ""));
+  for (const studies::DesignPoint& point : small_points()) rows.push_back(row_of(point, ""));
+  rows.resize(6);  // of the first model
   const studies::PointNames names(rows);
   CHECK(names.name(rows[0].point) == "stack, z 16");
   CHECK(names.name(rows[5].point) == "bits 5, z 20");
@@ -168,7 +168,7 @@ TEST_CASE("names of points say what varies") {
 
 TEST_CASE("pictures are compared within a model, size and z bits, and overflows are told") {
   std::vector<studies::SweepRow> rows;
-  for (const studies::SweepPoint& point : studies::points_of(small_ranges()))
+  for (const studies::DesignPoint& point : small_points())
     rows.push_back(row_of(point, point.model + std::to_string(point.z_bits)));
   CHECK(studies::wrong_pictures(rows).empty());
   rows[4].picture = "another";

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "sim/studies/accuracy/measure.h"
+#include "sim/plots/plot.h"
+#include "sim/studies/design/row.h"
 
 namespace csgsim::studies {
 
@@ -35,5 +37,17 @@ struct EqualFacets {
 /// One for each way to draw curved surfaces that is not by facets, if facets were measured too: those of the knobs fn
 /// and tolerance, and those that the model says.
 std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows);
+
+/// On standard output: the points, the front, and what facets as right as curved surfaces cost.
+void print_accuracy(std::span<const Measurement> rows, unsigned views);
+
+/// What was measured.
+struct MeasuredModel {
+  std::string model;
+  unsigned views = 1;  ///< that each point was drawn in
+};
+
+/// Of each knob, what its values do to errors and clocks; and the Pareto front of z bits and fraction bits.
+std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& of);
 
 }  // namespace csgsim::studies

@@ -1,93 +1,38 @@
-#include "sim/studies/explore/designs.h"
+#include "sim/studies/design/grid.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
-#include <optional>
-#include <set>
 #include <string_view>
-#include <utility>
 
-#include "host/emit/curves.h"
 #include "hw/base/error.h"
 #include "hw/base/nearest.h"
 #include "hw/base/text.h"
-#include "hw/isa/instruction.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "sim/session/options/lists.h"
-#include "sim/session/options/prunings.h"
-#include "sim/session/options/sets.h"
+#include "sim/session/options/read_by.h"
 #include "sim/session/options/usage.h"
+#include "sim/studies/design/axes.h"
 #include "sim/studies/dimensions.h"
-#include "sim/studies/explore/sample.h"
 
 namespace csgsim::studies {
 
-using namespace session;
-
 namespace {
+
+using session::ModelRequest;
+using session::UsageError;
 
 constexpr std::size_t most_values = 1000;  ///< of a dimension
 constexpr unsigned most_number = 2'000'000'000;
 
 unsigned number_of(const std::string& text, unsigned least, unsigned most) {
-  const std::vector<unsigned> numbers = parse_numbers(text, least, most);
+  const std::vector<unsigned> numbers = session::parse_numbers(text, least, most);
   if (numbers.size() != 1) throw InputError("'" + printable(text) + "' is no number");
   return numbers.front();
-}
-
-template <class Choices>
-std::string word_of(const std::string& text, const char* kind, const Choices& choices) {
-  return parse_names(text, kind, fixed_names_of(choices)).at(0);
-}
-
-/// An option of render that may be varied.
-struct VariedOption {
-  std::string_view name;
-  void (*put)(ModelRequest& options, const std::string& value);
-};
-
-constexpr VariedOption options_by_name[] = {
-    {"size", [](ModelRequest& options, const std::string& value) { options.size = value; }},
-    {"memory-bits", [](ModelRequest& options,
-                       const std::string& value) { options.memory_bits = number_of(value, 1, isa::max_memory_bits); }},
-    {"z-bits",
-     [](ModelRequest& options, const std::string& value) {
-       options.z_bits = number_of(value, view::fewest_z_bits, view::most_z_bits);
-     }},
-    {"fraction-bits",
-     [](ModelRequest& options, const std::string& value) {
-       options.fraction_bits = number_of(value, 0, view::most_fraction_bits);
-     }},
-    {"colour-bits",
-     [](ModelRequest& options, const std::string& value) {
-       options.colour_bits = number_of(value, isa::fewest_colour_bits, isa::most_colour_bits);
-     }},
-    {"strategy", [](ModelRequest& options,
-                    const std::string& value) { options.strategy = word_of(value, "strategy", emit::strategies); }},
-    {"stack-bits",
-     [](ModelRequest& options, const std::string& value) {
-       options.stack_bits = number_of(value, emit::fewest_stack_bits, most_stack_bits);
-     }},
-    {"colouring", [](ModelRequest& options,
-                     const std::string& value) { options.colouring = word_of(value, "colouring", emit::colourings); }},
-    {"curves",
-     [](ModelRequest& options, const std::string& value) {
-       options.curves = parse_names(value, "way", names_of(emit::curve_choices)).at(0);
-     }},
-    {"pruning",
-     [](ModelRequest& options, const std::string& value) {
-       static_cast<void>(pruning_of(value));
-       options.pruning = value;
-     }},
-};
-
-const VariedOption* varied_option(std::string_view key) {
-  const auto* const found = std::ranges::find(options_by_name, key, &VariedOption::name);
-  return found == std::end(options_by_name) ? nullptr : found;
 }
 
 /// A range of numbers as its numbers; all else as it is.
@@ -107,10 +52,10 @@ std::vector<std::string> values_in(const std::string& word) {
 [[noreturn]] void fail_key(const Dimension& dimension, const machines::Machine& machine) {
   std::vector<std::string_view> known;
   for (const machines::FigureSchema& figure : machine.kind->schema) known.push_back(figure.key);
-  for (const VariedOption& option : options_by_name) known.push_back(option.name);
+  for (const Axis& axis : axes()) known.push_back(axis.key);
   throw UsageError("--vary", fmt::format("'{}' is neither a figure of {} nor one of {}; the nearest known is '{}'",
                                          printable(dimension.key), printable(machine.name),
-                                         fmt::join(varied_options(), ", "), nearest(dimension.key, known)));
+                                         fmt::join(axis_keys(), ", "), nearest(dimension.key, known)));
 }
 
 const machines::FigureSchema* figure_of(const machines::Machine& machine, std::string_view key) {
@@ -122,37 +67,26 @@ const machines::FigureSchema* figure_of(const machines::Machine& machine, std::s
 ModelRequest with_others(const ModelRequest& base, std::span<const Dimension> dimensions, const Dimension& but) {
   ModelRequest one = base;
   for (const Dimension& dimension : dimensions) {
-    if (dimension.key != but.key && varied_option(dimension.key) == nullptr)
+    if (dimension.key != but.key && find_axis(dimension.key) == nullptr)
       vary(one, dimension.key, dimension.values.back());
   }
   return one;
 }
 
-bool is_possible(const ModelRequest& base, const std::string& key, const std::string& value) {
-  try {
-    ModelRequest one = base;
-    vary(one, key, value);
-    static_cast<void>(machine_of(one));
-  } catch (const InputError&) {
-    return false;
-  } catch (const UsageError&) {
-    return false;
-  }
-  return true;
+/// Why the design cannot have that value; empty if it can.
+std::string why_not(ModelRequest one, const std::string& key, const std::string& value) {
+  return session::is_read_by([&](const std::string& text) {
+    vary(one, key, text);
+    static_cast<void>(session::machine_of(one));
+  })(value);
 }
 
 /// The design has that value, whatever the others are; what is wrong with it is wrong with --vary.
 ModelRequest varied_once(const ModelRequest& base, const std::string& key, const std::string& value) {
+  if (const std::string why = why_not(base, key, value); !why.empty())
+    throw UsageError("--vary " + printable(key), why);
   ModelRequest one = base;
-  const auto fail = [&](const char* why) { throw UsageError("--vary " + printable(key), why); };
-  try {
-    vary(one, key, value);
-    static_cast<void>(machine_of(one));
-  } catch (const InputError& error) {
-    fail(error.what());
-  } catch (const UsageError& error) {
-    fail(error.what());
-  }
+  vary(one, key, value);
   return one;
 }
 
@@ -160,7 +94,7 @@ ModelRequest varied_once(const ModelRequest& base, const std::string& key, const
 void check_keys(const machines::Machine& machine, std::span<const Dimension> dimensions) {
   std::set<std::string> keys;
   for (const Dimension& dimension : dimensions) {
-    if (figure_of(machine, dimension.key) == nullptr && varied_option(dimension.key) == nullptr)
+    if (figure_of(machine, dimension.key) == nullptr && find_axis(dimension.key) == nullptr)
       fail_key(dimension, machine);
     if (!keys.insert(dimension.key).second)
       throw UsageError("--vary", "'" + dimension.key + "' is said twice; give all values at once");
@@ -170,11 +104,11 @@ void check_keys(const machines::Machine& machine, std::span<const Dimension> dim
 /// Each value has to be possible by itself, or with the last values of the other figures, and a figure's may not be
 /// what an option says otherwise: --size, or --memory-bits.
 void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
-  const machines::Machine machine = machine_of(base);
+  const machines::Machine machine = session::machine_of(base);
   check_keys(machine, dimensions);
   ModelRequest with_options = base;
   for (const Dimension& dimension : dimensions) {
-    if (varied_option(dimension.key) == nullptr) continue;
+    if (find_axis(dimension.key) == nullptr) continue;
     for (const std::string& value : dimension.values) varied_once(base, dimension.key, value);
     vary(with_options, dimension.key, dimension.values.front());
   }
@@ -184,31 +118,86 @@ void check(const ModelRequest& base, std::span<const Dimension> dimensions) {
     for (const std::string& value : dimension.values) {
       const ModelRequest others = with_others(with_options, dimensions, dimension);
       const bool fits_others =
-          !is_possible(with_options, dimension.key, value) && is_possible(others, dimension.key, value);
+          !why_not(with_options, dimension.key, value).empty() && why_not(others, dimension.key, value).empty();
       const ModelRequest one = varied_once(fits_others ? others : with_options, dimension.key, value);
-      if (figure->load(machine_of(one)) != figure->load(kinds::load(one.machine)))
+      if (figure->load(session::machine_of(one)) != figure->load(kinds::load(one.machine)))
         throw UsageError("--vary", fmt::format("an option says otherwise than {}={}; leave out --size, --memory-bits",
                                                dimension.key, value));
     }
   }
 }
 
-/// All that tells designs apart.
-std::string identity_of(const ModelRequest& one) {
-  const unsigned stack_bits = has_stack_bits(one.strategy) ? one.stack_bits : 0;
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", one.machine, one.size, one.memory_bits.value_or(0), one.z_bits,
-                     one.fraction_bits, one.colour_bits, one.strategy, stack_bits, one.colouring, one.curves,
-                     one.pruning);
+/// Cells that were told already, one after the other, before the rest of the grid is gone through in its order.
+constexpr unsigned most_repeats = 64;
+
+/// The root above 1 of x^(axes + 1) = x + 1.
+double root_of(std::size_t axes) {
+  double x = 2;
+  for (int i = 0; i < 64; ++i) x = std::pow(1 + x, 1.0 / static_cast<double>(axes + 1));
+  return x;
+}
+
+/// A bit mixer: the finaliser of SplitMix64 (Steele, Lea and Flood 2014).
+std::uint64_t mixed(std::uint64_t number) {
+  number += 0x9e3779b97f4a7c15U;
+  number = (number ^ number >> 30U) * 0xbf58476d1ce4e5b9U;
+  number = (number ^ number >> 27U) * 0x94d049bb133111ebU;
+  return number ^ number >> 31U;
+}
+
+/// Of so many, that at this part of 2^64. As many as fit into 32 bits.
+std::size_t value_at(std::uint64_t place, std::size_t values) {
+  return static_cast<std::size_t>((place >> 32U) * std::uint64_t{values} >> 32U);
 }
 
 }  // namespace
+
+std::vector<std::size_t> grid_cell(const std::vector<std::size_t>& sizes, std::uint64_t number) {
+  std::vector<std::size_t> values(sizes.size());
+  for (std::size_t axis = sizes.size(); axis-- > 0;) {
+    values[axis] = static_cast<std::size_t>(number % sizes[axis]);
+    number /= sizes[axis];
+  }
+  return values;
+}
+
+GridSequence::GridSequence(std::vector<std::size_t> sizes, std::uint64_t seed) : sizes_(std::move(sizes)) {
+  const double root = root_of(sizes_.size());
+  double part = 1;
+  for (std::size_t axis = 0; axis < sizes_.size(); ++axis) {
+    part /= root;
+    // The last bits of a power differ from library to library; half of them are enough here.
+    steps_.push_back(static_cast<std::uint64_t>(std::llround(std::ldexp(part, 32))) << 32U);
+    places_.push_back(mixed(mixed(seed) + axis));
+    cells_ *= sizes_[axis];
+  }
+}
+
+std::uint64_t GridSequence::drawn_cell() {
+  std::uint64_t cell = 0;
+  for (std::size_t axis = 0; axis < sizes_.size(); ++axis) {
+    places_[axis] += steps_[axis];
+    cell = cell * sizes_[axis] + value_at(places_[axis], sizes_[axis]);
+  }
+  return cell;
+}
+
+std::optional<std::vector<std::size_t>> GridSequence::next() {
+  if (told_.size() == cells_) return std::nullopt;
+  for (unsigned i = 0; first_untried_ == 0 && i < most_repeats; ++i) {
+    const std::uint64_t cell = drawn_cell();
+    if (told_.insert(cell).second) return grid_cell(sizes_, cell);
+  }
+  while (!told_.insert(first_untried_).second) ++first_untried_;
+  return grid_cell(sizes_, first_untried_++);
+}
 
 Dimension dimension_in(const std::string& text) {
   const std::size_t equals = text.find('=');
   if (equals == text.npos || equals == 0)
     throw InputError("'" + printable(text) + "' varies nothing; say KEY=a,b,c, as in alu.bits=1,2,4");
   Dimension dimension{text.substr(0, equals), {}};
-  for (const std::string& word : parse_words(text.substr(equals + 1))) {
+  for (const std::string& word : session::parse_words(text.substr(equals + 1))) {
     for (std::string& value : values_in(word)) {
       if (std::ranges::find(dimension.values, value) == dimension.values.end())
         dimension.values.push_back(std::move(value));
@@ -219,20 +208,18 @@ Dimension dimension_in(const std::string& text) {
   return dimension;
 }
 
-std::vector<std::string> varied_options() {
-  std::vector<std::string> names;
-  for (const VariedOption& option : options_by_name) names.emplace_back(option.name);
-  return names;
-}
-
 bool is_memory_figure(std::string_view key) {
   constexpr std::string_view figures[] = {"array.memory_bits", "pixel.memory_bits", "cells.words", "cells.word_bits"};
   return std::ranges::find(figures, key) != std::end(figures);
 }
 
-void vary(ModelRequest& options, const std::string& key, const std::string& value) {
-  if (const VariedOption* const option = varied_option(key)) return option->put(options, value);
-  options.machine += fmt::format("+{}={}", key, value);
+DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions)
+    : base_(std::move(base)), dimensions_(std::move(dimensions)) {
+  for (const Dimension& dimension : dimensions_) sizes_.push_back(dimension.values.size());
+  add_all();
+  for (ModelRequest& design : designs_) {
+    if (!has_stack_bits(design.strategy)) design.stack_bits = emit::fewest_stack_bits;
+  }
 }
 
 DesignGrid::DesignGrid(ModelRequest base, std::vector<Dimension> dimensions, const GridChoice& choice)
@@ -274,8 +261,11 @@ void DesignGrid::add_sample(const GridChoice& choice) {
 void DesignGrid::add(Cell cell) {
   ModelRequest one = base_;
   for (std::size_t axis = 0; axis < cell.size(); ++axis)
-    vary(one, dimensions_[axis].key, dimensions_[axis].values[cell[axis]]);
-  if (!known_.insert(identity_of(one)).second) return;
+    put(one, dimensions_[axis].key, dimensions_[axis].values[cell[axis]]);
+  DesignPoint point;
+  for (const Axis& axis : axes()) axis.read(one, point);
+  point.machine = one.machine;
+  if (!known_.emplace(one.size, std::move(point)).second) return;
   designs_.push_back(std::move(one));
   cells_.push_back(std::move(cell));
 }

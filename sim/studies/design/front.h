@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/studies/explore/measure.h"
+#include "sim/studies/design/row.h"
 
 namespace csgsim::studies {
 
@@ -34,6 +34,19 @@ using Values = std::vector<double>;
 
 /// Whether no other is at most as much on each axis, and less on one. Candidates that are equal stand or fall together.
 std::vector<bool> pareto_of(std::span<const Values> candidates);
+
+/// Numbers of the front's candidates, by their values; of equal ones the first.
+std::vector<std::size_t> listed_front(std::span<const Values> candidates);
+
+/// The same of rows, by the values of each.
+template <class Row, class ValuesOf>
+std::vector<Row> front_rows(std::span<const Row> rows, const ValuesOf& values_of) {
+  std::vector<Values> values;
+  for (const Row& row : rows) values.push_back(values_of(row));
+  std::vector<Row> front;
+  for (const std::size_t one : listed_front(values)) front.push_back(rows[one]);
+  return front;
+}
 
 /// Of those of the front the one that is nearest to the best of each axis at once: on each axis the logarithm of the
 /// value (of 1 + value where it may be 0) is taken, and stretched so that the least of the front is 0 and the greatest

@@ -1,20 +1,20 @@
-#include "sim/studies/explore/front.h"
+#include "sim/studies/design/front.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 
 #include "sim/session/options/lists.h"
-#include "sim/studies/row_text.h"
 
 namespace csgsim::studies {
 
 namespace {
 
-constexpr ExploreAxis all_axes[] = {
+constexpr ExploreAxis front_axes[] = {
     {"time", "ms from frame to frame", [](const ExploreRow& row) { return std::optional(1e3 / row.frames_per_second); },
      true, false},
     {"area", "transistors of the machine",
@@ -38,13 +38,6 @@ bool is_at_most(const Values& a, const Values& b) {
 
 double stretched(double value, const ExploreAxis& axis) { return std::log(axis.may_be_zero ? 1 + value : value); }
 
-/// What a design is, whatever it draws.
-std::string design_of(const ExplorePoint& point) {
-  ExplorePoint any = point;
-  any.model.clear();
-  return to_line(any);
-}
-
 /// A design that is looked at: its rows, one a model.
 using Design = std::vector<std::size_t>;
 
@@ -58,9 +51,12 @@ std::optional<double> value_of(std::span<const ExploreRow> rows, const Design& d
   return all;
 }
 
-/// Of the designs, of which each can draw all that it has to.
-void add_candidates(std::span<const ExploreRow> rows, std::span<const Design> designs,
-                    std::span<const ExploreAxis> axes, ExploreGroup& group) {
+ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, std::vector<Design> designs,
+                      std::span<const ExploreAxis> axes) {
+  ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
+  group.refused = std::erase_if(designs, [&](const Design& design) {
+    return !std::ranges::all_of(design, [&](std::size_t row) { return rows[row].compiled(); });
+  });
   for (const ExploreAxis& axis : axes) {
     const auto has_price = [&](const Design& design) { return value_of(rows, design, axis).has_value(); };
     if (std::ranges::any_of(designs, has_price)) group.axes.push_back(axis);
@@ -79,38 +75,23 @@ void add_candidates(std::span<const ExploreRow> rows, std::span<const Design> de
   }
   group.front = pareto_of(group.values);
   group.knee = knee_of(group.values, group.front, group.axes);
-}
-
-ExploreGroup group_of(std::span<const ExploreRow> rows, std::string model, const std::vector<Design>& all,
-                      std::span<const ExploreAxis> axes) {
-  ExploreGroup group{std::move(model), {}, {}, {}, {}, {}};
-  std::vector<Design> designs;
-  for (const Design& design : all) {
-    const bool is_drawn = std::ranges::all_of(design, [&](std::size_t row) { return rows[row].drawn(); });
-    if (is_drawn) {
-      designs.push_back(design);
-    } else {
-      ++group.refused;
-    }
-  }
-  add_candidates(rows, designs, axes, group);
   return group;
 }
 
 }  // namespace
 
-std::span<const ExploreAxis> explore_axes() { return all_axes; }
+std::span<const ExploreAxis> explore_axes() { return front_axes; }
 
 std::vector<std::string> explore_axis_names() {
   std::vector<std::string> names;
-  for (const ExploreAxis& axis : all_axes) names.emplace_back(axis.name);
+  for (const ExploreAxis& axis : front_axes) names.emplace_back(axis.name);
   return names;
 }
 
 std::vector<ExploreAxis> axes_in(const std::string& text) {
   std::vector<ExploreAxis> axes;
   for (const std::string& name : session::parse_names(text, "axis", explore_axis_names()))
-    axes.push_back(*std::ranges::find(all_axes, name, &ExploreAxis::name));
+    axes.push_back(*std::ranges::find(front_axes, name, &ExploreAxis::name));
   return axes;
 }
 
@@ -130,6 +111,17 @@ std::vector<bool> pareto_of(std::span<const Values> candidates) {
     front.push_back(one);
   }
   return is_best;
+}
+
+std::vector<std::size_t> listed_front(std::span<const Values> candidates) {
+  const std::vector<bool> is_best = pareto_of(candidates);
+  std::set<Values> known;
+  std::vector<std::size_t> front;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (is_best[i] && known.insert(candidates[i]).second) front.push_back(i);
+  }
+  std::ranges::sort(front, {}, [&](std::size_t one) -> const Values& { return candidates[one]; });
+  return front;
 }
 
 std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std::vector<bool>& front,
@@ -163,25 +155,22 @@ std::optional<std::size_t> knee_of(std::span<const Values> candidates, const std
 std::vector<ExploreGroup> groups_of(std::span<const ExploreRow> rows, std::span<const ExploreAxis> axes) {
   std::vector<std::string> models;
   std::map<std::string, std::vector<Design>> by_model;
-  std::map<std::string, Design> by_design;
-  std::vector<std::string> designs;
+  std::map<DesignPoint, std::size_t> numbers;  // of designs, whatever they draw
+  std::vector<Design> of_all;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const ExplorePoint& point = rows[i].point;
-    std::vector<Design>& of_model = by_model[point.model];
-    if (of_model.empty()) models.push_back(point.model);
+    DesignPoint design = rows[i].point;
+    std::vector<Design>& of_model = by_model[design.model];
+    if (of_model.empty()) models.push_back(design.model);
     of_model.push_back({i});
-    Design& design = by_design[design_of(point)];
-    if (design.empty()) designs.push_back(design_of(point));
-    design.push_back(i);
+    design.model.clear();
+    const auto [number, is_new] = numbers.emplace(std::move(design), of_all.size());
+    if (is_new) of_all.emplace_back();
+    of_all[number->second].push_back(i);
   }
   std::vector<ExploreGroup> groups;
   groups.reserve(models.size() + 1);
   for (const std::string& model : models) groups.push_back(group_of(rows, model, by_model[model], axes));
-  if (models.size() == 1) return groups;
-  std::vector<Design> of_all;
-  of_all.reserve(designs.size());
-  for (const std::string& design : designs) of_all.push_back(by_design[design]);
-  groups.push_back(group_of(rows, "", of_all, axes));
+  if (models.size() > 1) groups.push_back(group_of(rows, "", of_all, axes));
   return groups;
 }
 

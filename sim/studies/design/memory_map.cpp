@@ -1,4 +1,4 @@
-#include "sim/studies/sweep/memory_map.h"
+#include "sim/studies/design/memory_map.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,260 @@
+#include "sim/studies/advise/show.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "hw/base/text.h"
+#include "sim/session/options/numbers.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/rows_json.h"
+
+namespace csgsim::studies {
+
+namespace {
+/// Those with colours enough.
+std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Wishes& wishes) {
+  std::vector<AdviceRow> all;
+  for (const AdviceRow& row : rows) {
+    if (row.compiled() && miss(row, Wish::colour, wishes) == 0) all.push_back(row);
+  }
+  return all;
+}
+
+/// Of the front that are printed; files have all.
+constexpr std::size_t most_rows = 40;
+
+std::string figures_text(const AdviceRow& row) {
+  const auto text = [&](Wish wish) { return kind_of(wish).value_text(row); };
+  return fmt::format("{}, {}, {}, {} clocks, {}", text(Wish::bits), text(Wish::wrong_pixels), text(Wish::speed),
+                     grouped(row.clocks), text(Wish::colour));
+}
+
+/// Of a front; all of it, if none has them.
+std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const Wishes& wishes) {
+  std::vector<AdviceRow> all = coloured(front, wishes);
+  return all.empty() ? front : all;
+}
+
+std::string colours_text(const Wishes& wishes) {
+  return fmt::format(", with {} of colour or more", session::counted(wishes.min_colour_bits, "bit"));
+}
+
+void print_row(const AdviceRow& row, bool has_alu, bool meets) {
+  const DesignPoint& point = row.point;
+  fmt::print("{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}", row.used_bits, point.z_bits, point.fraction_bits,
+             point.colour_bits, row.colour_error, strategy_name(point), point.colouring);
+  if (has_alu) fmt::print("{:>4}", point.alu_bits);
+  fmt::print("{:>12}{:>10.2f}{:>9}{}\n", grouped(row.clocks), row.frames_per_second, grouped(row.wrong),
+             meets ? "  *" : "");
+}
+
+/// The first, with those of the others that are the same choice.
+void print_recommendation(std::span<const Recommendation> all, const std::string& command, const Wishes& wishes) {
+  const Recommendation& first = all.front();
+  const WishKind& kind = kind_of(first.wish);
+  std::string names;
+  for (const Recommendation& one : all) {
+    if (one.row == first.row) names += fmt::format("{}{}", names.empty() ? "" : ", ", kind_of(one.wish).best);
+  }
+  fmt::print("\n{}: {}\n", names, figures_text(first.row));
+  if (first.miss > 0)
+    fmt::print("  in the way is the wish for {}: with the others met, {} is the best, {}\n", kind.limit_text(wishes),
+               kind.value_text(first.row), kind.miss_text(first.miss));
+  fmt::print("  {}\n", command);
+}
+
+struct Step {
+  std::uint32_t bits = 0;
+  double fps = 0;
+
+  bool operator==(const Step&) const = default;
+};
+
+struct Staircase {
+  std::uint64_t most_wrong = 0;
+  std::vector<Step> steps;
+};
+
+/// The wish, none at all, and what ten and a hundred times as many would buy.
+std::set<std::uint64_t> limits_of(const Wishes& wishes) {
+  const std::uint64_t wish = std::max<std::uint64_t>(wishes.max_wrong_pixels, 1);
+  return {0, wishes.max_wrong_pixels, 10 * wish, 100 * wish};
+}
+
+/// The most frames a second with so many bits or fewer, where that becomes more.
+std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t most_wrong) {
+  std::vector<Step> steps;
+  for (const AdviceRow& row : front) {
+    if (row.wrong > most_wrong || (!steps.empty() && row.frames_per_second <= steps.back().fps)) continue;
+    if (!steps.empty() && steps.back().bits == row.used_bits) steps.pop_back();
+    steps.push_back({row.used_bits, row.frames_per_second});
+  }
+  return steps;
+}
+
+/// A limit that buys no more than a stricter one has no line.
+std::vector<Staircase> staircases_of(std::span<const AdviceRow> front, const Wishes& wishes) {
+  std::vector<Staircase> all;
+  for (const std::uint64_t limit : limits_of(wishes)) {
+    std::vector<Step> steps = steps_of(front, limit);
+    if (steps.empty() || (!all.empty() && all.back().steps == steps)) continue;
+    all.push_back({limit, std::move(steps)});
+  }
+  return all;
+}
+
+std::string title_of(const Staircase& stairs) {
+  if (stairs.most_wrong == 0) return "no wrong pixel";
+  if (stairs.most_wrong == 1) return "at most 1 wrong pixel";
+  return fmt::format("at most {} wrong pixels", stairs.most_wrong);
+}
+
+void add_staircases(const std::vector<Staircase>& all, plots::Chart& chart) {
+  for (const Staircase& stairs : all) {
+    plots::Series series{title_of(stairs), 0, plots::Trace::steps};
+    for (const Step& step : stairs.steps) series.points.push_back({static_cast<double>(step.bits), step.fps});
+    chart.series.push_back(std::move(series));
+  }
+}
+
+/// Labelled marks, one for each choice: several wishes may have the same.
+void add_recommendations(std::span<const Recommendation> all, plots::Chart& chart) {
+  plots::Series series{"recommended", 0, plots::Trace::marks};
+  for (const Recommendation& one : all) {
+    series.points.push_back(
+        {static_cast<double>(one.row.used_bits), one.row.frames_per_second, kind_of(one.wish).best});
+  }
+  if (!series.points.empty()) chart.series.push_back(std::move(series));
+}
+
+void add_wishes(const Wishes& wishes, plots::Chart& chart) {
+  double most_bits = 0;
+  for (const plots::Series& series : chart.series) {
+    for (const plots::Point& point : series.points) most_bits = std::max(most_bits, point.x);
+  }
+  const plots::Point wish{static_cast<double>(wishes.max_bits), wishes.min_fps};
+  if (wish.x <= most_bits)
+    chart.series.push_back({fmt::format("wish: at most {} bits", wishes.max_bits), 0, plots::Trace::upright, {wish}});
+  if (wish.y > 0) {
+    chart.series.push_back(
+        {fmt::format("wish: at least {:g} frames a second", wishes.min_fps), 0, plots::Trace::level, {wish}});
+  }
+}
+
+using Json = nlohmann::ordered_json;
+
+Json choice_json(const AdviceRow& row) {
+  Json json;
+  set_columns(json, row);
+  if (row.compiled()) json.erase("reason");
+  return json;
+}
+
+Json choices_json(std::span<const AdviceRow> rows) {
+  Json json = Json::array();
+  for (const AdviceRow& row : rows) json.push_back(choice_json(row));
+  return json;
+}
+
+}  // namespace
+
+std::string misses_text(const AdviceRow& row, const Wishes& wishes) {
+  std::string text;
+  for (const Wish wish : all_wishes) {
+    const double by = miss(row, wish, wishes);
+    if (by > 0) text += (text.empty() ? "" : ", ") + kind_of(wish).miss_text(by);
+  }
+  return text;
+}
+
+void print_question(const std::string& subject, std::span<const AdviceRow> rows, const Wishes& wishes) {
+  const auto compiled = std::count_if(rows.begin(), rows.end(), [](const AdviceRow& row) { return row.compiled(); });
+  fmt::print("{}: {} searched", printable(subject), session::counted(rows.size(), "choice"));
+  const auto refused = rows.size() - static_cast<std::size_t>(compiled);
+  if (refused > 0) fmt::print(", {} of which cannot be drawn", grouped(refused));
+  fmt::print("\nwishes: ");
+  for (const Wish wish : all_wishes)
+    fmt::print("{}{}", wish == Wish::bits ? "" : ", ", kind_of(wish).limit_text(wishes));
+  fmt::print("\n");
+}
+
+void print_front(std::span<const AdviceRow> rows, const Wishes& wishes) {
+  const std::vector<AdviceRow> front = with_colours(advice_front(rows), wishes);
+  std::vector<AdviceRow> shown = nearest_choices(front, wishes, most_rows);
+  const bool has_alu = std::any_of(shown.begin(), shown.end(), [&](const AdviceRow& row) {
+    return row.point.alu_bits != shown.front().point.alu_bits;
+  });
+  fmt::print("\n{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}{}{:>12}{:>10}{:>9}\n", "bits", "z", "frac.", "colour", "error",
+             "strategy", "colouring", has_alu ? " ALU" : "", "clocks", "frames/s", "wrong");
+  // In the order of the front.
+  for (const AdviceRow& row : front) {
+    if (std::find(shown.begin(), shown.end(), row) != shown.end()) print_row(row, has_alu, meets_all(row, wishes));
+  }
+  fmt::print("*: meets all wishes. ");
+  if (shown.size() < front.size())
+    fmt::print("The {} nearest to the wishes of {} that no other beats{}.\n", shown.size(), grouped(front.size()),
+               colours_text(wishes));
+  else
+    fmt::print("No other choice beats these{}.\n", colours_text(wishes));
+}
+
+void print_advice(const Advice& advice, const Wishes& wishes) {
+  const std::span<const Recommendation> all = advice.recommendations;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (std::any_of(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                    [&](const Recommendation& other) { return other.row == all[i].row; }))
+      continue;
+    print_recommendation(all.subspan(i), advice.commands[i], wishes);
+  }
+  if (!advice.nearest) return;
+  fmt::print("\nnearest: {}\n  {}\n  {}\n", figures_text(*advice.nearest), misses_text(*advice.nearest, wishes),
+             advice.nearest_command);
+}
+
+std::string advice_json(const std::string& title, const Wishes& wishes, std::span<const AdviceRow> rows,
+                        const Advice& advice) {
+  Json recommended = Json::array();
+  for (std::size_t i = 0; i < advice.recommendations.size(); ++i) {
+    const Recommendation& one = advice.recommendations[i];
+    recommended.push_back({{"what", kind_of(one.wish).best},
+                           {"missed_by", one.miss},
+                           {"meets_all", one.miss == 0},
+                           {"command", advice.commands[i]},
+                           {"point", choice_json(one.row)}});
+  }
+  Json json{{"study", title},
+            {"wishes",
+             {{"max_bits", wishes.max_bits},
+              {"max_wrong_pixels", wishes.max_wrong_pixels},
+              {"min_fps", wishes.min_fps},
+              {"min_colour_bits", wishes.min_colour_bits}}},
+            {"meets_all", !advice.nearest},
+            {"recommendations", recommended}};
+  if (advice.nearest) json["nearest"] = {{"command", advice.nearest_command}, {"point", choice_json(*advice.nearest)}};
+  json["front"] = choices_json(advice_front(rows));
+  json["points"] = choices_json(rows);
+  return file_text(json);
+}
+
+plots::Plot plot_of_advice(std::span<const AdviceRow> rows, const Wishes& wishes,
+                           std::span<const Recommendation> recommendations, const std::string& model) {
+  plots::Chart chart{fmt::format("{}: what memory buys, with {} bits of colour or more", model, wishes.min_colour_bits),
+                     {"memory bits a pixel", plots::Scale::linear, {}, false, true},
+                     {{"frames a second, at most", plots::Scale::linear}},
+                     {},
+                     "advise.csv"};
+  add_staircases(staircases_of(advice_front(coloured(rows, wishes)), wishes), chart);
+  if (!chart.series.empty()) {
+    add_recommendations(recommendations, chart);
+    add_wishes(wishes, chart);
+  }
+  return {"advise", std::move(chart)};
+}
+
+}  // namespace csgsim::studies

@@ -1,0 +1,269 @@
+#include "sim/studies/explore/show.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "hw/base/text.h"
+#include "sim/plots/common_looks.h"
+#include "sim/session/options/numbers.h"
+#include "sim/studies/design/axes.h"
+#include "sim/studies/groups.h"
+#include "sim/studies/plot_names.h"
+#include "sim/studies/rows_json.h"
+
+namespace csgsim::studies {
+
+namespace {
+
+/// Of a front that are printed; files have all.
+constexpr std::size_t most_printed = 40;
+
+/// From here on no fraction is shown.
+constexpr double least_rounded = 10'000;
+constexpr double most_grouped = 1e15;
+
+std::string value_text(double value) {
+  const bool is_shown_whole = value >= least_rounded || value == std::floor(value);
+  if (value >= 0 && value < most_grouped && is_shown_whole)
+    return grouped(static_cast<std::uint64_t>(std::llround(value)));
+  return fmt::format("{:.4g}", value);
+}
+
+/// Cells of a table, with a line a row; columns are as wide as they have to be.
+void print_cells(const std::vector<std::vector<std::string>>& lines) {
+  std::vector<std::size_t> widths(lines.front().size());
+  for (const std::vector<std::string>& line : lines) {
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], line[i].size());
+  }
+  for (const std::vector<std::string>& line : lines) {
+    std::string text;
+    for (std::size_t i = 0; i < line.size(); ++i) text += fmt::format("  {:>{}}", line[i], widths[i]);
+    fmt::print("{}\n", text);
+  }
+}
+
+void print_front(std::span<const ExploreRow> rows, const DesignNames& names, const ExploreGroup& group) {
+  std::vector<std::vector<std::string>> lines(1, names.keys());
+  for (const ExploreAxis& axis : group.axes) lines[0].emplace_back(axis.title);
+  const std::vector<std::size_t> front = listed_front(group.values);
+  for (const std::size_t one : front) {
+    if (lines.size() > most_printed) break;
+    lines.push_back(names.values(rows[group.rows[one]].point));
+    for (const double value : group.values[one]) lines.back().push_back(value_text(value));
+    if (one == group.knee) lines.back().emplace_back("knee");
+  }
+  lines[0].emplace_back("");
+  for (std::vector<std::string>& line : lines) line.resize(lines[0].size());
+  print_cells(lines);
+  if (front.size() > most_printed) fmt::print("  and {} more, in explore.json\n", grouped(front.size() - most_printed));
+}
+
+std::string group_text(const ExploreGroup& group) {
+  const auto on_front = static_cast<std::uint64_t>(std::ranges::count(group.front, true));
+  std::string text =
+      fmt::format("{}: {} on the front of {}", group.model.empty() ? "All models" : group.model, grouped(on_front),
+                  session::counted(group.values.size() + group.refused + group.unpriced, "design"));
+  if (group.refused > 0) text += fmt::format("; {} cannot be drawn", grouped(group.refused));
+  if (group.unpriced > 0) text += fmt::format("; {} without a price on an axis left out", grouped(group.unpriced));
+  return text;
+}
+
+/// Each reason once, with the first design that it refuses.
+void print_refused(std::span<const ExploreRow> rows, const DesignNames& names, const std::string& model) {
+  for (const auto& [reason, refused] :
+       grouped_by(rows, [&](const ExploreRow& row) { return row.point.model == model ? row.reason : std::string(); })) {
+    if (reason.empty()) continue;
+    const std::size_t more = refused.size() - 1;
+    const std::string others =
+        more > 0 ? fmt::format(", as {} {}", more == 1 ? "does" : "do", session::counted(more, "other design")) : "";
+    fmt::print("  {} cannot be drawn{}: {}\n", names.text(refused.front()->point), others, reason);
+  }
+}
+
+void print_knee(std::span<const ExploreRow> rows, const DesignNames& names, const ShownGroup& shown) {
+  const ExploreGroup& group = shown.group;
+  std::string values;
+  for (std::size_t axis = 0; axis < group.axes.size(); ++axis)
+    values += fmt::format("; {} {}", group.axes[axis].title, value_text(group.values[*group.knee][axis]));
+  fmt::print("knee: {}{}\n", names.text(rows[group.rows[*group.knee]].point), values);
+  for (const std::string& command : shown.commands) fmt::print("  {}\n", command);
+}
+
+using Json = nlohmann::ordered_json;
+
+/// Whole numbers as such.
+Json value_json(const std::string& text) {
+  std::int64_t number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (error == std::errc{} && end == text.data() + text.size()) return number;
+  return text;
+}
+
+/// What the design is, without what all have.
+Json design_json(const DesignNames& names, const DesignPoint& point) {
+  Json json = Json::object();
+  const std::vector<std::string> values = names.values(point);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!values[i].empty()) json[names.keys()[i]] = value_json(values[i]);
+  }
+  return json;
+}
+
+Json candidate_json(std::span<const ExploreRow> rows, const DesignNames& names, const ExploreGroup& group,
+                    std::size_t candidate) {
+  Json values = Json::object();
+  for (std::size_t axis = 0; axis < group.axes.size(); ++axis)
+    values[group.axes[axis].name] = group.values[candidate][axis];
+  return {{"design", design_json(names, rows[group.rows[candidate]].point)}, {"values", values}};
+}
+
+Json group_json(std::span<const ExploreRow> rows, const DesignNames& names, const ShownGroup& shown) {
+  const ExploreGroup& group = shown.group;
+  Json json{{"model", group.model.empty() ? Json(nullptr) : Json(group.model)},
+            {"axes", Json::array()},
+            {"designs", group.values.size() + group.refused + group.unpriced},
+            {"refused", group.refused},
+            {"unpriced", group.unpriced},
+            {"front", Json::array()}};
+  for (const ExploreAxis& axis : group.axes) json["axes"].push_back(axis.name);
+  for (std::size_t i = 0; i < group.values.size(); ++i) {
+    if (group.front[i]) json["front"].push_back(candidate_json(rows, names, group, i));
+  }
+  if (!group.knee) return json;
+  json["knee"] = candidate_json(rows, names, group, *group.knee);
+  json["knee"]["commands"] = shown.commands;
+  return json;
+}
+
+/// Two of a group's axes, and what of its candidates stands there.
+struct Panel {
+  const ExploreGroup& group;
+  std::size_t axis;  ///< against the first
+
+  [[nodiscard]] plots::Point at(std::size_t candidate) const {
+    return {group.values[candidate][0], group.values[candidate][axis]};
+  }
+};
+
+/// The front of these two axes alone, from the least of the first on.
+std::vector<plots::Point> pair_front(const Panel& panel) {
+  std::vector<Values> pairs;
+  for (const Values& values : panel.group.values) pairs.push_back({values[0], values[panel.axis]});
+  std::vector<plots::Point> front;
+  for (const std::size_t one : listed_front(pairs)) front.push_back(panel.at(one));
+  return front;
+}
+
+void add_panel(const Panel& panel, plots::Chart& chart) {
+  const ExploreGroup& group = panel.group;
+  const std::size_t number = chart.panels.size();
+  const ExploreAxis& axis = group.axes[panel.axis];
+  chart.panels.push_back({axis.title, plots::Scale::logarithmic});
+  plots::Series beaten{number == 0 ? "another is better" : "", number, plots::Trace::marks, {}, true};
+  plots::Series best{"Pareto front", number, plots::Trace::marks};
+  for (std::size_t i = 0; i < group.values.size(); ++i) (group.front[i] ? best : beaten).points.push_back(panel.at(i));
+  plots::Series of_two{"front of the two axes", number, plots::Trace::steps, pair_front(panel)};
+  plots::Series knee{"knee", number, plots::Trace::marks, {panel.at(*group.knee)}};
+  for (plots::Series* const series : {&beaten, &best, &of_two, &knee}) {
+    if (!series->points.empty()) chart.series.push_back(std::move(*series));
+  }
+}
+
+}  // namespace
+
+DesignNames::DesignNames(std::span<const ExploreRow> rows) {
+  std::map<std::string, std::set<std::string>> values;
+  std::vector<std::string> order;
+  for (const ExploreRow& row : rows) {
+    for (auto& [key, value] : texts_of(row.point)) {
+      if (!values.contains(key)) order.push_back(key);
+      values[key].insert(value);
+    }
+  }
+  std::ranges::copy_if(order, std::back_inserter(keys_),
+                       [&](const std::string& key) { return values[key].size() > 1; });
+}
+
+std::vector<std::string> DesignNames::values(const DesignPoint& point) const {
+  const auto texts = texts_of(point);
+  std::vector<std::string> values;
+  for (const std::string& key : keys_) {
+    const auto found = std::ranges::find(texts, key, &std::pair<std::string, std::string>::first);
+    values.push_back(found == texts.end() ? "" : found->second);
+  }
+  return values;
+}
+
+std::string DesignNames::text(const DesignPoint& point) const {
+  const std::vector<std::string> of_keys = values(point);
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    if (!of_keys[i].empty()) parts.push_back(keys_[i] + "=" + of_keys[i]);
+  }
+  return parts.empty() ? point.machine : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+void print_explored(std::span<const ExploreRow> rows, std::span<const ShownGroup> groups) {
+  const DesignNames names(rows);
+  bool is_first = true;
+  for (const ShownGroup& shown : groups) {
+    fmt::print("{}{}\n", is_first ? "" : "\n", group_text(shown.group));
+    is_first = false;
+    if (!shown.group.model.empty()) print_refused(rows, names, shown.group.model);
+    if (!shown.group.knee) continue;
+    print_front(rows, names, shown.group);
+    print_knee(rows, names, shown);
+  }
+}
+
+std::string explore_json(const std::string& title, std::span<const ExploreRow> rows,
+                         std::span<const ShownGroup> groups) {
+  const DesignNames names(rows);
+  std::map<std::size_t, std::pair<bool, bool>> marks;  // of rows on their model's front, and of its knee
+  for (const ShownGroup& shown : groups) {
+    const ExploreGroup& group = shown.group;
+    for (std::size_t i = 0; i < group.rows.size() && !group.model.empty(); ++i)
+      marks[group.rows[i]] = {group.front[i], group.knee == i};
+  }
+  const SetPoint columns = setter_of(rows);
+  Json json = points_json(title, rows.size(), [&](Json& point, std::size_t row) {
+    columns(point, row);
+    point["design"] = design_json(names, rows[row].point);
+    if (!rows[row].compiled()) return;
+    const std::pair<bool, bool>& mark = marks[row];
+    point["pareto"] = mark.first;
+    point["knee"] = mark.second;
+  });
+  json["fronts"] = Json::array();
+  for (const ShownGroup& shown : groups) json["fronts"].push_back(group_json(rows, names, shown));
+  return file_text(json);
+}
+
+std::vector<plots::Plot> plots_of_explore(std::span<const ShownGroup> groups) {
+  std::vector<plots::Plot> all;
+  PlotNames plot_names;
+  for (const ShownGroup& shown : groups) {
+    const ExploreGroup& group = shown.group;
+    if (!group.knee || group.axes.size() < 2) continue;
+    const std::string name = plot_names.next(group.model.empty() ? "all_models" : plot_stem(group.model));
+    plots::Chart chart{fmt::format("{}: what {} buys", group.model.empty() ? "all models" : name, group.axes[0].name),
+                       {group.axes[0].title, plots::Scale::logarithmic},
+                       {},
+                       {},
+                       "explore.csv"};
+    for (std::size_t axis = 1; axis < group.axes.size(); ++axis) add_panel({group, axis}, chart);
+    all.push_back({name + "_front", std::move(chart)});
+  }
+  plots::give_common_looks(all);
+  return all;
+}
+
+}  // namespace csgsim::studies
