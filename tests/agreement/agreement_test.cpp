@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
 #include "hw/isa/depth_scale.h"
 #include "places.h"
 #include "tests/agreement/mesh_depth.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

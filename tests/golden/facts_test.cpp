@@ -1,12 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
@@ -16,6 +7,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 #include "tests/support/bare_text.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

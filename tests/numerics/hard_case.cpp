@@ -1,14 +1,5 @@
 #include "tests/numerics/hard_case.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <glm/geometric.hpp>
-#include <string_view>
-#include <utility>
-
 #include "host/read/read.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/engine/engine.h"
@@ -16,6 +7,7 @@
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
 #include "tests/support/software_ways.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

@@ -1,7 +1,6 @@
-#include <doctest/doctest.h>
-
 #include "host/emit/compile.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,10 @@
 #include "sim/judges/errors.h"
 
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-
 #include "sim/judges/truth.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using judges::compare;
-using judges::Errors;
-using judges::nothing;
-using judges::Truth;
+using namespace judges;
 
 namespace {
 

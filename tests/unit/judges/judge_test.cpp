@@ -1,14 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <cstdlib>
-#include <vector>
 
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;

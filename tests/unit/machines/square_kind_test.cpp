@@ -1,17 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "hw/division/divide.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/runs_on.h"
 #include "hw/machines/timeline.h"
 #include "hw/pixel_square/storage_check.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 // What the kind says of its machines, and which Programs they refuse.
