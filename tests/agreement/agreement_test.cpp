@@ -1,13 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
 #include "hw/isa/depth_scale.h"
 #include "hw/isa/facts.h"
 #include "places.h"
 #include "tests/agreement/mesh_depth.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

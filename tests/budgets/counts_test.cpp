@@ -1,16 +1,15 @@
-#include <doctest/doctest.h>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/clocks.h"
 #include "tests/budgets/measure.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 // The judge of every count is a sum by hand of what docs/instruction-set.md says an instruction takes: a clock for one
 // on the enable register, the width of a linear expression for each time that it is streamed, the width of a field for
 // one with one source, twice that for two sources.
-
-using namespace csgsim;
 
 namespace {
 

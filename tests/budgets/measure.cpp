@@ -1,13 +1,10 @@
 #include "tests/budgets/measure.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/kinds/load.h"
 #include "places.h"
+#include "tests/support/test.h"
 
 namespace csgsim::budgets {
 

@@ -1,11 +1,7 @@
 #include "tests/budgets/page.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <fstream>
-
 #include "places.h"
+#include "tests/support/test.h"
 
 namespace csgsim::budgets {
 

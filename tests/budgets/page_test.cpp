@@ -1,12 +1,10 @@
 #include "tests/budgets/page.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/program_file.h"
 #include "tests/budgets/measure.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
-#include <optional>
-
 #include "hw/isa/colour_format.h"
 #include "hw/isa/program_file.h"
 #include "tests/budgets/measure.h"
+#include "tests/support/test.h"
 
 // The judge of the pictures is geometry in doubles: rays through pixel centres against the triangles and spheres whose
 // numbers stand here again. It knows nothing of instructions.

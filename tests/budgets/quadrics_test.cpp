@@ -1,8 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-
 #include "host/convex/extent.h"
 #include "host/csg/positive_tree.h"
 #include "host/facet/geometry.h"
@@ -15,11 +10,12 @@
 #include "sim/observe/stats.h"
 #include "tests/budgets/page.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 // Spheres and a part without facets, on Pixel-Powers. As in counts_test.cpp, the judge of what can be summed by hand is
 // such a sum.
-
-using namespace csgsim;
 
 namespace {
 

@@ -1,9 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <sstream>
-#include <string>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -35,9 +29,7 @@ void check_command(const nlohmann::json& recommended, const Folder& folder) {
 
 /// All that is recommended for the model, as advise.json has it.
 nlohmann::json advice(const std::string& words, const Folder& folder) {
-  const Outcome outcome = run("advise " + model("old_example011") + words + " --no-plots -o " + (folder / "a"));
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(run("advise " + model("old_example011") + words + " --no-plots -o " + (folder / "a")));
   return json(folder / "a/advise.json")["recommendations"];
 }
 
@@ -77,7 +69,7 @@ TEST_CASE("the commands on advise's page draw what the page says of them") {
     const std::string output = " --output ";
     std::string words = line.substr(begin, line.find(output) - begin).substr(std::string("csgsim ").size());
     words.replace(words.find("tests/"), 0, std::string(CSGSIM_SOURCE_DIR) + "/");
-    REQUIRE(run(words + output + (folder / "p.png") + " --stats " + (folder / "p.json")).code == 0);
+    succeeded(run(words + output + (folder / "p.png") + " --stats " + (folder / "p.json")));
     const nlohmann::json stats = json(folder / "p.json");
     const auto says = [&](const std::string& text) { return figures.find(text) != std::string::npos; };
     const std::string clocks = std::to_string(stats["clocks"].get<std::uint64_t>());
@@ -108,10 +100,7 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   const Folder folder;
   const std::string ask = "advise " + model("old_example011") + narrow + " --no-plots --max-wrong-pixels 1000 ";
   const Outcome fast = run(ask + "--min-fps 1e6 -o " + (folder / "a"));
-  CHECK(fast.code == 1);
-  CHECK(one_line(fast.err));
-  CHECK(fast.err.find("no choice meets all wishes") != std::string::npos);
-  CHECK(fast.err.find("frames a second too few") != std::string::npos);
+  fails(fast, 1, {"no choice meets all wishes", "frames a second too few"});
   CHECK(fast.out.find("in the way is the wish for at least 1e+06 frames a second") != std::string::npos);
   CHECK(fast.out.find("rebroadcast") != std::string::npos);
   const nlohmann::json recommended = json(folder / "a/advise.json")["recommendations"];
@@ -129,12 +118,11 @@ TEST_CASE("where no choice meets all wishes, advise says what is in the way and 
   check_command(answer["nearest"], folder);
   // 12 bits of each depth, 24 of colour and the mask.
   const Outcome tight = run(ask + "--max-bits 47");
-  CHECK(tight.code == 1);
-  CHECK(tight.err.find("2 bits too many") != std::string::npos);
+  fails(tight, 1, {"2 bits too many"});
   CHECK(
       tight.out.find("in the way is the wish for at least 24 bits of colour: with the others met, 21 bits of colour") !=
       std::string::npos);
-  CHECK(run(ask + "--max-bits 49").code == 0);
+  succeeded(run(ask + "--max-bits 49"));
 }
 
 TEST_CASE("advise measures nothing twice, whatever is wished") {
@@ -156,10 +144,10 @@ TEST_CASE("advise measures nothing twice, whatever is wished") {
   const std::size_t end = marked.find('\n', at);
   marked.insert(end, "marked");
   write(folder / "a/advise.csv", marked.substr(0, marked.size() - 500));
-  REQUIRE(run(ask + " --threads 1 --no-plots").code == 0);
+  succeeded(run(ask + " --threads 1 --no-plots"));
   CHECK(content(folder / "a/advise.csv") == marked);
   write(folder / "a/advise.csv", table);
-  REQUIRE(run(ask + " --min-fps 1 --max-bits 60 --no-plots").code == 0);
+  succeeded(run(ask + " --min-fps 1 --max-bits 60 --no-plots"));
   CHECK(content(folder / "a/advise.csv") == table);
   CHECK(content(folder / "a/advise.json") != answer);
   const Outcome again = run(ask);
@@ -172,7 +160,7 @@ TEST_CASE("rows that say something else than what is drawn are told, and nobody 
   const Folder folder;
   const std::string ask =
       "advise " + model("old_example011") + narrow + "--max-wrong-pixels 1000 --no-plots -o " + (folder / "a");
-  REQUIRE(run(ask).code == 0);
+  succeeded(run(ask));
   std::string table = content(folder / "a/advise.csv");
   // Each line of a choice ends in its clocks, wrong pixels and the like: every picture has a pixel more that is wrong.
   std::size_t changed = 0;
@@ -182,18 +170,16 @@ TEST_CASE("rows that say something else than what is drawn are told, and nobody 
   }
   REQUIRE(changed > 0);
   write(folder / "a/advise.csv", table);
-  const Outcome outcome = run(ask);
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("a choice that is recommended draws another picture than its row says; what was read of them "
-                         "may not be as it was measured") != std::string::npos);
+  fails(run(ask), 1,
+        {"a choice that is recommended draws another picture than its row says; what was read of them "
+         "may not be as it was measured"});
 }
 
 TEST_CASE("advise without a folder leaves no file behind") {
   const Folder folder;
-  const Outcome outcome = run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",
-                                     "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
-                                    folder.path());
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run_words({"advise", model("old_example011"), "--size", "32x32", "--z-bits", "16",
+                                               "--fraction-bits", "6", "--max-wrong-pixels", "1000"},
+                                              folder.path()));
   CHECK(outcome.out.find("\nfewest bits") != std::string::npos);
   CHECK(folder.files() == 0);
 }

@@ -1,10 +1,4 @@
-#include <doctest/doctest.h>
 #include <stdlib.h>
-
-#include <filesystem>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -50,20 +44,15 @@ TEST_CASE("bench measures in turn, tells what was measured and by which command,
   REQUIRE(bench["rivals"].size() >= 6);
   for (const nlohmann::json& row : bench["rivals"]) CHECK(row["not_measured"] == "not installed");
   CHECK(bench["growth"].empty());
-  const Outcome misused = measure({"--parts", "speeds", "-o", folder / "c"});
-  CHECK(misused.code == 2);
-  CHECK(one_line(misused.err));
-  CHECK(misused.err.find("speed") != std::string::npos);
+  fails(measure({"--parts", "speeds", "-o", folder / "c"}), 2, {"speed"});
 }
 
 TEST_CASE("bench measures another build beside this one, and tells the ratio") {
   const Folder folder;
   ::setenv("PATH", folder.path().c_str(), 1);
-  const Outcome outcome = measure({"--size", "32x32", "--rounds", "1", "--parts", "speed,counts,schedule,works",
-                                   "--works", "picture", "--machines", "pixel-square", "--levels", "functional",
-                                   "--beside", binary_folder + "/csgsim", "-o", folder / "b"});
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(measure(
+      {"--size", "32x32", "--rounds", "1", "--parts", "speed,counts,schedule,works", "--works", "picture", "--machines",
+       "pixel-square", "--levels", "functional", "--beside", binary_folder + "/csgsim", "-o", folder / "b"}));
   CHECK(outcome.out.find("other ÷ this") != std::string::npos);
   const nlohmann::json bench = json(folder / "b/bench.json");
   REQUIRE(bench["speed"].size() == 2);
@@ -89,8 +78,7 @@ TEST_CASE("bench measures another build beside this one, and tells the ratio") {
 
 TEST_CASE("bench counts what a Program takes, the same each time") {
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3_squares.csgt";
-  const Outcome outcome = bench({"count", program});
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(bench({"count", program}));
   CHECK(outcome.out.starts_with("segments "));
   CHECK(bench({"count", program}).out == outcome.out);
   const nlohmann::json counts = nlohmann::json::parse(bench({"count", "--json", program}).out);
@@ -100,9 +88,7 @@ TEST_CASE("bench counts what a Program takes, the same each time") {
 
 TEST_CASE("bench fits what growth costs, and draws it") {
   const Folder folder;
-  const Outcome outcome = measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"});
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(measure({"--size", "64x64", "--seconds", "0", "--parts", "growth", "-o", folder / "b"}));
   const nlohmann::json growth = json(folder / "b/bench.json")["growth"];
   REQUIRE(growth.size() == 7);
   for (const nlohmann::json& row : growth) {

@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -24,9 +17,7 @@ std::string classify(const std::string& more) {
 TEST_CASE(
     "classify counts by every method and prices it, all methods see the same surfaces, and nothing is done twice") {
   const Folder folder;
-  const Outcome first = run(classify(" -o " + (folder / "c")));
-  CAPTURE(first.err);
-  REQUIRE(first.code == 0);
+  const Outcome first = succeeded(run(classify(" -o " + (folder / "c"))));
   CHECK(first.out.find("All methods see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "c/classify.json")["points"];
   REQUIRE(points.size() == 7 * 6 + 3);
@@ -43,19 +34,19 @@ TEST_CASE(
   const std::string table = content(folder / "c/classify.csv");
   const std::size_t last = table.rfind('\n', table.size() - 2);
   write(folder / "c/classify.csv", table.substr(0, table.rfind('\n', last - 1) + 30));
-  REQUIRE(run(classify(" -o " + (folder / "c"))).code == 0);
+  succeeded(run(classify(" -o " + (folder / "c"))));
   const std::string again = content(folder / "c/classify.csv");
   CHECK(again.substr(0, last - 200) == table.substr(0, last - 200));
 }
 
 TEST_CASE("prices are applied to what was counted, so that other processors measure nothing anew") {
   const Folder folder;
-  REQUIRE(run(classify(few + " --no-plots -o " + (folder / "c"))).code == 0);
+  succeeded(run(classify(few + " --no-plots -o " + (folder / "c"))));
   const std::string table = content(folder / "c/classify.csv");
-  REQUIRE(run(classify(" --methods standard,status,weave --coherences all-points,one-list --no-plots --processors "
-                       "mc68000+price.load=24 -o " +
-                       (folder / "c")))
-              .code == 0);
+  succeeded(
+      run(classify(" --methods standard,status,weave --coherences all-points,one-list --no-plots --processors "
+                   "mc68000+price.load=24 -o " +
+                   (folder / "c"))));
   CHECK(content(folder / "c/classify.csv") == table);
   const nlohmann::json dear = json(folder / "c/classify.json")["points"][0]["seconds"];
   REQUIRE(dear.size() == 1);
@@ -77,10 +68,10 @@ TEST_CASE("shapes and reduced trees see the same surfaces, and what a traversal 
             "],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [1,1,1], "
             "center = true); }\n";
   write(folder / "deep.csg", deep + "}\n");
-  const Outcome refused = run("classify " + (folder / "deep.csg") +
-                              " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
-                              "one-list --processors mc68000");
-  CHECK(refused.code == 0);
+  const Outcome refused =
+      succeeded(run("classify " + (folder / "deep.csg") +
+                    " --size 32x32 --view-all --shapes written --methods standard,bit-parallel --coherences "
+                    "one-list --processors mc68000"));
   CHECK(refused.out.find("take --shapes balanced") != std::string::npos);
   const Outcome alone = run("classify " + (folder / "deep.csg") +
                             " --size 32x32 --view-all --shapes written --methods bit-parallel --coherences one-list");
@@ -91,11 +82,9 @@ TEST_CASE("shapes and reduced trees see the same surfaces, and what a traversal 
 TEST_CASE("shards of classify are gathered to the table of one run") {
   const Folder folder;
   const std::string common = few + " --no-plots --progress none -o ";
-  REQUIRE(run(classify(common + (folder / "s") + " --shard 1/2")).code == 0);
-  REQUIRE(run(classify(common + (folder / "s") + " --shard 2/2")).code == 0);
-  const Outcome gathered = run("gather " + (folder / "s"));
-  CAPTURE(gathered.err);
-  REQUIRE(gathered.code == 0);
+  succeeded(run(classify(common + (folder / "s") + " --shard 1/2")));
+  succeeded(run(classify(common + (folder / "s") + " --shard 2/2")));
+  succeeded(run("gather " + (folder / "s")));
   CHECK(json(folder / "s/classify.json")["points"].size() == 5);
 }
 
@@ -110,12 +99,11 @@ TEST_CASE("classify refuses what it does not know, with the nearest that there i
 
 TEST_CASE("compare sets software beside machines, which see the same surfaces, and says what bounds it") {
   const Folder folder;
-  const Outcome outcome = run("compare " + model("thesis_fig_2_3") +
-                              " --camera 42,-38,41,10,5.5,2 --machines pixel-planes-4,scan-line --sides 24,48 "
-                              "--fragments none --with mc68000:status/one-list,this-computer:weave -o " +
-                              (folder / "c"));
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome =
+      succeeded(run("compare " + model("thesis_fig_2_3") +
+                    " --camera 42,-38,41,10,5.5,2 --machines pixel-planes-4,scan-line --sides 24,48 "
+                    "--fragments none --with mc68000:status/one-list,this-computer:weave -o " +
+                    (folder / "c")));
   CHECK(outcome.out.find("are the same on all machines") != std::string::npos);
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   REQUIRE(points.size() == 4 * 3);
@@ -129,12 +117,10 @@ TEST_CASE("compare sets software beside machines, which see the same surfaces, a
 }
 
 TEST_CASE("the manual tells of all processors, of those that are named, and refuses others") {
-  const Outcome all = run("manual processors all");
-  CHECK(all.code == 0);
+  const Outcome all = succeeded(run("manual processors all"));
   CHECK(all.out.find("mc68000\n") != std::string::npos);
   CHECK(all.out.find("i486dx2\n") != std::string::npos);
-  const Outcome one = run("manual processors mc68000");
-  CHECK(one.code == 0);
+  const Outcome one = succeeded(run("manual processors mc68000"));
   CHECK(one.out.find("price.load_long") != std::string::npos);
   CHECK(one.out.find("i486dx2") == std::string::npos);
   misused("manual processors mc68001", "did you mean mc68000");
@@ -143,7 +129,7 @@ TEST_CASE("the manual tells of all processors, of those that are named, and refu
 
 TEST_CASE("the rays that classify writes give its counts when they are counted again") {
   const Folder folder;
-  REQUIRE(run(classify(few + " --json " + (folder / "rays.json") + " -o " + (folder / "c"))).code == 0);
+  succeeded(run(classify(few + " --json " + (folder / "rays.json") + " -o " + (folder / "c"))));
   const nlohmann::json point = json(folder / "c/classify.json")["points"][0];
   const nlohmann::json rays = json(folder / "rays.json");
   CHECK(rays["width"] == 48);

@@ -74,14 +74,26 @@ nlohmann::json json(const std::string& path) { return nlohmann::json::parse(std:
 
 bool one_line(const std::string& text) { return !text.empty() && text.find('\n') == text.size() - 1; }
 
+Outcome succeeded(Outcome outcome) {
+  CAPTURE(outcome.err.substr(0, 400));
+  REQUIRE(outcome.code == 0);
+  return outcome;
+}
+
+void fails(const Outcome& outcome, int code, const std::vector<std::string>& texts) {
+  CAPTURE(outcome.err.substr(0, 400));
+  CHECK(outcome.code == code);
+  CHECK(one_line(outcome.err));
+  for (const std::string& text : texts) {
+    CAPTURE(text);
+    CHECK(outcome.err.find(text) != std::string::npos);
+  }
+}
+
 void refuses(const std::string& path, const std::string& text) {
   const Folder folder;
-  const Outcome outcome =
-      run("render " + path + " --size 32x32 -o " + (folder / "p.png") + " --stats " + (folder / "s.json"));
-  CAPTURE(outcome.err.substr(0, 400));
-  CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find(text) != std::string::npos);
+  fails(run("render " + path + " --size 32x32 -o " + (folder / "p.png") + " --stats " + (folder / "s.json")), 1,
+        {text});
   CHECK(folder.files() == 0);
 }
 
@@ -91,12 +103,6 @@ void refuses_text(const std::string& csg, const std::string& text) {
   refuses(folder / "m.csg", text);
 }
 
-void misused(const std::string& words, const std::string& text) {
-  const Outcome outcome = run(words);
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 2);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find(text) != std::string::npos);
-}
+void misused(const std::string& words, const std::string& text) { fails(run(words), 2, {text}); }
 
 }  // namespace csgsim::testing::cli

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <doctest/doctest.h>
 #include <stdlib.h>
 
-#include <filesystem>
-#include <iterator>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
+
+#include "tests/support/test.h"
 
 namespace csgsim::testing::cli {
 
@@ -58,6 +55,10 @@ std::string path_with(const Folder& folder);
 std::string model(const std::string& name);
 nlohmann::json json(const std::string& path);
 bool one_line(const std::string& text);
+/// The outcome, whose exit code has to be 0.
+Outcome succeeded(Outcome outcome);
+/// A run that ended with this exit code and one line of error that contains the texts.
+void fails(const Outcome& outcome, int code, const std::vector<std::string>& texts);
 /// A model that cannot be drawn: exit code 1, one line that contains the text, no file left behind.
 void refuses(const std::string& path, const std::string& text);
 void refuses_text(const std::string& csg, const std::string& text);

@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/kinds/load.h"
 #include "tests/cli/cli.h"
 #include "tests/cli/help_lines.h"
@@ -17,7 +10,7 @@ namespace {
 class Shells {
  public:
   Shells() {
-    REQUIRE(run_words({"--describe", folder_.path().string()}).code == 0);
+    succeeded(run_words({"--describe", folder_.path().string()}));
     fs::create_directory(folder_ / "here");
     for (const std::string name : {"one.csg", "two.csg"}) write(folder_ / "here/" + name, "");
   }
@@ -105,9 +98,9 @@ std::vector<std::string> long_names(const std::string& command) {
 
 TEST_CASE("the shells find nothing wrong in the files of their completion") {
   const Shells shells;
-  CHECK(run_program("bash", {"-n", shells.file("csgsim.bash")}).code == 0);
-  CHECK(run_program("zsh", {"-n", shells.file("_csgsim")}).code == 0);
-  CHECK(run_program("fish", {"-n", shells.file("csgsim.fish")}).code == 0);
+  succeeded(run_program("bash", {"-n", shells.file("csgsim.bash")}));
+  succeeded(run_program("zsh", {"-n", shells.file("_csgsim")}));
+  succeeded(run_program("fish", {"-n", shells.file("csgsim.fish")}));
 }
 
 TEST_CASE("bash completes commands, options, words, machines and files") {

@@ -1,9 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
+#include "places.h"
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -43,21 +38,19 @@ TEST_CASE("a model that was converted is imported again with the same volume and
 
 TEST_CASE("STL is binary, or text if it is asked for; both say what was converted") {
   const Folder folder;
-  const Outcome outcome = run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl"));
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.stl")));
   CHECK(outcome.out.find("3 primitives, 0 unions, 1 difference, 1 intersection") != std::string::npos);
   CHECK(outcome.out.find("1 shell, Euler number 2, genus 0") != std::string::npos);
   CHECK(content(folder / "a.stl").find("binary STL") == 0);
-  CHECK(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "b.stl") + " --ascii").code == 0);
+  succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "b.stl") + " --ascii"));
   CHECK(content(folder / "b.stl").find("solid csgsim\nfacet normal ") == 0);
 }
 
 TEST_CASE("a block model tells its blocks, and its volume comes near the mesh's") {
   const Folder folder;
   const double volume = converted(folder, model("thesis_fig_2_3"), "a.off")["volume"];
-  const Outcome outcome = run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") +
-                              " --resolution 64 --stats " + (folder / "s.json"));
-  CHECK(outcome.code == 0);
+  succeeded(run("convert " + model("thesis_fig_2_3") + " -o " + (folder / "a.bintree") + " --resolution 64 --stats " +
+                (folder / "s.json")));
   CHECK(content(folder / "a.bintree").find("bintree 1\nresolution 64\ncube ") == 0);
   // Half a cell along the surface is 9 %.
   CHECK(json(folder / "s.json")["volume"].get<double>() == doctest::Approx(volume).epsilon(0.05));
@@ -68,9 +61,7 @@ TEST_CASE("what cannot be converted is told, and nothing is written") {
   write(folder / "flat.csg", "square(size = [1, 2], center = false);");
   const std::string output = " -o " + (folder / "a.stl");
   const Outcome flat = run("convert " + (folder / "flat.csg") + output);
-  CHECK(flat.code == 1);
-  CHECK(one_line(flat.err));
-  CHECK(flat.err.find("the model is flat, and only solids are converted; extrude it") != std::string::npos);
+  fails(flat, 1, {"the model is flat, and only solids are converted; extrude it"});
   CHECK(folder.files() == 1);
   write(folder / "flat.csg",
         "difference() { cube(size = [1, 1, 1], center = false); cube(size = [1, 1, 1], center = false); }");
@@ -86,18 +77,15 @@ TEST_CASE("what cannot be converted is told, and nothing is written") {
 
 TEST_CASE("a model too thin for the coordinates of a mesh is refused") {
   const Folder folder;
-  const Outcome outcome = run("convert " + std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/convert/models/sheet.csg -o " +
-                              (folder / "a.off"));
-  CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find("sheet.csg: solids are too thin for their size") != std::string::npos);
+  fails(run("convert " + std::string(CSGSIM_SOURCE_DIR) + "/tests/unit/convert/models/sheet.csg -o " +
+            (folder / "a.off")),
+        1, {"sheet.csg: solids are too thin for their size"});
   CHECK(folder.files() == 0);
 }
 
 TEST_CASE("what is too much work to convert is refused") {
   const Folder folder;
-  const Outcome outcome = run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl"));
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("converting the model to a boundary") != std::string::npos);
+  fails(run("convert " + model("molecule") + " --limit 1 -o " + (folder / "a.stl")), 1,
+        {"converting the model to a boundary"});
   CHECK(folder.files() == 0);
 }

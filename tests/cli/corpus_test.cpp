@@ -1,9 +1,4 @@
-#include <algorithm>
 #include <cctype>
-#include <filesystem>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "sim/session/options/text_columns.h"
@@ -38,10 +33,7 @@ TEST_CASE("corpus goes on past models that cannot be drawn, says why, and ends w
   const Folder folder;
   make_models(folder);
   const Outcome outcome = run_words(words, folder.path());
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("1 of 4 models could not be drawn: models/b_broken.csg; corpus.csv says why") !=
-        std::string::npos);
-  CHECK(one_line(outcome.err));
+  fails(outcome, 1, {"1 of 4 models could not be drawn: models/b_broken.csg; corpus.csv says why"});
   const nlohmann::json all = points(folder);
   REQUIRE(all.size() == 8);
   const std::vector<std::string> models{"models/a.csg", "models/b_broken.csg", "models/deeper/c.csg",
@@ -77,9 +69,9 @@ TEST_CASE("a point of a corpus is what render counts for it") {
   const nlohmann::json all = points(folder);
   for (const std::size_t i : {0U, 1U, 4U, 5U}) {
     const nlohmann::json& point = all[i];
-    REQUIRE(run_words({"render", point["model"], "--machine", point["machine"], "--size", "24x24", "--stats", "s.json"},
-                      folder.path())
-                .code == 0);
+    succeeded(
+        run_words({"render", point["model"], "--machine", point["machine"], "--size", "24x24", "--stats", "s.json"},
+                  folder.path()));
     const nlohmann::json stats = json(folder / "s.json");
     CHECK(point["clocks"] == stats["clocks"]);
     CHECK(point["interval_clocks"] == stats["interval_clocks"]);
@@ -121,8 +113,7 @@ TEST_CASE("a corpus that was interrupted, or whose models change, goes on: what 
   // The broken model is mended, and nothing becomes something.
   write(folder / "models/b_broken.csg", cube);
   write(folder / "models/nothing.csg", cube);
-  const Outcome mended = run_words(words, folder.path());
-  CHECK(mended.code == 0);
+  const Outcome mended = succeeded(run_words(words, folder.path()));
   CHECK(mended.err.find("measured anew") != std::string::npos);
   const nlohmann::json all = points(folder);
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
@@ -132,18 +123,15 @@ TEST_CASE("a corpus that was interrupted, or whose models change, goes on: what 
 TEST_CASE("a folder without models is refused") {
   const Folder folder;
   fs::create_directories(folder.path() / "empty");
-  const Outcome outcome = run_words({"corpus", "empty", "-o", "out"}, folder.path());
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("empty: there is no .csg, .scad or .jan file in it") != std::string::npos);
-  CHECK(one_line(outcome.err));
+  fails(run_words({"corpus", "empty", "-o", "out"}, folder.path()), 1,
+        {"empty: there is no .csg, .scad or .jan file in it"});
 }
 
 TEST_CASE("corpus draws its plots") {
   const Folder folder;
   write(folder / "m.csg", cube);
-  REQUIRE(run_words({"corpus", "m.csg", "--machines", "pixel-planes-4,scan-line", "--size", "24x24", "-o", "out"},
-                    folder.path())
-              .code == 0);
+  succeeded(run_words({"corpus", "m.csg", "--machines", "pixel-planes-4,scan-line", "--size", "24x24", "-o", "out"},
+                      folder.path()));
   for (const std::string name : {"corpus_clocks", "corpus_frames"}) {
     CHECK(content(folder / ("out/" + name + ".png")).substr(1, 3) == "PNG");
     CHECK(content(folder / ("out/" + name + ".svg")).find("</svg>") != std::string::npos);
@@ -158,9 +146,7 @@ TEST_CASE("sweep goes on past a model that cannot be read, ends with 1, and trie
   const std::vector<std::string> sweep{"sweep", "a.csg",      "b.csg",      "c.csg", "missing.csg", "--size",
                                        "24x24", "--strategy", "stack,list", "-o",    "out",         "--no-plots"};
   const Outcome outcome = run_words(sweep, folder.path());
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("2 of 4 models could not be drawn: b.csg, missing.csg; sweep.csv says why") !=
-        std::string::npos);
+  fails(outcome, 1, {"2 of 4 models could not be drawn: b.csg, missing.csg; sweep.csv says why"});
   nlohmann::json all = json(folder / "out/sweep.json")["points"];
   REQUIRE(all.size() == 8);
   CHECK(all[0]["clocks"] > 0);
@@ -172,7 +158,7 @@ TEST_CASE("sweep goes on past a model that cannot be read, ends with 1, and trie
   CHECK(content(folder / "out/sweep.csv") == table);
   write(folder / "b.csg", cube);
   write(folder / "missing.csg", cube);
-  CHECK(run_words(sweep, folder.path()).code == 0);
+  succeeded(run_words(sweep, folder.path()));
   all = json(folder / "out/sweep.json")["points"];
   CHECK(all[2]["clocks"] == all[0]["clocks"]);
   CHECK(all[6]["clocks"] == all[0]["clocks"]);

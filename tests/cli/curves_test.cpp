@@ -1,9 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -21,9 +15,8 @@ TEST_CASE("the dearest primitives count a quadric once, whether it is drawn in o
        {"pixel-powers", "pixel-square+evaluator.degree=2+divider.kind=host+array.memory_bits=128"}) {
     CAPTURE(machine);
     write(folder / "ball.csg", "sphere($fn = 32, $fa = 12, $fs = 2, r = 9);");
-    REQUIRE(run("render " + (folder / "ball.csg") + " --size 64x64 --curves exact --machine " + machine + " --stats " +
-                (folder / "s.json"))
-                .code == 0);
+    succeeded(run("render " + (folder / "ball.csg") + " --size 64x64 --curves exact --machine " + machine +
+                  " --stats " + (folder / "s.json")));
     const auto stats = json(folder / "s.json");
     CHECK(stats["dearest"][0]["halfspaces"] == 1);
     CHECK(stats["model"]["halfspaces"] == 1);
@@ -33,8 +26,8 @@ TEST_CASE("the dearest primitives count a quadric once, whether it is drawn in o
 TEST_CASE("studies of several machines draw curved surfaces where a machine can, and facets where it cannot") {
   const Folder folder;
   const std::string machines = "pixel-powers,pixel-planes-4";
-  const Outcome corpus = run("corpus " + carburettor + "--machines " + machines + " --no-plots -o " + (folder / "c"));
-  REQUIRE(corpus.code == 0);
+  const Outcome corpus =
+      succeeded(run("corpus " + carburettor + "--machines " + machines + " --no-plots -o " + (folder / "c")));
   const auto counted = json(folder / "c/corpus.json")["points"];
   REQUIRE(counted.size() == 2);
   CHECK(counted[0]["halfspaces"] < 100);
@@ -48,9 +41,8 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
   CHECK(points[0]["picture"] == points[1]["picture"]);
   CHECK(points[2]["picture"] == points[3]["picture"]);
   CHECK(points[0]["picture"] != points[2]["picture"]);
-  const Outcome exact = run("sweep " + carburettor + "--curves exact --strategy stack --machines " + machines +
-                            " --no-plots -o " + (folder / "e"));
-  REQUIRE(exact.code == 0);
+  succeeded(run("sweep " + carburettor + "--curves exact --strategy stack --machines " + machines + " --no-plots -o " +
+                (folder / "e")));
   const auto one_of_two = json(folder / "e/sweep.json")["points"];
   CHECK(one_of_two[0]["halfspaces"] < 100);
   CHECK(one_of_two[1]["reason"].get<std::string>().find("pixel-planes-4 evaluates linear expressions alone") !=
@@ -59,9 +51,8 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
 
 TEST_CASE("a sweep varies how curved surfaces are drawn, and what that takes of memory and clocks") {
   const Folder folder;
-  const Outcome sweep = run("sweep " + carburettor +
-                            "--machines pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s"));
-  REQUIRE(sweep.code == 0);
+  const Outcome sweep = succeeded(run(
+      "sweep " + carburettor + "--machines pixel-powers --strategy stack --curves facets,exact -o " + (folder / "s")));
   const auto points = json(folder / "s/sweep.json")["points"];
   REQUIRE(points.size() == 2);
   CHECK(points[0]["curves"] == "facets");
@@ -78,50 +69,44 @@ TEST_CASE("a sweep varies how curved surfaces are drawn, and what that takes of 
 
 TEST_CASE("compare, which draws the same facets on all machines, has no option for curves") {
   const Folder folder;
-  const Outcome outcome = run("compare " + carburettor + "--curves exact -o " + (folder / "c"));
-  CHECK(outcome.code == 2);
-  CHECK(outcome.err.find("--curves") != std::string::npos);
+  fails(run("compare " + carburettor + "--curves exact -o " + (folder / "c")), 2, {"--curves"});
 }
 
 TEST_CASE("subdivide counts quadrics among the half-spaces as render does") {
   const Folder folder;
   const std::string machine = " --machine pixel-square+evaluator.degree=2+divider.kind=host+array.memory_bits=128";
-  REQUIRE(run("subdivide " + carburettor + machine + " --subdivisions 2 --no-plots -o " + (folder / "s")).code == 0);
-  REQUIRE(run("render " + carburettor + machine + " --stats " + (folder / "r.json")).code == 0);
+  succeeded(run("subdivide " + carburettor + machine + " --subdivisions 2 --no-plots -o " + (folder / "s")));
+  succeeded(run("render " + carburettor + machine + " --stats " + (folder / "r.json")));
   CHECK(json(folder / "s/subdivide.json")["points"][0]["halfspaces"] == json(folder / "r.json")["model"]["halfspaces"]);
 }
 
 TEST_CASE("every level, a compiled Program and its text draw the same picture of curved surfaces") {
   const Folder folder;
   const std::string powers = carburettor + "--machine pixel-powers ";
-  REQUIRE(run("render " + powers + "-o " + (folder / "a.png")).code == 0);
-  REQUIRE(run("compile " + powers + "-o " + (folder / "a.csgt")).code == 0);
+  succeeded(run("render " + powers + "-o " + (folder / "a.png")));
+  succeeded(run("compile " + powers + "-o " + (folder / "a.csgt")));
   REQUIRE(run("run " + (folder / "a.csgt") + " --machine pixel-powers --level cycle -o " + (folder / "b.png")).code ==
           0);
   CHECK(content(folder / "a.png") == content(folder / "b.png"));
-  REQUIRE(run("disasm " + (folder / "a.csgt") + " -o " + (folder / "text")).code == 0);
-  REQUIRE(run("run " + (folder / "text") + " --machine pixel-powers -o " + (folder / "c.png")).code == 0);
+  succeeded(run("disasm " + (folder / "a.csgt") + " -o " + (folder / "text")));
+  succeeded(run("run " + (folder / "text") + " --machine pixel-powers -o " + (folder / "c.png")));
   CHECK(content(folder / "a.png") == content(folder / "c.png"));
-  const Outcome diff = run("diff " + powers + "--level-a cycle --level-b reference");
-  CHECK(diff.code == 0);
+  const Outcome diff = succeeded(run("diff " + powers + "--level-a cycle --level-b reference"));
   CHECK(diff.out.find("the pictures are equal") != std::string::npos);
-  const Outcome effects = run("effects " + powers + "--scene " + std::string(CSGSIM_SOURCE_DIR) +
-                              "/tests/scenes/depth_cue.toml -o " + (folder / "e"));
-  CHECK(effects.code == 0);
-  const Outcome levels = run("levels " + powers);
-  CHECK(levels.code == 0);
+  succeeded(run("effects " + powers + "--scene " + std::string(CSGSIM_SOURCE_DIR) + "/tests/scenes/depth_cue.toml -o " +
+                (folder / "e")));
+  succeeded(run("levels " + powers));
 }
 
 TEST_CASE("advice for a machine with quadratic expressions can be followed: it fits, and is as right as it says") {
   const Folder folder;
-  const Outcome outcome = run("advise " + model("thesis_fig_2_3") + " --camera 42,-38,41,10,5.5,2 --size 64x64 " +
-                              "--machine pixel-powers --no-plots -o " + (folder / "a"));
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome =
+      succeeded(run("advise " + model("thesis_fig_2_3") + " --camera 42,-38,41,10,5.5,2 --size 64x64 " +
+                    "--machine pixel-powers --no-plots -o " + (folder / "a")));
   const std::size_t at = outcome.out.find("  csgsim render ");
   REQUIRE(at != std::string::npos);
   const std::string words = outcome.out.substr(at + 9, outcome.out.find('\n', at) - at - 9);
-  const Outcome drawn = run(words.substr(0, words.find(" --output")) + " --stats " + (folder / "s.json"));
-  REQUIRE(drawn.code == 0);
+  succeeded(run(words.substr(0, words.find(" --output")) + " --stats " + (folder / "s.json")));
   const auto stats = json(folder / "s.json");
   CHECK(stats["accuracy"]["unexplained"] == 0);
   CHECK(stats["accuracy"]["wrong"] <= 10);

@@ -1,4 +1,3 @@
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
@@ -8,9 +7,7 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <string>
 #include <thread>
-#include <utility>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -59,7 +56,7 @@ TEST_CASE("a run that is killed goes on from its checkpoint, to the same picture
            (folder / (name + "o.exr")) + " --stats " + (folder / (name + ".json"));
   };
   const std::string machine = " --machine scan-line ";
-  REQUIRE(run("run " + program + machine + outputs("whole")).code == 0);
+  succeeded(run("run " + program + machine + outputs("whole")));
   for (const int signal : {SIGINT, SIGKILL}) {
     const std::string file = folder / "c.csgs";
     fs::remove(file);
@@ -86,7 +83,7 @@ TEST_CASE("checkpoints that cannot be are refused in one line, and leave nothing
   misused(run_it + " --checkpoint " + (folder / "p.png") + " -o " + (folder / "p.png"), "same file");
   CHECK(run(run_it + " --checkpoint " + (folder / "none/c.csgs")).code == 1);
   CHECK(folder.files() == 0);
-  REQUIRE(run(run_it + " --checkpoint " + file).code == 0);
+  succeeded(run(run_it + " --checkpoint " + file));
   const auto refused = [&](const std::string& words, const std::string& text) {
     const Outcome outcome = run(words);
     CAPTURE(outcome.err);
@@ -136,17 +133,15 @@ TEST_CASE("diff tells the first instruction and pixel where two Programs differ,
 
 TEST_CASE("diff finds levels and machines equal, and refuses what it cannot compare") {
   const std::string model_64 = "diff " + model("old_example011") + " --size 16x16 ";
-  const Outcome levels = run(model_64 + "--level-b cycle");
-  CHECK(levels.code == 0);
+  const Outcome levels = succeeded(run(model_64 + "--level-b cycle"));
   CHECK(levels.out.find("the states are equal after 26 instructions\nthe pictures are equal\n") != std::string::npos);
-  CHECK(run(model_64 + "--level-a cycle --level-b reference").code == 0);
-  CHECK(run(model_64 + "--machine-b scan-line").code == 0);
+  succeeded(run(model_64 + "--level-a cycle --level-b reference"));
+  succeeded(run(model_64 + "--machine-b scan-line"));
   misused(model_64 + "--level-a cycle --level-b cycle", "one machine a process");
   misused("diff " + trace("thesis_fig_2_3") + " --strategy-b list", "for models");
   misused("diff " + trace("thesis_fig_2_3") + " --size 8x8", "for models");
-  const Outcome sizes = run("diff " + trace("thesis_fig_2_3") + " " + trace("old_example002"));
-  CHECK(sizes.code == 1);
-  CHECK(sizes.err.find("A draws 512 x 512 pixels and B 200 x 150") != std::string::npos);
+  fails(run("diff " + trace("thesis_fig_2_3") + " " + trace("old_example002")), 1,
+        {"A draws 512 x 512 pixels and B 200 x 150"});
 }
 
 TEST_CASE("a script shows each command and what it tells, and ends at its first error") {
@@ -161,8 +156,7 @@ TEST_CASE("a script shows each command and what it tells, and ends at its first 
         "> print colour[6,1]\ncolour[6,1] = 48 (0x30), #ff0000\n> print color[6,1]\n");
   CHECK(outcome.err == (folder / "s") + ":5:7: there is no field 'color'; the nearest is 'colour'\n");
   write(folder / "s", "step\nquit\nstep\n");
-  const Outcome quit = run("debug " + (folder / "p.txt") + " -x " + (folder / "s"));
-  CHECK(quit.code == 0);
+  const Outcome quit = succeeded(run("debug " + (folder / "p.txt") + " -x " + (folder / "s")));
   CHECK(quit.out == "> step\ni1 of 5: set_constant Z2, 255\n> quit\n");
   misused("debug " + (folder / "p.txt") + " --strategy list", "for models");
   CHECK(run("debug " + model("old_example011") + " --size 16x16").code == 0);  // which reads /dev/null

@@ -1,11 +1,5 @@
 #include <sys/wait.h>
 
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 

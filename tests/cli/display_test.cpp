@@ -1,9 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <set>
-#include <string>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -20,9 +14,7 @@ std::string display(const std::string& more) {
 
 TEST_CASE("display counts by every method with more and more polygons, and all exact ones see the same surfaces") {
   const Folder folder;
-  const Outcome outcome = run(display(" --fragments 12,24 -o " + (folder / "d")));
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run(display(" --fragments 12,24 -o " + (folder / "d"))));
   CHECK(outcome.out.find("Exact methods see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   REQUIRE(points.size() == 6 * 2);
@@ -48,7 +40,7 @@ TEST_CASE("display counts by every method with more and more polygons, and all e
 TEST_CASE("display facets by tolerances, with buckets of several sizes, and measures nothing twice") {
   const Folder folder;
   const std::string few = " --methods list-priority,scan-line --tolerances 2,0.5 --no-plots -o " + (folder / "d");
-  REQUIRE(run(display(few + " --bucket-sizes 6,24")).code == 0);
+  succeeded(run(display(few + " --bucket-sizes 6,24")));
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   REQUIRE(points.size() == 6);
   CHECK(points[0]["tolerance"] == 2);
@@ -56,7 +48,7 @@ TEST_CASE("display facets by tolerances, with buckets of several sizes, and meas
   CHECK(points[0]["cells"] > points[2]["cells"]);
   CHECK(points[4]["bucket_size"] == 0);
   const std::string table = content(folder / "d/display.csv");
-  REQUIRE(run(display(few + " --bucket-sizes 6,24 --processors mc68000")).code == 0);
+  succeeded(run(display(few + " --bucket-sizes 6,24 --processors mc68000")));
   CHECK(content(folder / "d/display.csv") == table);
 }
 
@@ -68,9 +60,7 @@ TEST_CASE("display tells how many pixels list priority draws wrong where faces c
                               " --size 64x48 --view-all --methods list-priority,list-priority/depth-buffer,scan-line "
                               "--processors mc68000 --no-plots -o " +
                               (folder / "d");
-  const Outcome outcome = run(command);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run(command));
   const nlohmann::json points = json(folder / "d/display.json")["points"];
   CHECK(points[0]["wrong"] > 0);
   CHECK(points[0]["wrong"] == points[0]["wrong_coincident"]);
@@ -82,13 +72,13 @@ TEST_CASE("display tells how many pixels list priority draws wrong where faces c
 TEST_CASE("shards of display are gathered to the table of one run, and what it does not know is refused") {
   const Folder folder;
   const std::string common = " --methods scan-line,depth-lists --no-plots --progress none -o " + (folder / "s");
-  REQUIRE(run(display(common + " --shard 1/2")).code == 0);
-  REQUIRE(run(display(common + " --shard 2/2")).code == 0);
-  REQUIRE(run("gather " + (folder / "s")).code == 0);
+  succeeded(run(display(common + " --shard 1/2")));
+  succeeded(run(display(common + " --shard 2/2")));
+  succeeded(run("gather " + (folder / "s")));
   CHECK(json(folder / "s/display.json")["points"].size() == 2);
   misused(display(" --methods scanline"), "did you mean scan-line");
   misused(display(" --bucket-sizes 0"), "--bucket-sizes");
   misused(display(" --fragments 2"), "--fragments");
   misused(display(" --curves exact --machine pixel-powers"), "--curves: this command takes facets alone");
-  CHECK(run(display(" --machine pixel-powers --methods scan-line")).code == 0);
+  succeeded(run(display(" --machine pixel-powers --methods scan-line")));
 }

@@ -1,7 +1,3 @@
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -18,10 +14,8 @@ std::string two_effects(const Folder& folder) {
 
 bool draws_the_same(const Folder& folder, const std::string& with) {
   const std::string options = model("old_example002") + small + two_effects(folder);
-  REQUIRE(run("render " + options + "-o " + (folder / "plain.ppm")).code == 0);
-  const Outcome other = run("render " + options + with + " -o " + (folder / "other.ppm"));
-  CAPTURE(other.err);
-  REQUIRE(other.code == 0);
+  succeeded(run("render " + options + "-o " + (folder / "plain.ppm")));
+  const Outcome other = succeeded(run("render " + options + with + " -o " + (folder / "other.ppm")));
   return content(folder / "plain.ppm") == content(folder / "other.ppm");
 }
 
@@ -51,10 +45,9 @@ TEST_CASE("the bill has a row an effect, adds up, and has the picture without ea
 TEST_CASE("what a bill calls the frame without an effect is what render draws with it off") {
   const Folder folder;
   const std::string options = model("old_example002") + small + two_effects(folder);
-  REQUIRE(run("effects " + options + "-o " + (folder / "bill")).code == 0);
-  REQUIRE(run("render " + options + "--set effects.shadows.on=false --stats " + (folder / "s.json") + " -o " +
-              (folder / "p.png"))
-              .code == 0);
+  succeeded(run("effects " + options + "-o " + (folder / "bill")));
+  succeeded(run("render " + options + "--set effects.shadows.on=false --stats " + (folder / "s.json") + " -o " +
+                (folder / "p.png")));
   const nlohmann::json bill = json(folder / "bill/effects.json");
   CHECK(bill["clocks"].get<std::uint64_t>() - bill["effects"][2]["together_clocks"].get<std::uint64_t>() ==
         json(folder / "s.json")["clocks"]);
@@ -75,11 +68,8 @@ TEST_CASE("a scene that is wrong ends with its place and exit code 1, what is se
   const Folder folder;
   write(folder / "scene.toml", "[effects.shadow]\n");
   const std::string render = "render " + model("old_example002") + small;
-  const Outcome wrong = run(render + "--scene " + (folder / "scene.toml"));
-  CHECK(wrong.code == 1);
-  CHECK(wrong.err.find("scene.toml:1:") != std::string::npos);
-  CHECK(wrong.err.find("there is no effect 'shadow'; did you mean shadows?") != std::string::npos);
-  CHECK(one_line(wrong.err));
+  fails(run(render + "--scene " + (folder / "scene.toml")), 1,
+        {"scene.toml:1:", "there is no effect 'shadow'; did you mean shadows?"});
   CHECK(run(render + "--scene " + (folder / "none.toml")).code == 1);
   misused(render + "--set effects.shadow.on=true", "did you mean shadows?");
   misused(render + "--set ambient.intensity=7", "ambient.intensity");
@@ -88,17 +78,11 @@ TEST_CASE("a scene that is wrong ends with its place and exit code 1, what is se
 TEST_CASE("a machine that lacks something says what, and which one has it") {
   const Folder folder;
   const std::string render = "render " + model("old_example002") + small + "--set effects.shadows.on=true ";
-  const Outcome divides = run(render + "--machine pixel-square");
-  CHECK(divides.code == 1);
-  CHECK(divides.err.find("pixel-planes-4") != std::string::npos);
-  CHECK(divides.err.find("--set effects.shadows.on=false") != std::string::npos);
-  const Outcome few = run(render + "--machine pixel-planes-4 --memory-bits 60");
-  CHECK(few.code == 1);
-  CHECK(few.err.find("owner") != std::string::npos);
-  const Outcome asks = run("render " + model("old_example002") + small +
-                           "--memory-bits 256 --set effects.equalise.on=true --machine scan-line");
-  CHECK(asks.code == 1);
-  CHECK(asks.err.find("global OR") != std::string::npos);
+  fails(run(render + "--machine pixel-square"), 1, {"pixel-planes-4", "--set effects.shadows.on=false"});
+  fails(run(render + "--machine pixel-planes-4 --memory-bits 60"), 1, {"owner"});
+  fails(run("render " + model("old_example002") + small +
+            "--memory-bits 256 --set effects.equalise.on=true --machine scan-line"),
+        1, {"global OR"});
 }
 
 TEST_CASE("alpha in a model calls for transparency by itself, and can be told not to") {
@@ -106,12 +90,10 @@ TEST_CASE("alpha in a model calls for transparency by itself, and can be told no
   write(folder / "m.csg", "color([1,0,0,0.5]){cube(size=[4,4,4],center=true);}cube(size=[9,1,9],center=true);");
   const std::string render = "render " + (folder / "m.csg") + " --size 32x32 --memory-bits 256 --stats " +
                              (folder / "s.json") + " -o " + (folder / "p.png") + " ";
-  REQUIRE(run(render).code == 0);
+  succeeded(run(render));
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat", "transparency"}));
-  const Outcome judged = run(render + "--check");
-  CHECK(judged.code == 1);
-  CHECK(judged.err.find("--set effects.transparency.on=false") != std::string::npos);
-  REQUIRE(run(render + "--check --set effects.transparency.on=false").code == 0);
+  fails(run(render + "--check"), 1, {"--set effects.transparency.on=false"});
+  succeeded(run(render + "--check --set effects.transparency.on=false"));
   CHECK(json(folder / "s.json")["effects"] == nlohmann::json::array({"flat"}));
 }
 
@@ -139,23 +121,18 @@ TEST_CASE("colours with alpha are drawn by screen-door where layers have no room
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string render = "render " + (folder / "m.csg") + from_front;
-  const Outcome spared = run(render + "-o " + (folder / "spared.ppm"));
-  CAPTURE(spared.err);
-  REQUIRE(spared.code == 0);
+  const Outcome spared = succeeded(run(render + "-o " + (folder / "spared.ppm")));
   CHECK(one_line(spared.err));
   CHECK(spared.err.find("m.csg: warning: ") != std::string::npos);
   CHECK(spared.err.find("the machine has 72") != std::string::npos);
   const std::string method = "--set effects.transparency.method=";
   CHECK(spared.err.find(method + "screen-door") != std::string::npos);
-  const Outcome asked = run(render + method + "screen-door -o " + (folder / "asked.ppm"));
-  REQUIRE(asked.code == 0);
+  const Outcome asked = succeeded(run(render + method + "screen-door -o " + (folder / "asked.ppm")));
   CHECK(asked.err.empty());
   CHECK(content(folder / "spared.ppm") == content(folder / "asked.ppm"));
 
   const std::string bits = bits_in(spared.err);
-  const Outcome layers = run(render + "--memory-bits " + bits + " -o " + (folder / "layers.ppm"));
-  CAPTURE(layers.err);
-  CHECK(layers.code == 0);
+  const Outcome layers = succeeded(run(render + "--memory-bits " + bits + " -o " + (folder / "layers.ppm")));
   CHECK(layers.err.empty());
   CHECK(content(folder / "layers.ppm") != content(folder / "asked.ppm"));
   CHECK(run(render + "--memory-bits " + std::to_string(std::stoi(bits) - 1)).err.find("screen-door") !=
@@ -172,9 +149,7 @@ TEST_CASE("where a scene has a say in what is seen through, layers without room 
         "--scene " + (folder / "s.toml")}) {
     const Outcome refused = run(render + said);
     CAPTURE(said);
-    CHECK(refused.code == 1);
-    CHECK(refused.err.find("and the machine has 72") != std::string::npos);
-    CHECK(one_line(refused.err));
+    fails(refused, 1, {"and the machine has 72"});
   }
 }
 
@@ -182,10 +157,8 @@ TEST_CASE("--depth and --owner tell the nearest surface, glass or not, or by --s
   const Folder folder;
   write(folder / "m.csg", panes);
   const auto draw = [&](const std::string& name, const std::string& options) {
-    const Outcome outcome = run("render " + (folder / "m.csg") + from_front + "--depth " + (folder / (name + ".exr")) +
-                                " --owner " + (folder / (name + ".png")) + " " + options);
-    CAPTURE(outcome.err);
-    REQUIRE(outcome.code == 0);
+    succeeded(run("render " + (folder / "m.csg") + from_front + "--depth " + (folder / (name + ".exr")) + " --owner " +
+                  (folder / (name + ".png")) + " " + options));
     return json(folder / (name + ".json"));
   };
   const nlohmann::json solid = draw("solid", "--set effects.transparency.on=false");
@@ -203,11 +176,10 @@ TEST_CASE("--depth and --owner tell the nearest surface, glass or not, or by --s
   misused("render " + (folder / "m.csg") + " --surface near", "nearest");
 
   const std::string program = (folder / "m.csgt");
-  REQUIRE(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program).code == 0);
+  succeeded(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program));
   for (const std::string level : {"functional", "reference", "cycle"}) {
-    REQUIRE(run("run " + program + " --level " + level + " --depth " + (folder / "run.exr") + " --owner " +
-                (folder / "run.png"))
-                .code == 0);
+    succeeded(run("run " + program + " --level " + level + " --depth " + (folder / "run.exr") + " --owner " +
+                  (folder / "run.png")));
     CHECK(content(folder / "run.exr") == content(folder / "glass.exr"));
     CHECK(json(folder / "run.json") == glass);
   }
@@ -217,13 +189,10 @@ TEST_CASE("a run with glass that is stopped and goes on tells the same surfaces"
   const Folder folder;
   write(folder / "m.csg", panes);
   const std::string program = (folder / "m.csgt");
-  REQUIRE(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program).code == 0);
-  REQUIRE(run("run " + program + " --depth " + (folder / "whole.exr") + " --checkpoint " + (folder / "c.csgs") +
-              " --checkpoint-every 150")
-              .code == 0);
-  const Outcome resumed = run("run " + program + " --depth " + (folder / "resumed.exr") + " --owner " +
-                              (folder / "resumed.png") + " --resume " + (folder / "c.csgs"));
-  CAPTURE(resumed.err);
-  REQUIRE(resumed.code == 0);
+  succeeded(run("compile " + (folder / "m.csg") + from_front + "--memory-bits 256 -o " + program));
+  succeeded(run("run " + program + " --depth " + (folder / "whole.exr") + " --checkpoint " + (folder / "c.csgs") +
+                " --checkpoint-every 150"));
+  const Outcome resumed = succeeded(run("run " + program + " --depth " + (folder / "resumed.exr") + " --owner " +
+                                        (folder / "resumed.png") + " --resume " + (folder / "c.csgs")));
   CHECK(content(folder / "whole.exr") == content(folder / "resumed.exr"));
 }

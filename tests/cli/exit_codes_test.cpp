@@ -1,11 +1,5 @@
 // The same mistake ends with the same exit code in every command that it can be made in: 2 for what is typed, 1 for
 // what a file holds (docs/command-line.md).
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "hw/base/text.h"
 #include "tests/cli/cli.h"
@@ -78,8 +72,8 @@ TEST_CASE("lists of machines are of the command line too, and a list can be of n
   }
   misused("corpus " + model("sphere") + out + " --z-bits 31", "is not a whole number from 4 to 30");
   const std::string small = "compare " + model("sphere") + " --machines pixel-planes-4 --size 16x16 --no-plots";
-  REQUIRE(run(small + " --fragments none --sides none -o " + (folder / "none")).code == 0);
-  REQUIRE(run(small + " --fragments '' --sides '' -o " + (folder / "empty")).code == 0);
+  succeeded(run(small + " --fragments none --sides none -o " + (folder / "none")));
+  succeeded(run(small + " --fragments '' --sides '' -o " + (folder / "empty")));
   CHECK(content(folder / "none/compare.csv") == content(folder / "empty/compare.csv"));
 }
 
@@ -93,8 +87,7 @@ TEST_CASE("help calls what -o names a folder where several files are written") {
 TEST_CASE("printed shares are percentages, printed counts have their digits in groups; JSON has neither") {
   const Folder folder;
   const std::string of = " " + model("sphere") + " --size 64x64";
-  const Outcome drawn = run("render" + of + " --check --stats " + (folder / "s.json"));
-  REQUIRE(drawn.code == 0);
+  const Outcome drawn = succeeded(run("render" + of + " --check --stats " + (folder / "s.json")));
   const double busy = json(folder / "s.json")["account"]["controller_utilisation"];
   CHECK(busy < 1);
   CHECK(drawn.out.find(fmt::format("controller busy{:>25.2f} %", 100 * busy)) != std::string::npos);

@@ -1,6 +1,3 @@
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -18,7 +15,7 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 struct Subject {
   Subject() {
     write(folder / "m.csg", two_boxes);
-    REQUIRE(run("compile " + model + front + "-o " + program).code == 0);
+    succeeded(run("compile " + model + front + "-o " + program));
   }
   Folder folder;
   std::string model = folder / "m.csg";
@@ -29,14 +26,11 @@ struct Subject {
 
 TEST_CASE("explain tells the owner with its line, and what a Program tells of it a model tells too") {
   const Subject subject;
-  const Outcome of_model = run("explain " + subject.model + front + "--pixel 4,2");
-  CAPTURE(of_model.err);
-  REQUIRE(of_model.code == 0);
+  const Outcome of_model = succeeded(run("explain " + subject.model + front + "--pixel 4,2"));
   CHECK(of_model.out.starts_with("pixel 4,2 shows p1 cube@2:56, line 2 of "));
   CHECK(contains(of_model.out, "normal (0, -1, 0), distance 0"));
   CHECK(contains(of_model.out, "over p0 cube@1:64"));
-  const Outcome of_program = run("explain " + subject.program + " --pixel 4,2");
-  REQUIRE(of_program.code == 0);
+  const Outcome of_program = succeeded(run("explain " + subject.program + " --pixel 4,2"));
   CHECK(of_program.out.starts_with("pixel 4,2 shows p1 cube@2:56, line 2 of "));
   CHECK_FALSE(contains(of_program.out, "normal"));
   const Outcome nothing = run("explain " + subject.program + " --pixel 0,0");
@@ -45,9 +39,7 @@ TEST_CASE("explain tells the owner with its line, and what a Program tells of it
 
 TEST_CASE("explain takes a point of the model for the pixel that shows it") {
   const Subject subject;
-  const Outcome outcome = run("explain " + subject.model + front + "--point 4.4,0,-2.6");
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run("explain " + subject.model + front + "--point 4.4,0,-2.6"));
   CHECK(outcome.out.starts_with("point 4.4,0,-2.6 is 15.082 model units from the eye\npixel 4,2 shows p1 "));
 }
 
@@ -55,15 +47,14 @@ TEST_CASE("explain says why another primitive is not seen, by its index, its nam
   const Subject subject;
   for (const std::string name : {"0", "p0", "cube@1:64", "cube@1", "@1"}) {
     CAPTURE(name);
-    const Outcome outcome = run("explain " + subject.program + " --pixel 4,2 --why-not " + name);
-    REQUIRE(outcome.code == 0);
+    const Outcome outcome = succeeded(run("explain " + subject.program + " --pixel 4,2 --why-not " + name));
     CHECK(outcome.out.starts_with("why not p0 cube@1:64\n  merged, but p1 cube@2:56 was merged over it at i"));
   }
 }
 
 TEST_CASE("explain names instructions by the numbers that disasm shows") {
   const Subject subject;
-  REQUIRE(run("explain " + subject.program + " --pixel 4,2 --json " + (subject.folder / "s.json")).code == 0);
+  succeeded(run("explain " + subject.program + " --pixel 4,2 --json " + (subject.folder / "s.json")));
   const nlohmann::json story = json(subject.folder / "s.json");
   const std::string text = run("disasm " + subject.program).out;
   unsigned decisions = 0;
@@ -81,8 +72,8 @@ TEST_CASE("explain names instructions by the numbers that disasm shows") {
 
 TEST_CASE("a story as JSON goes to standard output too, and has why not") {
   const Subject subject;
-  const Outcome outcome = run("explain " + subject.model + front + "--pixel 2,2 --why-not 1 --json /dev/stdout");
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome =
+      succeeded(run("explain " + subject.model + front + "--pixel 2,2 --why-not 1 --json /dev/stdout"));
   const nlohmann::json story = nlohmann::json::parse(outcome.out);
   CHECK(story["owner"]["index"] == 0);
   CHECK(story["why_not"]["primitive"]["index"] == 1);
@@ -114,7 +105,7 @@ TEST_CASE("explain refuses pixels, points and primitives that are not there, and
 TEST_CASE("an owner picture for ordinary tools has its legend beside it, and both or none are written") {
   const Subject subject;
   const Folder& folder = subject.folder;
-  REQUIRE(run("run " + subject.program + " --owner " + (folder / "o.png")).code == 0);
+  succeeded(run("run " + subject.program + " --owner " + (folder / "o.png")));
   const nlohmann::json legend = json(folder / "o.json");
   // 4 x 4 pixels of the first box, but for 2 x 2 that the second hides; 4 x 2 of the second.
   CHECK(legend["primitives"][0]["pixels"] == 12);

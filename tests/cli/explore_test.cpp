@@ -1,14 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <map>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -39,9 +28,8 @@ std::string without_line(const std::string& table, std::size_t number) {
 
 TEST_CASE("explore measures every design on every model, marks the front and draws it") {
   const Folder folder;
-  const Outcome outcome = run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small + vary +
-                              " --report " + (folder / "p.html") + " -o " + (folder / "e"));
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run("explore " + model("old_example011") + " " + model("thesis_fig_2_3") + small +
+                                        vary + " --report " + (folder / "p.html") + " -o " + (folder / "e")));
   CHECK(outcome.err.empty());
   const nlohmann::json file = json(folder / "e/explore.json");
   REQUIRE(file["points"].size() == 2 * 8);
@@ -64,9 +52,8 @@ TEST_CASE("explore measures every design on every model, marks the front and dra
 TEST_CASE("a design's row tells what render tells of it, and wrong pixels as accuracy counts them") {
   const Folder folder;
   const std::string of = model("rietveld_house") + " --size 64x64 --camera 3430,-2900,1950,590,230,220";
-  REQUIRE(run("explore " + of + " --vary memory.reads=1,2 --vary z-bits=8,20 --no-plots --progress none -o " +
-              (folder / "e"))
-              .code == 0);
+  succeeded(run("explore " + of + " --vary memory.reads=1,2 --vary z-bits=8,20 --no-plots --progress none -o " +
+                (folder / "e")));
   REQUIRE(run("accuracy " + of + " --knobs z-bits --views 1 --no-plots --progress none -o " + (folder / "a")).code ==
           0);
   std::map<unsigned, std::uint64_t> wrong;
@@ -77,10 +64,9 @@ TEST_CASE("a design's row tells what render tells of it, and wrong pixels as acc
   REQUIRE(points.size() == 4);
   for (const nlohmann::json& point : points) {
     CHECK(point["wrong"] == wrong.at(point["z_bits"]));
-    REQUIRE(run("render " + of + " --machine " + point["machine"].get<std::string>() + " --memory-bits " +
-                std::to_string(point["used_bits"].get<unsigned>()) + " --z-bits " +
-                std::to_string(point["z_bits"].get<unsigned>()) + " --stats " + (folder / "s.json"))
-                .code == 0);
+    succeeded(run("render " + of + " --machine " + point["machine"].get<std::string>() + " --memory-bits " +
+                  std::to_string(point["used_bits"].get<unsigned>()) + " --z-bits " +
+                  std::to_string(point["z_bits"].get<unsigned>()) + " --stats " + (folder / "s.json")));
     const nlohmann::json stats = json(folder / "s.json");
     CHECK(point["clocks"] == stats["clocks"]);
     CHECK(point["interval_clocks"] == stats["interval_clocks"]);
@@ -100,7 +86,7 @@ TEST_CASE("the command of the knee draws the knee") {
   const std::string command = commands[0];
   CHECK(command.find("--camera") != std::string::npos);
   const std::string words = words_of(command.substr(0, command.find(" --output")));
-  REQUIRE(run(words + " --stats " + (folder / "s.json")).code == 0);
+  succeeded(run(words + " --stats " + (folder / "s.json")));
   std::size_t knees = 0;
   for (const nlohmann::json& point : file["points"]) {
     if (point["knee"] != true) continue;
@@ -114,7 +100,7 @@ TEST_CASE("the commands of a knee for several models have memory for each of the
   const Folder folder;
   const std::string words = small + " --vary z-bits=16 --vary strategy=stack --no-plots -o ";
   const auto bits_of = [&](const std::string& models, const std::string& output) {
-    REQUIRE(run("explore " + models + words + (folder / output)).code == 0);
+    succeeded(run("explore " + models + words + (folder / output)));
     const nlohmann::json file = json(folder / output + "/explore.json");
     unsigned most = 0;
     for (const nlohmann::json& point : file["points"]) most = std::max(most, point["used_bits"].get<unsigned>());
@@ -138,7 +124,7 @@ TEST_CASE("a figure of a process file that is edited under the same name is aske
   const std::string command = "explore " + (folder / "c.csg") + " --size 16x16 --progress none --process " +
                               (folder / "p.toml") + " --vary alu.bits=1,2 --no-plots -o ";
   const auto measured = [&](const std::string& output) {
-    REQUIRE(run(command + (folder / output)).code == 0);
+    succeeded(run(command + (folder / output)));
     return json(folder / output + "/explore.json")["points"];
   };
   write(folder / "p.toml", process);
@@ -169,7 +155,7 @@ TEST_CASE("explore goes on where it was, and with other values measures what is 
   const Folder folder;
   const std::string command =
       "explore " + model("old_example011") + small + " --no-plots -o " + (folder / "e") + " --vary z-bits=";
-  REQUIRE(run(command + "8,12,16").code == 0);
+  succeeded(run(command + "8,12,16"));
   const std::string table = content(folder / "e/explore.csv");
   // As if interrupted; what is there has a mark, and keeps it.
   std::string marked = table;
@@ -178,10 +164,9 @@ TEST_CASE("explore goes on where it was, and with other values measures what is 
   const std::size_t halfspaces = marked.find(measured) + measured.size();
   marked.insert(halfspaces, "1");
   write(folder / "e/explore.csv", without_line(marked, 3));
-  REQUIRE(run(command + "8,12,16").code == 0);
+  succeeded(run(command + "8,12,16"));
   CHECK(content(folder / "e/explore.csv") == marked);
-  const Outcome more = run(command + "8,10,12,16 --axes time,wrong");
-  REQUIRE(more.code == 0);
+  succeeded(run(command + "8,10,12,16 --axes time,wrong"));
   CHECK(json(folder / "e/explore.json")["points"].size() == 4);
   CHECK(json(folder / "e/explore.json")["fronts"][0]["axes"] == nlohmann::json{"time", "wrong"});
   CHECK(run(command + "8 --projection perspective").code == 1);
@@ -191,10 +176,10 @@ TEST_CASE("the shards of explore are joined to what one process makes") {
   const Folder folder;
   const std::string command =
       "explore " + model("old_example011") + " " + model("sphere") + small + vary + " --no-plots";
-  REQUIRE(run(command + " -o " + (folder / "whole")).code == 0);
+  succeeded(run(command + " -o " + (folder / "whole")));
   const std::string in_parts = command + " -o " + (folder / "parts") + " --shard ";
   for (const char* const shard : {"1/3", "2/3", "3/3"}) REQUIRE(run(in_parts + shard).code == 0);
-  REQUIRE(run("gather " + (folder / "parts") + " --no-plots").code == 0);
+  succeeded(run("gather " + (folder / "parts") + " --no-plots"));
   for (const char* const file : {"explore.csv", "explore.json"})
     CHECK(content(folder.path() / "parts" / file) == content(folder.path() / "whole" / file));
 }
@@ -205,10 +190,10 @@ TEST_CASE("a sample of a grid is as large as it was asked for, and a longer one 
                               " --vary z-bits=4..30 --vary fraction-bits=0..16 --vary link.width=8,16,32 "
                               "--vary clock.frequency=1000000..1000900";
   misused(command, "take --points N");
-  REQUIRE(run(command + " --points 5").code == 0);
+  succeeded(run(command + " --points 5"));
   const nlohmann::json few = json(folder / "e/explore.json")["points"];
   REQUIRE(few.size() == 5);
-  REQUIRE(run(command + " --points 8").code == 0);
+  succeeded(run(command + " --points 8"));
   const nlohmann::json more = json(folder / "e/explore.json")["points"];
   REQUIRE(more.size() == 8);
   for (std::size_t i = 0; i < few.size(); ++i) CHECK(more[i]["design"] == few[i]["design"]);
@@ -216,9 +201,8 @@ TEST_CASE("a sample of a grid is as large as it was asked for, and a longer one 
 
 TEST_CASE("designs that cannot draw the model say why, and do not stop the others") {
   const Folder folder;
-  const Outcome outcome = run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "e") +
-                              " --vary array.memory_bits=20,72");
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run("explore " + model("carburettor") + small + " --no-plots -o " + (folder / "e") +
+                                        " --vary array.memory_bits=20,72"));
   const nlohmann::json file = json(folder / "e/explore.json");
   CHECK(file["points"][0]["reason"] != "");
   CHECK(file["points"][0].contains("pareto") == false);
@@ -238,18 +222,14 @@ TEST_CASE("designs that cannot draw the model say why, and do not stop the other
 TEST_CASE("explore writes nothing where no model can be read") {
   const Folder folder;
   const std::string words = small + " --vary z-bits=8,16 --no-plots -o " + (folder / "e");
-  const Outcome missing = run("explore " + (folder / "nosuch.csg") + words);
-  CHECK(missing.code == 1);
-  CHECK(one_line(missing.err));
-  CHECK(missing.err.find("nosuch.csg: cannot be read") != std::string::npos);
+  fails(run("explore " + (folder / "nosuch.csg") + words), 1, {"nosuch.csg: cannot be read"});
   CHECK(folder.files() == 0);
 }
 
 TEST_CASE("machines whose pixels have no price have no area, and their fronts do without") {
   const Folder folder;
-  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
-              " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e"))
-              .code == 0);
+  succeeded(run("explore " + model("thesis_fig_2_3") + small +
+                " --machine scan-line --vary chains.count=1,4 --no-plots -o " + (folder / "e")));
   const nlohmann::json file = json(folder / "e/explore.json");
   CHECK(file["points"][0]["machine_transistors"].is_null());
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "memory", "wrong"});
@@ -257,9 +237,8 @@ TEST_CASE("machines whose pixels have no price have no area, and their fronts do
 
 TEST_CASE("figures that do not fit the machine but each other are varied together, and what does not fit says so") {
   const Folder folder;
-  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
-              " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e"))
-              .code == 0);
+  succeeded(run("explore " + model("thesis_fig_2_3") + small +
+                " --vary evaluator.bits=1,4 --vary alu.bits=1,4 --no-plots -o " + (folder / "e")));
   std::size_t refused = 0;
   std::map<std::string, std::uint64_t> clocks;
   const nlohmann::json points = json(folder / "e/explore.json")["points"];
@@ -298,9 +277,8 @@ TEST_CASE("what is wrong with --vary and --axes is told in a line, with what to 
 
 TEST_CASE("in a process a machine has the clock that it leaves, and the knee's command says it") {
   const Folder folder;
-  REQUIRE(run("explore " + model("thesis_fig_2_3") + small +
-              " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e"))
-              .code == 0);
+  succeeded(run("explore " + model("thesis_fig_2_3") + small +
+                " --process cmos-45nm --vary alu.bits=1,8 --vary z-bits=8,20" + " --no-plots -o " + (folder / "e")));
   const nlohmann::json file = json(folder / "e/explore.json");
   CHECK(file["fronts"][0]["axes"] == nlohmann::json{"time", "silicon", "energy", "memory", "wrong"});
   for (const nlohmann::json& point : file["points"]) {
@@ -313,7 +291,7 @@ TEST_CASE("in a process a machine has the clock that it leaves, and the knee's c
     CHECK(command.find("+clock.frequency=" + std::to_string(point["clock_hz"].get<std::uint64_t>())) !=
           std::string::npos);
     const std::string words = words_of(command.substr(0, command.find(" --output")));
-    REQUIRE(run(words + " --stats " + (folder / "s.json")).code == 0);
+    succeeded(run(words + " --stats " + (folder / "s.json")));
     CHECK(json(folder / "s.json")["frames_per_second"].get<double>() ==
           doctest::Approx(point["frames_per_second"].get<double>()));
   }
@@ -323,16 +301,16 @@ TEST_CASE("in a process a machine has the clock that it leaves, and the knee's c
 TEST_CASE("a process does not price what has not been synthesised, and measures anew when its figures change") {
   const Folder folder;
   const std::string command = "explore " + model("thesis_fig_2_3") + small + " --no-plots -o " + (folder / "e");
-  REQUIRE(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4").code == 0);
+  succeeded(run(command + " --machine scan-line --process nmos-3um --vary chains.count=1,4"));
   nlohmann::json points = json(folder / "e/explore.json")["points"];
   CHECK(points[0]["machine_mm2"].is_null());
   CHECK(points[0]["frame_joules"].is_null());
   CHECK(points[0]["clock_path"] == "");
   CHECK(points[0]["clock_hz"] == 10'000'000);
-  REQUIRE(run("manual processes nmos-3um").code == 0);
-  REQUIRE(run(command + " --process nmos-3um --vary alu.bits=1").code == 0);
+  succeeded(run("manual processes nmos-3um"));
+  succeeded(run(command + " --process nmos-3um --vary alu.bits=1"));
   const nlohmann::json slow = json(folder / "e/explore.json")["points"][0];
-  REQUIRE(run(command + " --process nmos-3um+gate.delay=1000 --vary alu.bits=1").code == 0);
+  succeeded(run(command + " --process nmos-3um+gate.delay=1000 --vary alu.bits=1"));
   points = json(folder / "e/explore.json")["points"];
   CHECK(points[0]["process"] == "nmos-3um+gate.delay=1000");
   CHECK(points[0]["clock_hz"] > slow["clock_hz"]);
@@ -348,7 +326,7 @@ TEST_CASE("a search tries every neighbour of the front, goes on where it was int
   const std::string search = "explore " + model("old_example011") + small +
                              " --vary z-bits=8..20 --vary fraction-bits=0..12 --axes memory,wrong --no-plots -o " +
                              (folder / "e") + " --points 4 --search ";
-  REQUIRE(run(search + "500").code == 0);
+  succeeded(run(search + "500"));
   const std::string table = content(folder / "e/explore.csv");
   std::map<std::pair<int, int>, bool> on_front;
   const nlohmann::json points = json(folder / "e/explore.json")["points"];
@@ -364,11 +342,9 @@ TEST_CASE("a search tries every neighbour of the front, goes on where it was int
     }
   }
   std::ofstream(folder / "e/explore.csv") << without_line(without_line(table, 20), 9);
-  REQUIRE(run(search + "500").code == 0);
+  succeeded(run(search + "500"));
   CHECK(content(folder / "e/explore.csv") == table);
-  REQUIRE(run(search + "10").code == 0);
+  succeeded(run(search + "10"));
   CHECK(json(folder / "e/explore.json")["points"].size() == 14);
-  const Outcome shared = run(search + "10 --shard 1/2");
-  CHECK(shared.code == 2);
-  CHECK(shared.err.find("a search goes on from what has been measured") != std::string::npos);
+  fails(run(search + "10 --shard 1/2"), 2, {"a search goes on from what has been measured"});
 }

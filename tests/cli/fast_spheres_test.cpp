@@ -1,5 +1,3 @@
-#include <string>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -15,7 +13,7 @@ std::string written(const Folder& folder, const std::string& csg) {
 }
 
 std::uint64_t clocks_of(const Folder& folder, const std::string& options) {
-  REQUIRE(run("render " + options + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")).code == 0);
+  succeeded(run("render " + options + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")));
   return json(folder / "s.json")["clocks"];
 }
 
@@ -54,9 +52,8 @@ TEST_CASE("what is no sphere of an orthographic picture stays facets, and is tol
 TEST_CASE("without a sphere that can be fast, --curves fast makes the very Program of --curves facets") {
   const Folder folder;
   const auto program = [&](const std::string& curves, const std::string& csg, const std::string& options) {
-    REQUIRE(
-        run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " + (folder / "p.csgt"))
-            .code == 0);
+    succeeded(run("compile " + written(folder, csg) + small + options + " --curves " + curves + " -o " +
+                  (folder / "p.csgt")));
     return content(folder / "p.csgt");
   };
   const std::string pocket = content(model("thesis_fig_2_3"));
@@ -68,9 +65,8 @@ TEST_CASE("without a sphere that can be fast, --curves fast makes the very Progr
 TEST_CASE("fast spheres and facets see a model from the same place") {
   const Folder folder;
   const auto box = [&](const std::string& curves) {
-    REQUIRE(run("render " + written(folder, ball) + " --size 256x256 --view-all --memory-bits 128 --curves " + curves +
-                " --stats " + (folder / "s.json") + " -o " + (folder / "p.png"))
-                .code == 0);
+    succeeded(run("render " + written(folder, ball) + " --size 256x256 --view-all --memory-bits 128 --curves " +
+                  curves + " --stats " + (folder / "s.json") + " -o " + (folder / "p.png")));
     return json(folder / "s.json")["camera"];
   };
   CHECK(box("fast") == box("facets"));
@@ -80,19 +76,13 @@ TEST_CASE("the 72 bits of Pixel-planes 4 hold 18 bits of depth and of colour for
   const Folder folder;
   const std::string options = "render " + model("molecule") + " --view-all --curves fast --z-bits 18 -o " +
                               (folder / "p.png") + " --colour-bits ";
-  CHECK(run(options + "18").code == 0);
+  succeeded(run(options + "18"));
   CHECK(run(options + "19").code == 1);
 }
 
 TEST_CASE("where the bits of a machine do not hold the squares, or it divides the model itself, what to do is told") {
   const Folder folder;
   const std::string options = "render " + written(folder, ball) + " --view-all --curves fast -o " + (folder / "p.png");
-  const Outcome narrow = run(options);
-  CHECK(narrow.code == 1);
-  CHECK(one_line(narrow.err));
-  CHECK(narrow.err.find("17 squares") != std::string::npos);
-  CHECK(narrow.err.find("--curves facets") != std::string::npos);
-  const Outcome divides = run(options + " --machine pixel-square");
-  CHECK(divides.code == 1);
-  CHECK(divides.err.find("draw facets by --curves facets") != std::string::npos);
+  fails(run(options), 1, {"17 squares", "--curves facets"});
+  fails(run(options + " --machine pixel-square"), 1, {"draw facets by --curves facets"});
 }

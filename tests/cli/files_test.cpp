@@ -1,9 +1,4 @@
-#include <doctest/doctest.h>
 #include <sys/stat.h>
-
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -19,7 +14,7 @@ const std::string small_cube = "cube(size = [8, 6, 4]);\n";
 /// A folder with a model, m.csg, and its Program, p.csgt.
 void fill(const Folder& folder) {
   write(folder / "m.csg", small_cube);
-  REQUIRE(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt", "-q"}, folder.path()).code == 0);
+  succeeded(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt", "-q"}, folder.path()));
 }
 
 /// csgsim that ends by itself within some seconds, or with code 124.
@@ -74,9 +69,7 @@ TEST_CASE("the debugger writes a checkpoint and a picture again where it wrote t
   fill(folder);
   write(folder / "commands",
         "checkpoint c\nstep\ncheckpoint c\nresume c\ncheckpoint c\npicture E e.png\npicture E e.png\n");
-  const Outcome outcome = run_words({"debug", "p.csgt", "-x", "commands"}, folder.path());
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 0);
+  succeeded(run_words({"debug", "p.csgt", "-x", "commands"}, folder.path()));
 }
 
 TEST_CASE("no command replaces what a model imports") {
@@ -198,9 +191,7 @@ TEST_CASE("an import that is missing is warned of at its place, and the rest is 
         "rotate_extrude(file = \"none.dxf\");"}) {
     CAPTURE(node);
     write(folder / "m.csg", small_cube + node + "\n");
-    const Outcome outcome = run_words({"render", "m.csg", "--size", "16x16"}, folder.path());
-    CAPTURE(outcome.err);
-    CHECK(outcome.code == 0);
+    const Outcome outcome = succeeded(run_words({"render", "m.csg", "--size", "16x16"}, folder.path()));
     CHECK(contains(outcome.out, ", 6 half-spaces"));
     CHECK(one_line(outcome.err));
     CHECK(outcome.err.starts_with("m.csg:2:1: warning: "));
@@ -246,8 +237,7 @@ TEST_CASE("imports are looked for in the model's folder, then in the folder that
   const auto compiled = [&](Words words) {
     words.insert(words.end(), {"--size", "16x16", "-o", folder / "p.csgt"});
     words.insert(words.begin(), "compile");
-    const Outcome outcome = run_words(words, folder.path());
-    CHECK(outcome.code == 0);
+    const Outcome outcome = succeeded(run_words(words, folder.path()));
     return std::pair(content(folder / "p.csgt"), outcome.err);
   };
   const auto [there, told] = compiled({"models/m.csg", "--imports-from", "parts"});

@@ -1,10 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <cctype>
-#include <map>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -112,12 +106,8 @@ TEST_CASE("whatever word an option takes, a wrong one is told with the nearest a
       CAPTURE(command);
       CAPTURE(option);
       const std::string operand = command == "rtl" ? "pixel-planes-4" : "m.csg";
-      const Outcome outcome = run_words({command, operand, option, wrong});
-      CAPTURE(outcome.err);
-      CHECK(outcome.code == 2);
-      CHECK(one_line(outcome.err));
-      CHECK(outcome.err.find("there is no ") != std::string::npos);
-      CHECK(outcome.err.find("'" + wrong + "'; did you mean " + word + "? The ") != std::string::npos);
+      fails(run_words({command, operand, option, wrong}), 2,
+            {"there is no ", "'" + wrong + "'; did you mean " + word + "? The "});
     }
   }
   for (const std::string option : {"--strategy", "--colouring", "--level", "--levels", "--projection", "--progress",
@@ -129,9 +119,7 @@ TEST_CASE("whatever word an option takes, a wrong one is told with the nearest a
 
 TEST_CASE("names that are not fixed words are told alike: machines, effects, settings of effects, fields") {
   const Outcome machine = run("render " + model("old_example003") + " --machine scanline");
-  CHECK(machine.code == 2);
-  CHECK(machine.err.find("there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, ") !=
-        std::string::npos);
+  fails(machine, 2, {"there is no machine 'scanline'; did you mean scan-line? The machines are pixel-planes-4, "});
   misused("manual machines foo", "there is no machine 'foo'; the machines are pixel-planes-4, ");
   misused("render " + model("old_example003") + " --set effects.shadow.on=true",
           "there is no effect 'shadow'; did you mean shadows? The effects are ");

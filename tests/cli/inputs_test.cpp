@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "hw/base/address_sanitizer.h"
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -23,7 +16,7 @@ TEST_CASE("no command writes over what it reads, by whatever name") {
   const Folder folder;
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
-  REQUIRE(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt"}, folder.path()).code == 0);
+  succeeded(run_words({"compile", "m.csg", "--size", "16x16", "-o", "p.csgt"}, folder.path()));
   const std::string program = content(folder / "p.csgt");
   fs::create_symlink("m.csg", folder / "link.json");
   fs::create_hard_link(folder / "mine.toml", folder / "hard.json");
@@ -50,10 +43,7 @@ TEST_CASE("no command writes over what it reads, by whatever name") {
     const Outcome outcome = run_words(all, folder.path());
     CAPTURE(words[0]);
     CAPTURE(words.back());
-    CAPTURE(outcome.err);
-    CHECK(outcome.code == 2);
-    CHECK(one_line(outcome.err));
-    CHECK(outcome.err.find("which is read") != std::string::npos);
+    fails(outcome, 2, {"which is read"});
   }
   CHECK(content(folder / "m.csg") == cube);
   CHECK(content(folder / "mine.toml") == machine_text());
@@ -67,8 +57,7 @@ TEST_CASE("two outputs of one run cannot be one file, through links either") {
   for (const std::string second : {"one.exr", "other.exr", "./one.exr"}) {
     const Outcome outcome =
         run_words({"render", "m.csg", "--size", "16x16", "--depth", "one.exr", "--owner", second}, folder.path());
-    CHECK(outcome.code == 2);
-    CHECK(outcome.err.find("two outputs cannot be the same file") != std::string::npos);
+    fails(outcome, 2, {"two outputs cannot be the same file"});
   }
   CHECK_FALSE(fs::exists(folder / "one.exr"));
 }
@@ -120,14 +109,11 @@ TEST_CASE("a near plane too near for any depth is refused with one that would do
   for (const std::string near : {"4.9e-324", "1e-300", "1e-17"}) {
     const Outcome outcome =
         run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", near}, folder.path());
-    CHECK(outcome.code == 1);
-    CHECK(one_line(outcome.err));
-    CHECK(outcome.err.find("put --near at ") != std::string::npos);
+    fails(outcome, 1, {"put --near at "});
     CHECK((outcome.out + outcome.err).find("nan") == std::string::npos);
   }
-  CHECK(
-      run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "1e-9"}, folder.path())
-          .code == 0);
+  succeeded(run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "1e-9"},
+                      folder.path()));
 }
 
 TEST_CASE(
@@ -146,14 +132,10 @@ TEST_CASE(
            {"sweep", "twisted.csg", "--strategy", "stack", "-o", "out", "--size", "16x16"}}) {
     CAPTURE(words[0]);
     words.insert(words.end(), {"--limit", "1"});
-    const Outcome outcome = run_words(words, folder.path());
-    CHECK(outcome.code == 1);
-    CHECK(one_line(outcome.err));
-    CHECK(outcome.err.find("twisted.csg:2:1: linear_extrude(): ") != std::string::npos);
-    CHECK(outcome.err.find("more work than the limit of 1 million steps") != std::string::npos);
-    CHECK(outcome.err.find("--limit") != std::string::npos);
+    fails(run_words(words, folder.path()), 1,
+          {"twisted.csg:2:1: linear_extrude(): ", "more work than the limit of 1 million steps", "--limit"});
   }
-  CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"}, folder.path()).code == 0);
+  succeeded(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--size", "16x16"}, folder.path()));
   CHECK(run_words({"compile", "twisted.csg", "-o", "t.csgt", "--limit", "0"}, folder.path()).code == 2);
 }
 
@@ -163,12 +145,8 @@ TEST_CASE("a tree in which each primitive is seen or not by all others is refuse
   for (int i = 0; i < 8'000; ++i) text += "difference() { cube(size = [9, 9, 9], center = true);\n";
   text += "cube(size = [1, 1, 1], center = true);" + std::string(8'000, '}') + "\n";
   write(folder / "deep.csg", text);
-  const Outcome outcome = run_words({"compile", "deep.csg", "-o", "d.csgt", "--size", "16x16"}, folder.path());
-  CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find("from this primitive on, comparing primitives with others takes more work than") !=
-        std::string::npos);
-  CHECK(outcome.err.find("deep.csg:") != std::string::npos);
+  fails(run_words({"compile", "deep.csg", "-o", "d.csgt", "--size", "16x16"}, folder.path()), 1,
+        {"from this primitive on, comparing primitives with others takes more work than", "deep.csg:"});
 }
 
 TEST_CASE("compiling takes no more work than --limit says, whatever asks for it") {
@@ -185,17 +163,9 @@ TEST_CASE("compiling takes no more work than --limit says, whatever asks for it"
                       "--limit", limit, "--set", "effects.shadows.on=" + shadows},
                      folder.path());
   };
-  const Outcome plain = compiled("1", "false");
-  CHECK(plain.code == 1);
-  CHECK(one_line(plain.err));
-  CHECK(plain.err.find("balls.csg:") != std::string::npos);
-  CHECK(plain.err.find("broadcasting the model takes more work than the limit of 1 million steps") !=
-        std::string::npos);
-  const Outcome shadows = compiled("100", "true");
-  CHECK(shadows.code == 1);
-  CHECK(one_line(shadows.err));
-  CHECK(shadows.err.find("balls.csg:") != std::string::npos);
-  CHECK(shadows.err.find("finding where shadows fall takes more work than the limit") != std::string::npos);
+  fails(compiled("1", "false"), 1,
+        {"balls.csg:", "broadcasting the model takes more work than the limit of 1 million steps"});
+  fails(compiled("100", "true"), 1, {"balls.csg:", "finding where shadows fall takes more work than the limit"});
   CHECK_FALSE(std::filesystem::exists(folder / "b.csgt"));
   CHECK(compiled("100", "false").code == 0);
 }

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -34,11 +30,9 @@ struct Drawn {
 };
 
 Drawn draw(const Folder& folder, const std::string& options) {
-  const Outcome outcome = run("render " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 75x50 -o " +
-                              (folder / "p.ppm") + " --depth " + (folder / "d.exr") + " --owner " + (folder / "o.exr") +
-                              " --stats " + (folder / "s.json") + " " + options);
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(run("render " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 75x50 -o " +
+                (folder / "p.ppm") + " --depth " + (folder / "d.exr") + " --owner " + (folder / "o.exr") + " --stats " +
+                (folder / "s.json") + " " + options));
   return {content(folder / "p.ppm"), content(folder / "d.exr"), content(folder / "o.exr"), json(folder / "s.json")};
 }
 
@@ -85,11 +79,9 @@ TEST_CASE("parts whose lists do not fit the nodes of a multi-processor are drawn
   for (const char* const part : {"bolt_and_nut", "vase"}) {
     CAPTURE(part);
     const auto drawn = [&](const std::string& machine) {
-      const Outcome outcome = run("render " + std::string(CSGSIM_SOURCE_DIR) + "/tests/corpus/parts/" + part +
-                                  ".csg --size 128x128 --machine " + machine + " -o " + (folder / "p.ppm") +
-                                  " --stats " + (folder / "s.json"));
-      CAPTURE(outcome.err);
-      REQUIRE(outcome.code == 0);
+      succeeded(run("render " + std::string(CSGSIM_SOURCE_DIR) + "/tests/corpus/parts/" + part +
+                    ".csg --size 128x128 --machine " + machine + " -o " + (folder / "p.ppm") + " --stats " +
+                    (folder / "s.json")));
       return content(folder / "p.ppm");
     };
     const std::string whole = drawn("pixel-planes-4");
@@ -115,24 +107,18 @@ TEST_CASE("each part of the pixel-square machine has an account of all clocks of
 TEST_CASE("a Program for one kind of machine is refused by another, with what to do") {
   const Folder folder;
   const std::string program = folder / "p.csgt";
-  REQUIRE(run("compile " + model("carburettor") + " --size 64x48 --machine pixel-square -o " + program).code == 0);
-  CHECK(run("run " + program + " --machine pixel-square --level cycle").code == 0);
-  const Outcome refused = run("run " + program + " --machine scan-line");
-  CHECK(refused.code == 1);
-  CHECK(one_line(refused.err));
-  CHECK(refused.err.find("compile the model for this one") != std::string::npos);
-  const Outcome wide = run("render " + model("carburettor") + " --machine scan-line --size 600x20");
-  CHECK(wide.code == 1);
-  CHECK(wide.err.find("600 pixels is longer than the 512 cells") != std::string::npos);
+  succeeded(run("compile " + model("carburettor") + " --size 64x48 --machine pixel-square -o " + program));
+  succeeded(run("run " + program + " --machine pixel-square --level cycle"));
+  fails(run("run " + program + " --machine scan-line"), 1, {"compile the model for this one"});
+  fails(run("render " + model("carburettor") + " --machine scan-line --size 600x20"), 1,
+        {"600 pixels is longer than the 512 cells"});
 }
 
 TEST_CASE("compare draws a model on several machines and goes on after an interruption") {
   const Folder folder;
   const std::string command = "compare " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 48x40 -o " +
                               (folder / "c") + " --fragments 6,12 --sides 24,32";
-  const Outcome first = run(command + " --machines pixel-planes-4,pixel-square");
-  CAPTURE(first.err);
-  REQUIRE(first.code == 0);
+  const Outcome first = succeeded(run(command + " --machines pixel-planes-4,pixel-square"));
   CHECK(first.out.find("the same on all machines, byte for byte") != std::string::npos);
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   REQUIRE(points.size() == 2 * 5);
@@ -149,9 +135,9 @@ TEST_CASE("compare draws a model on several machines and goes on after an interr
     CHECK(fs::file_size(folder / ("c/compare_" + std::string(plot))) > 1000);
   const std::string table = content(folder / "c/compare.csv");
   write(folder / "c/compare.csv", table.substr(0, table.size() - 40));
-  REQUIRE(run(command + " --machines pixel-planes-4,pixel-square --no-plots").code == 0);
+  succeeded(run(command + " --machines pixel-planes-4,pixel-square --no-plots"));
   CHECK(content(folder / "c/compare.csv") == table);
-  REQUIRE(run(command + " --machines scan-line --no-plots").code == 0);
+  succeeded(run(command + " --machines scan-line --no-plots"));
   CHECK(json(folder / "c/compare.json")["points"].size() == 5);
   CHECK(json(folder / "c/compare.json")["points"][0]["machine_transistors"].is_null());
   CHECK(run(command + " --machines nothing").code == 2);
@@ -178,10 +164,8 @@ TEST_CASE("compare names the one figure of a machine that is worth most if it is
 
 TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-spaces, less each level") {
   const Folder folder;
-  const Outcome outcome = run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
-                              (folder / "s") + " --subdivisions 2,4,6 --no-plots");
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(run("subdivide " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 128x128 -o " +
+                (folder / "s") + " --subdivisions 2,4,6 --no-plots"));
   const nlohmann::json columns = json(folder / "s/subdivide.json")["points"];
   REQUIRE(columns.size() == 3);
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -199,23 +183,22 @@ TEST_CASE("subdivide tells what is left in squares of half the side: fewer half-
   REQUIRE(eight.code == 0);
   CHECK(json(folder / "e/subdivide.json")["points"][0]["segments"]["kept_halfspaces_mean"] ==
         columns[1]["subsegments"]["kept_halfspaces_mean"]);
-  const Outcome refused = run("subdivide " + model("carburettor") + " --machine scan-line");
-  CHECK(refused.code == 1);
-  CHECK(refused.err.find("take a machine of kind pixel-square or multi-processor") != std::string::npos);
+  fails(run("subdivide " + model("carburettor") + " --machine scan-line"), 1,
+        {"take a machine of kind pixel-square or multi-processor"});
 }
 
 TEST_CASE("subdivide goes on where it was, measures other levels and tolerances besides, and has plots and a page") {
   const Folder folder;
   const std::string subdivide = "subdivide " + model("carburettor") + " --size 64x64 -o " + (folder / "s");
-  REQUIRE(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots").code == 0);
+  succeeded(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
   const std::string table = content(folder / "s/subdivide.csv");
   CHECK(
       table.starts_with("subdivisions,tolerance,model_hash,machine_hash,csgsim,primitives,halfspaces,segments_count,"));
   const std::string csv = folder / "s/subdivide.csv";
   write(csv, table.substr(0, table.size() - 40));
-  REQUIRE(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots").code == 0);
+  succeeded(run(subdivide + " --subdivisions 2 --tolerances 1,0.5 --no-plots"));
   CHECK(content(csv) == table);
-  REQUIRE(run(subdivide + " --subdivisions 2,3 --report " + (folder / "p.html")).code == 0);
+  succeeded(run(subdivide + " --subdivisions 2,3 --report " + (folder / "p.html")));
   CHECK(json(folder / "s/subdivide.json")["points"].size() == 2);
   CHECK(content(csv).ends_with(table.substr(table.find('\n') + 1)));
   for (const char* const file : {"s/subdivide.png", "s/subdivide.svg"}) CHECK(content(folder / file).size() > 1000);
@@ -232,7 +215,7 @@ TEST_CASE("subdivide tells the times of a multi-processor's stages, which add up
   REQUIRE(outcome.code == 0);
   CHECK(outcome.out.find("89.7       102.5       139.7") != std::string::npos);
   const nlohmann::json columns = json(folder / "m/subdivide.json")["points"];
-  REQUIRE(run("subdivide " + options + " --subdivisions 4,6 --no-plots -o " + (folder / "s")).code == 0);
+  succeeded(run("subdivide " + options + " --subdivisions 4,6 --no-plots -o " + (folder / "s")));
   const nlohmann::json squares = json(folder / "s/subdivide.json")["points"];
   for (std::size_t i = 0; i < 2; ++i) {
     const nlohmann::json& stages = columns[i]["stages"];

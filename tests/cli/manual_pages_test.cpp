@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
 #include <stdlib.h>
-
-#include <string>
-#include <vector>
 
 #include "tests/cli/cli.h"
 #include "tests/cli/help_lines.h"
@@ -15,8 +11,7 @@ namespace {
 std::string shown(const std::string& page) {
   ::setenv("MANWIDTH", "150", 1);
   ::setenv("LC_ALL", "C.UTF-8", 1);
-  const Outcome outcome = run_program("man", {"--warnings", "-P", "cat", "-l", page});
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run_program("man", {"--warnings", "-P", "cat", "-l", page}));
   CHECK(outcome.err == "");
   return outcome.out;
 }
@@ -31,7 +26,7 @@ std::vector<std::string> pages() {
 
 TEST_CASE("there is a manual page for the program and each command, of which neither groff nor mandoc warns") {
   const Folder folder;
-  REQUIRE(run_words({"--describe", folder.path().string()}).code == 0);
+  succeeded(run_words({"--describe", folder.path().string()}));
   REQUIRE(pages().size() >= 20);
   for (const std::string& page : pages()) {
     CAPTURE(page);
@@ -46,7 +41,7 @@ TEST_CASE("there is a manual page for the program and each command, of which nei
 
 TEST_CASE("a command's page has every option that its help has, with the same value") {
   const Folder folder;
-  REQUIRE(run_words({"--describe", folder.path().string()}).code == 0);
+  succeeded(run_words({"--describe", folder.path().string()}));
   const std::string all = shown(folder / "csgsim.1");
   for (const std::string& command : commands()) {
     CAPTURE(command);
@@ -65,7 +60,7 @@ TEST_CASE("a command's page has every option that its help has, with the same va
 TEST_CASE("pages and completion are the same bytes each time, and a folder that cannot be made is told") {
   const Folder folder;
   for (const std::string name : {"a", "b"}) REQUIRE(run_words({"--describe", folder / name}).code == 0);
-  CHECK(run_program("diff", {"-r", folder / "a", folder / "b"}).code == 0);
+  succeeded(run_program("diff", {"-r", folder / "a", folder / "b"}));
   write(folder / "file", "");
   const Outcome outcome = run_words({"--describe", folder / "file/below"});
   CHECK(outcome.code == 1);

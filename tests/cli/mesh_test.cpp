@@ -1,14 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <fstream>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -25,9 +14,7 @@ std::string commands(const std::string& name) {
 TEST_CASE("mesh tells what the filter and the quadtree hold of one mesh, and measures nothing twice") {
   const Folder folder;
   const std::string words = "mesh " + commands("thesis_fig_3_9") + " -o " + (folder / "m");
-  const Outcome first = run(words + " --tolerances 0.1,0.05");
-  CAPTURE(first.err);
-  REQUIRE(first.code == 0);
+  const Outcome first = succeeded(run(words + " --tolerances 0.1,0.05"));
   CHECK(first.out.find("most elements held") != std::string::npos);
   const nlohmann::json points = json(folder / "m/mesh.json")["points"];
   REQUIRE(points.size() == 4);
@@ -43,7 +30,7 @@ TEST_CASE("mesh tells what the filter and the quadtree hold of one mesh, and mea
   CHECK(filter["seconds"]["mc68000"]["subdividing"] == quadtree["seconds"]["mc68000"]["subdividing"]);
   CHECK(fs::file_size(folder / "m/mesh_Patch_plane.svg") > 1000);
   const std::string table = content(folder / "m/mesh.csv");
-  REQUIRE(run(words + " --tolerances 0.1,0.05,0.02").code == 0);
+  succeeded(run(words + " --tolerances 0.1,0.05,0.02"));
   CHECK(content(folder / "m/mesh.csv").starts_with(table.substr(0, 200)));
   CHECK(json(folder / "m/mesh.json")["points"].size() == 6);
 }
@@ -51,12 +38,9 @@ TEST_CASE("mesh tells what the filter and the quadtree hold of one mesh, and mea
 TEST_CASE("a surface that a tolerance is too fine for is a row that says so, and an error where it is alone") {
   const Folder folder;
   const std::string words = "mesh " + commands("jug") + " --repairs filter --flatness sides ";
-  const Outcome both = run(words + "--tolerances 1,1e-12 -o " + (folder / "m"));
-  CHECK(both.code == 0);
+  const Outcome both = succeeded(run(words + "--tolerances 1,1e-12 -o " + (folder / "m")));
   CHECK(both.out.find("take a coarser tolerance") != std::string::npos);
-  const Outcome alone = run(words + "--tolerances 1e-12");
-  CHECK(alone.code == 1);
-  CHECK(alone.err.find("take a coarser tolerance") != std::string::npos);
+  fails(run(words + "--tolerances 1e-12"), 1, {"take a coarser tolerance"});
 }
 
 TEST_CASE("mesh refuses what it does not know, and files without a surface") {
@@ -64,33 +48,26 @@ TEST_CASE("mesh refuses what it does not know, and files without a surface") {
   misused("mesh " + commands("jug") + " --repairs filtre", "did you mean filter");
   misused("mesh " + commands("jug") + " --tolerances 0", "no tolerance");
   misused("mesh " + commands("jug") + " --processors this-computer", "has no prices");
-  const Outcome none = run("mesh " + commands("thesis_fig_2_3"));
-  CHECK(none.code == 1);
-  CHECK(none.err.find("there is no sweep and no patch in it") != std::string::npos);
-  const Outcome other = run("mesh " + model("sphere"));
-  CHECK(other.code == 1);
-  CHECK(other.err.find("sphere.csg: elements are made of the sweeps and patches of commands, .jan") !=
-        std::string::npos);
+  fails(run("mesh " + commands("thesis_fig_2_3")), 1, {"there is no sweep and no patch in it"});
+  fails(run("mesh " + model("sphere")), 1,
+        {"sphere.csg: elements are made of the sweeps and patches of commands, .jan"});
 }
 
 TEST_CASE("files of commands are drawn as their .csg, and their errors tell the place") {
   const Folder folder;
   const std::string view = " --camera 42,-38,41,10,5.5,2 --size 96x96 -o ";
-  REQUIRE(run("render " + commands("thesis_fig_2_3") + view + (folder / "one.png")).code == 0);
-  REQUIRE(run("render " + model("thesis_fig_2_3") + view + (folder / "other.png")).code == 0);
+  succeeded(run("render " + commands("thesis_fig_2_3") + view + (folder / "one.png")));
+  succeeded(run("render " + model("thesis_fig_2_3") + view + (folder / "other.png")));
   CHECK(content(folder / "one.png") == content(folder / "other.png"));
   std::ofstream(folder / "bad.jan") << "A = block 1 2\n";
-  const Outcome bad = run("render " + (folder / "bad.jan") + " -o " + (folder / "bad.png"));
-  CHECK(bad.code == 1);
-  CHECK(bad.err.find("bad.jan:1:14: expected a block's length along z, found the end of the line") !=
-        std::string::npos);
+  fails(run("render " + (folder / "bad.jan") + " -o " + (folder / "bad.png")), 1,
+        {"bad.jan:1:14: expected a block's length along z, found the end of the line"});
 }
 
 TEST_CASE("the mesh that mesh writes has the vertices and elements that are counted, and each edge twice at most") {
   const Folder folder;
-  REQUIRE(run("mesh " + commands("thesis_fig_3_9") + " --tolerances 0.1 --repairs filter --json " +
-              (folder / "m.json") + " -o " + (folder / "m"))
-              .code == 0);
+  succeeded(run("mesh " + commands("thesis_fig_3_9") + " --tolerances 0.1 --repairs filter --json " +
+                (folder / "m.json") + " -o " + (folder / "m")));
   const nlohmann::json point = json(folder / "m/mesh.json")["points"][0];
   const nlohmann::json mesh = json(folder / "m.json")["meshes"][0];
   CHECK(mesh["tolerance"] == 0.1);

@@ -1,11 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
 #include <cctype>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -48,12 +41,10 @@ TEST_CASE("no name of a model or a folder runs a command") {
     const std::string model = name + ".csg";
     write(folder / model, cube);
     for (const std::string command : {"compare", "sweep"}) {
-      const Outcome outcome = run_words(study(command, model, name + command), folder.path());
-      CAPTURE(outcome.err);
-      CHECK(outcome.code == 0);
+      succeeded(run_words(study(command, model, name + command), folder.path()));
       CHECK(fs::exists(folder / (name + command + "/" + command + ".csv")));
     }
-    CHECK(run_words(study("compare", model, ""), folder.path()).code == 0);
+    succeeded(run_words(study("compare", model, ""), folder.path()));
     CHECK_FALSE(is_there(folder.path(), "PWNED"));
   }
 }
@@ -62,9 +53,7 @@ TEST_CASE("accuracy draws its plots for a model whose name has quotes, line brea
   const Folder folder;
   const std::string name = "a'\"\n`touch PWNED`\n%d {}_^ <b>.csg";
   write(folder / name, cube);
-  const Outcome outcome = run_words(study("accuracy", name, "out"), folder.path());
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 0);
+  succeeded(run_words(study("accuracy", name, "out"), folder.path()));
   CHECK(fs::file_size(folder / "out/pareto.png") > 1000);
   CHECK(content(folder / "out/pareto.svg").find("<b>") == std::string::npos);
   CHECK_FALSE(is_there(folder.path(), "PWNED"));
@@ -82,8 +71,8 @@ TEST_CASE("names are bytes: those that are not UTF-8, and long ones, are read, w
     CHECK(render.code == 0);
     CHECK(content(folder / "\xe4.png").substr(1, 3) == "PNG");
     CHECK(json(folder / "\xe4.json")["model"]["primitives"] == 1);
-    CHECK(run_words({"compile", name, "--size", "16x16", "-o", "p.csgt"}, folder.path()).code == 0);
-    CHECK(run_words({"run", "p.csgt", "--stats", "s.json"}, folder.path()).code == 0);
+    succeeded(run_words({"compile", name, "--size", "16x16", "-o", "p.csgt"}, folder.path()));
+    succeeded(run_words({"run", "p.csgt", "--stats", "s.json"}, folder.path()));
     CHECK(json(folder / "s.json")["model"] == json(folder / "\xe4.json")["model"]);
     for (const std::string command : {"compare", "sweep"}) {
       const Outcome outcome = run_words(study(command, name, ""), folder.path());
@@ -99,7 +88,7 @@ TEST_CASE("names are bytes: those that are not UTF-8, and long ones, are read, w
     CHECK(sweep.code == 0);
     CHECK(json(folder / "o\xe4/sweep.json")["points"].size() == 2);
     const std::string table = content(folder / "o\xe4/sweep.csv");
-    CHECK(run_words(study("sweep", name, "o\xe4"), folder.path()).code == 0);
+    succeeded(run_words(study("sweep", name, "o\xe4"), folder.path()));
     CHECK(content(folder / "o\xe4/sweep.csv") == table);
     fs::remove_all(folder / "o\xe4");
   }
@@ -118,7 +107,7 @@ TEST_CASE("a picture's name too long for a file is refused before anything is si
 TEST_CASE("a table that a spreadsheet opens calculates nothing") {
   const Folder folder;
   write(folder / "=1+1.csg", cube);
-  REQUIRE(run_words(study("sweep", "=1+1.csg", "out"), folder.path()).code == 0);
+  succeeded(run_words(study("sweep", "=1+1.csg", "out"), folder.path()));
   const std::string table = content(folder / "out/sweep.csv");
   CHECK(table.find("\n\\x3d1+1.csg,") != std::string::npos);
   CHECK(table.find("\n=") == std::string::npos);
@@ -157,8 +146,7 @@ TEST_CASE("what a machine file says of itself is shown without control character
   std::string text = content(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml");
   text.replace(text.find("description = \""), 15, "description = \"\\u001b[2J\\u202e");
   write(folder / "m.toml", text);
-  const Outcome outcome = run_words({"manual", "machines", "m.toml"}, folder.path());
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run_words({"manual", "machines", "m.toml"}, folder.path()));
   CHECK(outcome.out.find('\x1b') == std::string::npos);
   CHECK(outcome.out.find("\\x1b[2J\\xe2\\x80\\xae") != std::string::npos);
 }

@@ -1,15 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <filesystem>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -51,8 +41,7 @@ bool is_installed() { return run_program("openscad", {"--version"}).code == 0; }
 /// What OpenSCAD makes of a text; its polyhedra have to be manifolds.
 Extent evaluated(const Folder& folder, const std::string& scad) {
   write(folder / "judge.scad", scad);
-  const Outcome outcome = run_program("openscad", {"-o", "judge.off", "judge.scad"}, folder.path());
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run_program("openscad", {"-o", "judge.off", "judge.scad"}, folder.path()));
   CHECK_MESSAGE(outcome.err.find("WARNING") == std::string::npos, outcome.err);
   CHECK_MESSAGE(outcome.err.find("ERROR") == std::string::npos, outcome.err);
   const std::size_t simple = outcome.err.find("Simple:");
@@ -85,13 +74,12 @@ TEST_CASE(
     CAPTURE(name);
     const std::string path = std::string(CSGSIM_SOURCE_DIR "/tests/corpus/") + name + ".csg";
     const Folder folder;
-    const Outcome made = run_program("openscad", {"-o", folder / "own.off", path}, folder.path());
-    REQUIRE(made.code == 0);
+    succeeded(run_program("openscad", {"-o", folder / "own.off", path}, folder.path()));
     const Extent theirs = extent_of(folder / "own.off");
     for (const char* const ending : {"stl", "off", "3mf"}) {
       CAPTURE(ending);
       const std::string file = std::string("mesh.") + ending;
-      REQUIRE(run("convert " + path + " --imports-from " CSGSIM_SOURCE_DIR "/tests -o " + (folder / file)).code == 0);
+      succeeded(run("convert " + path + " --imports-from " CSGSIM_SOURCE_DIR "/tests -o " + (folder / file)));
       compare(evaluated(folder, "intersection() { import(\"" + file + "\"); cube(10000, center = true); }"), theirs);
     }
   }

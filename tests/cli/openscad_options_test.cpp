@@ -1,13 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -61,9 +51,7 @@ std::vector<Colour> pixels_of(const std::string& ppm) {
 
 std::vector<Colour> drawn(const std::string& words) {
   const Folder folder;
-  const Outcome outcome = run("render " + words + " -o " + (folder / "p.ppm"));
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(run("render " + words + " -o " + (folder / "p.ppm")));
   return pixels_of(content(folder / "p.ppm"));
 }
 
@@ -110,8 +98,8 @@ TEST_CASE("the letters of a projection are its words, and commas in a size are a
 TEST_CASE("a turned camera keeps the roll of its seven numbers from frame to frame") {
   const Folder folder;
   const std::string part = "render " + cameras + "part.csg --size 40x30 --camera=";
-  REQUIRE(run(part + "0,0,5,70,30,210,100 --frames 2 --turn 25 -o " + (folder / "f.png")).code == 0);
-  REQUIRE(run(part + "0,0,5,70,30,235,100 -o " + (folder / "p.png")).code == 0);
+  succeeded(run(part + "0,0,5,70,30,210,100 --frames 2 --turn 25 -o " + (folder / "f.png")));
+  succeeded(run(part + "0,0,5,70,30,235,100 -o " + (folder / "p.png")));
   CHECK(content(folder / "f_001.png") == content(folder / "p.png"));
 }
 

@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <thread>
 
 #include "hw/base/address_sanitizer.h"
@@ -60,9 +54,8 @@ TEST_CASE("an output that is a symbolic link stays one, and what it leads to is 
   write(folder / "real/old.png", "old");
   fs::create_symlink("real/old.png", folder / "old.png");
   fs::create_symlink("real/new.json", folder / "new.json");
-  REQUIRE(run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "old.png") + " --stats " +
-              (folder / "new.json"))
-              .code == 0);
+  succeeded(run("render " + model("old_example011") + " --size 16x16 -o " + (folder / "old.png") + " --stats " +
+                (folder / "new.json")));
   CHECK(fs::is_symlink(folder / "old.png"));
   CHECK(fs::is_symlink(folder / "new.json"));
   CHECK(content(folder / "real/old.png").substr(1, 3) == "PNG");
@@ -88,8 +81,7 @@ TEST_CASE("an output that is a pipe stays one and gets the whole file") {
 }
 
 TEST_CASE("standard output can be an output, of which the summary is no part") {
-  const Outcome outcome = run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout");
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run("render " + model("old_example011") + " --size 16x16 --stats /dev/stdout"));
   CHECK(outcome.out.find("\"by_purpose\"") != std::string::npos);
   CHECK(nlohmann::json::accept(outcome.out));
   CHECK(outcome.err.find("simulated in") != std::string::npos);

@@ -1,8 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <nlohmann/json.hpp>
-#include <string>
-
 #include "hw/isa/binary.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
@@ -19,9 +14,8 @@ std::string trace(const std::string& name) { return std::string(CSGSIM_SOURCE_DI
 
 std::string compiled(const Folder& folder, const std::string& name, const std::string& options) {
   const std::string program = folder / name;
-  const Outcome outcome = run("compile " + testing::cli::model("old_example002") + " --view-all --size 40x30 " +
-                              options + " -o " + program);
-  REQUIRE(outcome.code == 0);
+  succeeded(run("compile " + testing::cli::model("old_example002") + " --view-all --size 40x30 " + options + " -o " +
+                program));
   return program;
 }
 
@@ -70,10 +64,8 @@ TEST_CASE("with stepped trees a golden Program has the picture and counts of tre
 
 TEST_CASE("stepped trees are refused at other levels and on machines without any") {
   misused("run " + trace("thesis_fig_2_3") + " --evaluator stepped", "add --level cycle");
-  const Outcome outcome = run("run " + trace("thesis_fig_2_3_nodes") + " --level cycle --evaluator stepped");
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("a machine of kind multi-processor has no multiplier trees that can be stepped") !=
-        std::string::npos);
+  fails(run("run " + trace("thesis_fig_2_3_nodes") + " --level cycle --evaluator stepped"), 1,
+        {"a machine of kind multi-processor has no multiplier trees that can be stepped"});
 }
 
 TEST_CASE("at the cycle level too a golden Program without facts and comments is the same to its machine") {
@@ -89,9 +81,8 @@ TEST_CASE(
                                     "pixel-planes-4+alu.bits=4+array.memory_bits=96"}) {
     CAPTURE(machine);
     const std::string program = compiled(folder, "p.csgt", "--machine " + machine);
-    REQUIRE(run("render " + testing::cli::model("old_example002") + " --view-all --size 40x30 --machine " + machine +
-                " -o " + (folder / "render.png") + " --stats " + (folder / "render.json"))
-                .code == 0);
+    succeeded(run("render " + testing::cli::model("old_example002") + " --view-all --size 40x30 --machine " + machine +
+                  " -o " + (folder / "render.png") + " --stats " + (folder / "render.json")));
     const nlohmann::json rendered = json(folder / "render.json");
     const nlohmann::json ran = stats_of(folder, program + " -o " + (folder / "run.png"));
     CHECK(ran["machine"] == rendered["machine"]);
@@ -124,9 +115,7 @@ TEST_CASE("a Program is refused by a machine of another kind, or with less memor
   const auto refused = [&](const std::string& words, const std::string& text) {
     const Outcome outcome = run(words);
     CAPTURE(words);
-    CHECK(outcome.code == 1);
-    CHECK(one_line(outcome.err));
-    CHECK(outcome.err.find(text) != std::string::npos);
+    fails(outcome, 1, {text});
   };
   const std::string other =
       "was compiled for scan-line, of the kind scan-line, and pixel-planes-4 is of the kind frame-buffer";
@@ -140,8 +129,8 @@ TEST_CASE("a Program is refused by a machine of another kind, or with less memor
   CHECK(run("run " + wide + " --machine pixel-planes-4" + output).err.empty());
   refused("run " + wide + " --machine pixel-planes-4+alu.bits=4" + output,
           "takes 96 bits of memory a pixel, and pixel-planes-4+alu.bits=4 has 72");
-  const Outcome told = run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output);
-  CHECK(told.code == 0);
+  const Outcome told =
+      succeeded(run("run " + wide + " --machine pixel-planes-4+alu.bits=4+array.memory_bits=100" + output));
   CHECK(one_line(told.err));
   CHECK(told.err.find("was compiled for pixel-planes-4; ") != std::string::npos);
   CHECK(told.err.find("alu.bits 4 instead of 1") != std::string::npos);
@@ -154,8 +143,7 @@ TEST_CASE("of a Program that names no machine it is said which one is assumed") 
   program.machine = {};
   isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
   const std::string output = " -o " + (folder / "out.png");
-  const Outcome assumed = run("run " + (folder / "p.csgt") + output);
-  CHECK(assumed.code == 0);
+  const Outcome assumed = succeeded(run("run " + (folder / "p.csgt") + output));
   CHECK(one_line(assumed.err));
   CHECK(assumed.err.find(
             "warning: the Program does not name the machine that it was compiled for; pixel-planes-4 is assumed;") !=
@@ -168,19 +156,16 @@ TEST_CASE("of a Program that names no machine it is said which one is assumed") 
   CHECK(run("run " + (folder / "p.csgt") + " --machine pixel-planes-4" + output).code == 1);
   program.machine = {"no-such-machine", "", {}};
   isa::save_program(program, folder / "p.csgt", isa::ProgramForm::binary);
-  const Outcome unknown = run("run " + (folder / "p.csgt") + output);
-  CHECK(unknown.code == 1);
-  CHECK(unknown.err.find("'no-such-machine'") != std::string::npos);
+  fails(run("run " + (folder / "p.csgt") + output), 1, {"'no-such-machine'"});
 }
 
 TEST_CASE("disasm --row-commands shows what a machine does to rows, and says of which Programs it cannot") {
   const Folder folder;
   const std::string rows = compiled(folder, "rows.csgt", "--machine simdram-ddr4");
-  const Outcome text = run("disasm " + rows + " --row-commands");
-  CHECK(text.code == 0);
+  const Outcome text = succeeded(run("disasm " + rows + " --row-commands"));
   CHECK(text.out.starts_with("# simdram-ddr4: 40 x 30 pixels"));
   CHECK(text.out.find("\nAAP ") != std::string::npos);
-  REQUIRE(run("disasm " + rows + " --row-commands -o " + (folder / "rows.txt")).code == 0);
+  succeeded(run("disasm " + rows + " --row-commands -o " + (folder / "rows.txt")));
   CHECK(content(folder / "rows.txt") == text.out);
   const Outcome other = run("disasm " + compiled(folder, "other.csgt", "") + " --row-commands");
   CHECK(other.code == 1);

@@ -1,7 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -35,9 +31,8 @@ TEST_CASE("prunings that make no sense together are refused") {
 TEST_CASE("a sweep and a comparison of two runs say prunings by the same words") {
   const Folder folder;
   const std::string part = model("old_example011") + " --size 16x16 ";
-  REQUIRE(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +
-              (folder / "s"))
-              .code == 0);
+  succeeded(run("sweep " + part + "--strategy stack --pruning all,none,no-sets+no-hidden,space --no-plots -o " +
+                (folder / "s")));
   const nlohmann::json points = json(folder / "s/sweep.json")["points"];
   REQUIRE(points.size() == 4);
   CHECK(points[2]["pruning"] == "no-sets+no-hidden");

@@ -1,9 +1,4 @@
-#include <doctest/doctest.h>
-
 #include <cctype>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -73,7 +68,7 @@ TEST_CASE("the page of a render has the numbers of its stats, and the same run g
   const Folder folder;
   const std::string command = "render " + model("old_example011") + " --size 64x48 --view-all --stats " +
                               (folder / "s.json") + " --report " + (folder / "r.html");
-  REQUIRE(run(command).code == 0);
+  succeeded(run(command));
   const std::string html = content(folder / "r.html");
   const Json stats = json(folder / "s.json");
   CHECK(data_of(html) == without_wall_times(stats));
@@ -83,15 +78,14 @@ TEST_CASE("the page of a render has the numbers of its stats, and the same run g
   CHECK(html.find("--size 64x48") != std::string::npos);
   CHECK(html.find("id=\"drawing-0\"") != std::string::npos);
   CHECK(html.find("id=\"owners-data\"") != std::string::npos);
-  REQUIRE(run(command).code == 0);
+  succeeded(run(command));
   CHECK(content(folder / "r.html") == html);
 }
 
 TEST_CASE("the page of an ordinary render is below 2 MB") {
   const Folder folder;
-  REQUIRE(run("render " + model("terrain_vehicle") +
-              " --camera 560,-590,420,-5,0,68 --projection perspective --report " + (folder / "r.html"))
-              .code == 0);
+  succeeded(run("render " + model("terrain_vehicle") +
+                " --camera 560,-590,420,-5,0,68 --projection perspective --report " + (folder / "r.html")));
   CHECK(fs::file_size(folder / "r.html") < 2'000'000);
 }
 
@@ -112,9 +106,7 @@ TEST_CASE("the page of each study has the numbers of its file") {
     CAPTURE(command);
     const std::string out = folder / std::to_string(i);
     const std::string page = out + ".html";
-    const Outcome outcome = run(command + " -o " + out + " --report " + page);
-    CAPTURE(outcome.err);
-    REQUIRE(outcome.code == 0);
+    succeeded(run(command + " -o " + out + " --report " + page));
     const std::string html = content(page);
     const auto expected = json(out + "/" + file);
     CHECK(data_of(html) == without_wall_times(expected));
@@ -157,9 +149,9 @@ TEST_CASE("a page changes neither the title of a study's table nor what is measu
   const Folder folder;
   const std::string command =
       "sweep " + model("old_example011") + " --size 16x16 --strategy stack --no-plots -o " + (folder / "s");
-  REQUIRE(run(command).code == 0);
+  succeeded(run(command));
   const std::string table = content(folder / "s/sweep.csv");
-  REQUIRE(run(command + " --report " + (folder / "r.html")).code == 0);
+  succeeded(run(command + " --report " + (folder / "r.html")));
   CHECK(content(folder / "s/sweep.csv") == table);
 }
 
@@ -184,9 +176,7 @@ TEST_CASE("the page of a model with a hostile name has no markup of its own") {
   // A slash ends a folder's name.
   fs::create_directory(folder / "<");
   fs::copy_file(model("old_example011"), folder / name);
-  const Outcome outcome = run_words({"render", name, "--size", "16x16", "--report", "r.html"}, folder.path());
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(run_words({"render", name, "--size", "16x16", "--report", "r.html"}, folder.path()));
   const std::string html = content(folder / "r.html");
   CHECK(html.find("<img src=x") == std::string::npos);
   CHECK(html.find("&lt;/script&gt;&lt;img src=x") != std::string::npos);

@@ -1,8 +1,3 @@
-#include <fmt/format.h>
-
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -20,9 +15,7 @@ nlohmann::json counts(const std::string& path) {
 /// Runs the words with a picture and stats, and then the stats again: the same bytes.
 void runs_again(const Folder& folder, std::vector<std::string> words) {
   words.insert(words.end(), {"-o", "a.png", "--depth", "a.exr", "--stats", "a.json"});
-  const Outcome first = run_words(words, folder.path());
-  CAPTURE(first.err);
-  REQUIRE(first.code == 0);
+  succeeded(run_words(words, folder.path()));
   const std::string stats = content(folder / "a.json");
   const Outcome again =
       run_words({"rerun", "a.json", "-o", "b.png", "--depth", "b.exr", "--stats", "b.json"}, folder.path());
@@ -38,15 +31,10 @@ void runs_again(const Folder& folder, std::vector<std::string> words) {
   const nlohmann::json other = json(folder / "b.json")["configuration"];
   for (const std::string key : {"machine", "camera", "model", "inputs", "picture", "version"})
     CHECK(one[key] == other[key]);
-  CHECK(run_words({"rerun", "b.json"}, folder.path()).code == 0);
+  succeeded(run_words({"rerun", "b.json"}, folder.path()));
 }
 
-void refused(const Outcome& outcome, const std::string& message) {
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find(message) != std::string::npos);
-}
+void refused(const Outcome& outcome, const std::string& message) { fails(outcome, 1, {message}); }
 
 /// A model that imports a mesh of that height.
 void write_imported(const Folder& folder, int height) {
@@ -97,7 +85,7 @@ TEST_CASE("a render with many options runs again, whichever way they were said")
   CHECK(configuration["camera"]["near"] == 1.25);
   // The settings are in the options: their file is needed no more.
   fs::remove(folder / "s.toml");
-  CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 0);
+  succeeded(run_words({"rerun", "a.json"}, folder.path()));
 }
 
 TEST_CASE("the best settings that a render chose are chosen again") {
@@ -111,7 +99,7 @@ TEST_CASE("a run of a Program runs again, and so does one that went on from a ch
   runs_again(folder, {"run", program, "--machine", "scan-line", "--set", "cells.words=6"});
   runs_again(folder, {"run", program, "--machine", "scan-line", "--checkpoint", "c.csgs", "--checkpoint-every", "200"});
   fs::remove(folder / "c.csgs");
-  CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 0);
+  succeeded(run_words({"rerun", "a.json"}, folder.path()));
   CHECK(!fs::exists(folder / "c.csgs"));
 }
 
@@ -133,7 +121,7 @@ TEST_CASE("relative names are those of the folder that the run was asked for in"
       run_words({"render", "m.csg", "--size", "16x16", "-o", "a.png", "--stats", "a.json"}, folder / "there").code ==
       0);
   refused(run_words({"rerun", "../there/a.json"}, folder / "here"), "m.csg: cannot be read");
-  REQUIRE(run_words({"rerun", "../there/a.json", "--from", "../there", "-o", "b.png"}, folder / "here").code == 0);
+  succeeded(run_words({"rerun", "../there/a.json", "--from", "../there", "-o", "b.png"}, folder / "here"));
   CHECK(content(folder / "here/b.png") == content(folder / "there/a.png"));
 }
 
@@ -142,10 +130,9 @@ TEST_CASE("a file that has changed since is noticed before anything is run or wr
   write_imported(folder, 9);
   write(folder / "look.toml", "[ambient]\nintensity = 0.6\n");
   fs::copy(std::string(CSGSIM_SOURCE_DIR) + "/hw/machines/pixel-planes-4.toml", folder / "mine.toml");
-  REQUIRE(run_words({"render", "m.csg", "--size", "16x16", "--scene", "look.toml", "--machine", "mine.toml", "--stats",
-                     "a.json"},
-                    folder.path())
-              .code == 0);
+  succeeded(run_words(
+      {"render", "m.csg", "--size", "16x16", "--scene", "look.toml", "--machine", "mine.toml", "--stats", "a.json"},
+      folder.path()));
   for (const std::string name : {"m.csg", "part.off", "look.toml", "mine.toml"}) {
     const std::string before = content(folder / name);
     write(folder / name, before + "\n");
@@ -170,8 +157,8 @@ TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
   stand_in(folder, "openscad", "cat part.scad");
   write(folder / "m.scad", "include <part.scad>\n");
   write(folder / "part.scad", "cube(size = [9, 9, 9]);\n");
-  REQUIRE(run_beside(folder, {"render", "m.scad", "--size", "16x16", "--stats", "a.json"}).code == 0);
-  CHECK(run_beside(folder, {"rerun", "a.json"}).code == 0);
+  succeeded(run_beside(folder, {"render", "m.scad", "--size", "16x16", "--stats", "a.json"}));
+  succeeded(run_beside(folder, {"rerun", "a.json"}));
   write(folder / "part.scad", "cube(size = [8, 8, 8]);\n");
   refused(run_beside(folder, {"rerun", "a.json", "-o", "b.png"}),
           "a.json: m.scad, or a file that it takes in, has changed; --anyway goes on");
@@ -180,7 +167,7 @@ TEST_CASE("a change in a file that OpenSCAD's source includes is noticed") {
 
 TEST_CASE("stats of another version are told apart, and counts that differ are told with both values") {
   const Folder folder;
-  REQUIRE(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")).code == 0);
+  succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
   nlohmann::ordered_json stats = nlohmann::ordered_json::parse(content(folder / "a.json"));
   const std::uint64_t clocks = stats["clocks"];
   stats["configuration"]["version"] = "0.0.1 of yore";
@@ -207,6 +194,6 @@ TEST_CASE("what is no stats file is refused with its place") {
   refused(run_words({"rerun", "a.json"}, folder.path()), "its configuration has 7 where a text should be");
   write(folder / "a.json", R"({"configuration": {"command": ["csgsim", "run"], "options": {"program": "p", "-": 7}}})");
   CHECK(run_words({"rerun", "a.json"}, folder.path()).code == 1);
-  REQUIRE(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")).code == 0);
+  succeeded(run("render " + model("old_example002") + " --size 16x16 --stats " + (folder / "a.json")));
   CHECK(run_words({"rerun", "a.json", "--stats", "a.json"}, folder.path()).code == 2);
 }

@@ -1,9 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <set>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -66,9 +60,7 @@ void check_filled(const fs::path& folder) {
 TEST_CASE("a design with a Program is written whole, again over itself, and says what it is") {
   const Folder folder;
   for (int i = 0; i < 2; ++i) {
-    const Outcome outcome = rtl(folder, {"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"});
-    CAPTURE(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const Outcome outcome = succeeded(rtl(folder, {"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"}));
     CHECK(outcome.err.empty());
     CHECK(outcome.out.find("pixel-planes-4, 8 x 4 pixels with a Program; make -C d icarus") != std::string::npos);
   }
@@ -83,9 +75,7 @@ TEST_CASE("a design with a Program is written whole, again over itself, and says
 
 TEST_CASE("a design without a model has a serial line, and no testbench") {
   const Folder folder;
-  const Outcome outcome = rtl(folder, {"pixel-planes-4", "--size", "8x4", "--set", "alu.bits=2", "-o", "d"});
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  succeeded(rtl(folder, {"pixel-planes-4", "--size", "8x4", "--set", "alu.bits=2", "-o", "d"}));
   CHECK(files_below(folder.path() / "d") ==
         with_modules({".csgsim-files", "Makefile", "README.md", "board.v", "hx8k.pcf", "system.v", "up5k.pcf"}));
   check_filled(folder.path() / "d");
@@ -101,10 +91,7 @@ TEST_CASE("a design is not written over files that are not its own, and the curr
   fs::create_directory(folder.path() / "d");
   write(folder / "d/board.v", "mine\n");
   const Words words{"pixel-planes-4", "m.csg", "--size", "8x4", "-o", "d"};
-  const Outcome outcome = rtl(folder, words);
-  CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find("d: it has files that csgsim did not write") != std::string::npos);
+  fails(rtl(folder, words), 1, {"d: it has files that csgsim did not write"});
   CHECK(files_below(folder.path() / "d") == std::set<std::string>{"board.v"});
   CHECK(content(folder / "d/board.v") == "mine\n");
 }

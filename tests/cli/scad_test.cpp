@@ -1,9 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -56,10 +50,8 @@ TEST_CASE("source is a model for each command that takes models and Programs") {
 TEST_CASE("a Program is one by what it begins with, whatever its name") {
   const Folder folder;
   write(folder / "model.csg", "cube(size = [8, 6, 4]);\n");
-  REQUIRE(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()).code == 0);
+  succeeded(run_words({"compile", "model.csg", "--size", "16x16", "-o", "program.csgt"}, folder.path()));
   fs::copy_file(folder / "program.csgt", folder / "program.csg");
-  CHECK(run_words({"run", "program.csg"}, folder.path()).code == 0);
-  const Outcome drawn = run_words({"render", "program.csg"}, folder.path());
-  CHECK(drawn.code == 1);
-  CHECK(drawn.err.find("that is a Program; use csgsim run") != drawn.err.npos);
+  succeeded(run_words({"run", "program.csg"}, folder.path()));
+  fails(run_words({"render", "program.csg"}, folder.path()), 1, {"that is a Program; use csgsim run"});
 }

@@ -1,7 +1,3 @@
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/scene/schema.h"
 #include "hw/kinds/rows.h"
@@ -88,16 +84,13 @@ TEST_CASE("a figure is set for those of several machines that have it, and refus
   const std::string compare = "compare " + model("thesis_fig_2_3") +
                               " --size 16x16 --sides '' --fragments '' --no-plots -o " + (folder / "out") +
                               " --machines ";
-  const Outcome outcome = run(compare + "pixel-planes-4,multi-processor --set alu.bits=4");
-  CAPTURE(outcome.err);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run(compare + "pixel-planes-4,multi-processor --set alu.bits=4"));
   CHECK(outcome.out.find("pixel-planes-4+alu.bits=4 ") != std::string::npos);
   CHECK(outcome.out.find("multi-processor ") != std::string::npos);
   CHECK(content(folder / "out/compare.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
   misused(compare + "scan-line,multi-processor --set alu.bits=4", "none of scan-line, multi-processor has that figure");
   misused(compare + "pixel-planes-4 --set alu.bits=99", "alu.bits is 99");
-  const Outcome listed = run("manual machines --set alu.bits=4");
-  REQUIRE(listed.code == 0);
+  const Outcome listed = succeeded(run("manual machines --set alu.bits=4"));
   CHECK(listed.out.find("pixel-planes-4+alu.bits=4\n") != std::string::npos);
   CHECK(listed.out.find("\nscan-line\n") != std::string::npos);
 }
@@ -106,18 +99,14 @@ TEST_CASE("a sweep, a diff, a debugger and a wave take figures, and say the mach
   const Folder folder;
   const std::string sweep = "sweep " + model("thesis_fig_2_3") +
                             " --size 16x16 --strategy stack --no-plots --set alu.bits=4 -o " + (folder / "out");
-  const Outcome swept = run(sweep);
-  CAPTURE(swept.err);
-  REQUIRE(swept.code == 0);
+  succeeded(run(sweep));
   CHECK(content(folder / "out/sweep.csv").find("pixel-planes-4+alu.bits=4") != std::string::npos);
   const std::string trace = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
   const Outcome diff = run("diff " + trace + " --set-b alu.bits=4 --no-stories");
   CHECK(diff.out.find("B  " + trace + ": pixel-planes-4+alu.bits=4, ") != std::string::npos);
   CHECK(run("diff " + trace + " --set-b ambient.intensity=1").code == 2);
-  CHECK(run("debug " + trace + " --set alu.bits=4").code == 0);
-  CHECK(run("explain " + trace + " --pixel 5,5 --set alu.bits=4").code == 0);
-  const Outcome wave = run("wave " + trace + " --pixel 5,5 --window 0:20 --set alu.bits=4 -o " + (folder / "w.vcd"));
-  CAPTURE(wave.err);
-  REQUIRE(wave.code == 0);
+  succeeded(run("debug " + trace + " --set alu.bits=4"));
+  succeeded(run("explain " + trace + " --pixel 5,5 --set alu.bits=4"));
+  succeeded(run("wave " + trace + " --pixel 5,5 --window 0:20 --set alu.bits=4 -o " + (folder / "w.vcd")));
   CHECK(content(folder / "w.gtkw").find("pixel-planes-4+alu.bits=4") != std::string::npos);
 }

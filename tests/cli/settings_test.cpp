@@ -1,12 +1,4 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
 #include <regex>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "sim/session/options/option_table.h"
@@ -166,11 +158,7 @@ void check_reached(const std::string& command, const std::vector<Key>& keys) {
 void refused(const std::string& command, const std::string& text, const std::string& message) {
   const Folder folder;
   write(folder / "s.toml", text);
-  const Outcome outcome = run_words({command, model("old_example002"), "--config", "s.toml"}, folder.path());
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 1);
-  CHECK(one_line(outcome.err));
-  CHECK(outcome.err.find(message) != std::string::npos);
+  fails(run_words({command, model("old_example002"), "--config", "s.toml"}, folder.path()), 1, {message});
 }
 
 }  // namespace
@@ -263,7 +251,7 @@ TEST_CASE("an option on the command line takes the place of the one that it excl
   const Folder folder;
   write(folder / "s.toml", "point = '0,0,0'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
-  CHECK(run_words({"explain", program, "--pixel", "5,5", "--config", "s.toml"}, folder.path()).code == 0);
+  succeeded(run_words({"explain", program, "--pixel", "5,5", "--config", "s.toml"}, folder.path()));
   refused("explain", "point = '0,0,0'\npixel = '1,1'\n", "s.toml:2:1: pixel stands in place of another option");
 }
 
@@ -289,17 +277,14 @@ TEST_CASE("what is wrong in a settings file is told with its place") {
   refused("render", "set = ['ambient.intensity=7']\n", "s.toml:1:1: --set ambient.intensity=7");
   refused("render", "render = 3\n", "s.toml:1:1: 'render' is an integer; make it a table, [render]");
   refused("render", "z-bits = \n", "s.toml:1:10: ");
-  const Outcome missing = run("render m.csg --config no.toml");
-  CHECK(missing.code == 1);
-  CHECK(missing.err.find("no.toml: cannot be read") != std::string::npos);
+  fails(run("render m.csg --config no.toml"), 1, {"no.toml: cannot be read"});
 }
 
 TEST_CASE("what is wrong in a settings file is told where the command line says otherwise too") {
   const Folder folder;
   write(folder / "s.toml", "strategy = 'stak'\n");
-  const Outcome outcome = run_words({"render", "m.csg", "--strategy", "list", "--config", "s.toml"}, folder.path());
-  CHECK(outcome.code == 1);
-  CHECK(outcome.err.find("s.toml:1:1: --strategy: ") != std::string::npos);
+  fails(run_words({"render", "m.csg", "--strategy", "list", "--config", "s.toml"}, folder.path()), 1,
+        {"s.toml:1:1: --strategy: "});
 }
 
 TEST_CASE("a settings file draws what the command line draws, with files of its own folder") {
@@ -311,12 +296,11 @@ TEST_CASE("a settings file draws what the command line draws, with files of its 
   write(folder / "job/run.toml",
         "model = 'm.csg'\nmachine = 'mine.toml'\nscene = 'look.toml'\noutput = 'p.png'\nstats = 's.json'\n"
         "size = '40x30'\ncamera = [65, -95, 60, 0, 0, -2.5]\npruning = 'no-hidden+no-sets'\nset = ['cells.words=6']\n");
-  REQUIRE(run_words({"render", "--config", "job/run.toml"}, folder.path()).code == 0);
-  REQUIRE(run_words({"render", "job/m.csg", "--machine", "job/mine.toml", "--scene", "job/look.toml", "-o", "q.png",
-                     "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5", "--pruning",
-                     "no-hidden+no-sets", "--set", "cells.words=6"},
-                    folder.path())
-              .code == 0);
+  succeeded(run_words({"render", "--config", "job/run.toml"}, folder.path()));
+  succeeded(run_words({"render", "job/m.csg", "--machine", "job/mine.toml", "--scene", "job/look.toml", "-o", "q.png",
+                       "--stats", "q.json", "--size", "40x30", "--camera", "65,-95,60,0,0,-2.5", "--pruning",
+                       "no-hidden+no-sets", "--set", "cells.words=6"},
+                      folder.path()));
   CHECK(content(folder / "job/p.png") == content(folder / "q.png"));
   nlohmann::json by_file = json(folder / "job/s.json");
   nlohmann::json by_words = json(folder / "q.json");
@@ -332,7 +316,7 @@ TEST_CASE("operands in a settings file give way to those on the command line") {
   const Folder folder;
   write(folder / "s.toml", "program = 'no.csgt'\noutput = 'text'\n");
   const std::string program = std::string(CSGSIM_SOURCE_DIR) + "/traces/thesis_fig_2_3.csgt";
-  CHECK(run_words({"disasm", program, "--config", "s.toml"}, folder.path()).code == 0);
+  succeeded(run_words({"disasm", program, "--config", "s.toml"}, folder.path()));
   CHECK(run_words({"disasm", "--config", "s.toml"}, folder.path()).err.find("no.csgt") != std::string::npos);
 }
 
@@ -344,8 +328,8 @@ TEST_CASE("a table of a sweep is the same however its options are said") {
   by_words.insert(by_words.end(), {"--size", "16x16", "--strategy", "stack,list", "--no-plots", "--no-draw"});
   std::vector<std::string> by_file = words;
   by_file.insert(by_file.end(), {"--config", "s.toml"});
-  REQUIRE(run_words(by_words, folder.path()).code == 0);
+  succeeded(run_words(by_words, folder.path()));
   const std::string table = content(folder / "out/sweep.csv");
-  REQUIRE(run_words(by_file, folder.path()).code == 0);
+  succeeded(run_words(by_file, folder.path()));
   CHECK(content(folder / "out/sweep.csv") == table);
 }

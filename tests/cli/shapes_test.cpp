@@ -1,8 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <string>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -27,9 +22,8 @@ TEST_CASE("faces that six digits have moved apart are warned of, and brought tog
   write(folder / "nothing.csg", nothing);
   write(folder / "empty.csg", "cube(0);");
   const auto drawn = [&](const std::string& model, const std::string& more) {
-    const Outcome outcome = run("render " + (folder / model) + " --size 64x64 --camera 30,-40,30,0,0,0 -o " +
-                                (folder / "picture.png") + more);
-    CHECK(outcome.code == 0);
+    const Outcome outcome = succeeded(run("render " + (folder / model) + " --size 64x64 --camera 30,-40,30,0,0,0 -o " +
+                                          (folder / "picture.png") + more));
     return outcome.err;
   };
   const std::string told = drawn("nothing.csg", "");
@@ -50,8 +44,8 @@ TEST_CASE("a font that is not installed is told once, with its place and what is
   const Folder folder;
   const auto told = [&](const std::string& csg) {
     write(folder / "m.csg", csg);
-    const Outcome outcome = run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png"));
-    CHECK(outcome.code == 0);
+    const Outcome outcome =
+        succeeded(run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")));
     return outcome.err;
   };
   const std::string warned = told(
@@ -81,9 +75,7 @@ TEST_CASE("files of another folder are imported from the folder that is named, a
   write(folder / "models/m.csg", "linear_extrude(height = 2) { import(file = \"../parts/plate.svg\"); }\n");
   refuses(folder / "models/m.csg", "name its folder: --imports-from FOLDER");
   const std::string words = "compile " + (folder / "models/m.csg") + " --size 16x16 -o " + (folder / "p.csgt");
-  CHECK(run(words + " --imports-from " + (folder / "parts")).code == 0);
+  succeeded(run(words + " --imports-from " + (folder / "parts")));
   CHECK(run(words + " --imports-from " + (folder / "models")).code == 1);
-  const Outcome missing = run(words + " --imports-from " + (folder / "part"));
-  CHECK(missing.code == 1);
-  CHECK(missing.err.find("part is no folder") != std::string::npos);
+  fails(run(words + " --imports-from " + (folder / "part")), 1, {"part is no folder"});
 }

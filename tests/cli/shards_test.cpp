@@ -1,16 +1,9 @@
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <map>
-#include <sstream>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -90,23 +83,15 @@ int code_of(pid_t process) {
 
 void run_shards(const Words& words, unsigned count, const fs::path& where) {
   for (unsigned number = 1; number <= count; ++number) {
-    const Outcome outcome = run_words(words + shard(number, count), where);
-    CAPTURE(outcome.err);
-    REQUIRE(outcome.code == 0);
+    const Outcome outcome = succeeded(run_words(words + shard(number, count), where));
     CHECK(outcome.err.empty());
   }
 }
 
 void refuses_to_gather(const Words& words, const fs::path& where, const Words& texts) {
   const Outcome outcome = run_words(Words{"gather"} + words, where);
-  CAPTURE(outcome.err);
-  CHECK(outcome.code == 1);
+  fails(outcome, 1, texts);
   CHECK(outcome.out.empty());
-  CHECK(one_line(outcome.err));
-  for (const std::string& text : texts) {
-    CAPTURE(text);
-    CHECK(outcome.err.find(text) != std::string::npos);
-  }
 }
 
 }  // namespace
@@ -116,8 +101,7 @@ TEST_CASE("shards that are gathered are what one process makes, byte for byte, w
     CAPTURE(command);
     const Folder folder;
     write_models(folder);
-    const Outcome one = run_words(study(command) + Words{"--no-plots", "-o", "out"}, folder.path());
-    REQUIRE(one.code == 0);
+    const Outcome one = succeeded(run_words(study(command) + Words{"--no-plots", "-o", "out"}, folder.path()));
     const std::map<std::string, std::string> wanted = results(folder / "out");
     REQUIRE(wanted.size() == 3);
     for (const unsigned count : {1U, 2U, 3U, 7U}) {
@@ -128,13 +112,12 @@ TEST_CASE("shards that are gathered are what one process makes, byte for byte, w
       CHECK(results(folder / "out").empty());
       fs::remove(folder / "a.csg");
       fs::remove(folder / "b.csg");
-      const Outcome gathered = run_words({"gather", "out", "--no-plots"}, folder.path());
-      CHECK(gathered.code == 0);
+      const Outcome gathered = succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
       CHECK(gathered.err.empty());
       CHECK(gathered.out == one.out);
       CHECK(results(folder / "out") == wanted);
       // Once more, over what is there.
-      CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+      succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
       CHECK(results(folder / "out") == wanted);
     }
   }
@@ -145,9 +128,9 @@ TEST_CASE("plots of shards that are gathered are those of one process") {
     CAPTURE(command);
     const Folder folder;
     write_models(folder);
-    REQUIRE(run_words(study(command) + Words{"-o", "one"}, folder.path()).code == 0);
+    succeeded(run_words(study(command) + Words{"-o", "one"}, folder.path()));
     run_shards(study(command) + Words{"-o", "out"}, 2, folder.path());
-    REQUIRE(run_words({"gather", "out"}, folder.path()).code == 0);
+    succeeded(run_words({"gather", "out"}, folder.path()));
     CHECK(results(folder / "one").size() > 4);
     CHECK(results(folder / "out") == results(folder / "one"));
   }
@@ -157,15 +140,15 @@ TEST_CASE("shards in folders of their own are gathered into another, from which 
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"--no-plots"};
-  REQUIRE(run_words(sweep + Words{"-o", "one"}, folder.path()).code == 0);
-  REQUIRE(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()).code == 0);
-  REQUIRE(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()).code == 0);
+  succeeded(run_words(sweep + Words{"-o", "one"}, folder.path()));
+  succeeded(run_words(sweep + Words{"-o", "here"} + shard(1, 2), folder.path()));
+  succeeded(run_words(sweep + Words{"-o", "there"} + shard(2, 2), folder.path()));
   refuses_to_gather({"here", "--no-plots"}, folder.path(), {"shard 2 of 2 is not done"});
   CHECK(run_words({"gather", "here", "there"}, folder.path()).code == 2);
-  REQUIRE(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "here", "there", "-o", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
   // As one process that finds all points in its table.
-  CHECK(run_words(sweep + Words{"-o", "out"}, folder.path()).code == 0);
+  succeeded(run_words(sweep + Words{"-o", "out"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -173,15 +156,14 @@ TEST_CASE("shards that are missing are named with the commands that make them") 
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
-  REQUIRE(run_words(sweep + Words{"--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words(sweep + Words{"--no-plots"}, folder.path()));
   const std::map<std::string, std::string> wanted = results(folder / "out");
   fs::remove_all(folder / "out");
   for (const unsigned number : {2U, 5U}) REQUIRE(run_words(sweep + shard(number, 6), folder.path()).code == 0);
   refuses_to_gather(
       {"out"}, folder.path(),
       {"out: ", "shards 1,3-4,6 of 6 are not done", "csgsim sweep --shard 1/6 -o out a.csg b.csg --z-bits"});
-  const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
-  CHECK(missing.code == 0);
+  const Outcome missing = succeeded(run_words({"gather", "out", "--missing"}, folder.path()));
   std::istringstream commands(missing.out);
   std::size_t count = 0;
   for (std::string command; std::getline(commands, command); ++count) {
@@ -193,7 +175,7 @@ TEST_CASE("shards that are missing are named with the commands that make them") 
   }
   CHECK(count == 4);
   CHECK(run_words({"gather", "out", "--missing"}, folder.path()).out.empty());
-  REQUIRE(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == wanted);
 }
 
@@ -209,8 +191,8 @@ TEST_CASE("a shard's command is the same again whatever its words are") {
                       "--set",       "lights.0.direction=0,0,-1",
                       "--machines",  "scan-line"};
   const Words operand{"--", name};
-  REQUIRE(run_words(compare + Words{"-o", "one", "--no-plots"} + operand, folder.path()).code == 0);
-  REQUIRE(run_words(compare + Words{"-o", "out"} + shard(1, 2) + operand, folder.path()).code == 0);
+  succeeded(run_words(compare + Words{"-o", "one", "--no-plots"} + operand, folder.path()));
+  succeeded(run_words(compare + Words{"-o", "out"} + shard(1, 2) + operand, folder.path()));
   const Outcome missing = run_words({"gather", "out", "--missing"}, folder.path());
   REQUIRE(missing.out.starts_with("csgsim compare --shard 2/2 -o out "));
   // $'...' is of shells that are more than the standard asks for.
@@ -218,7 +200,7 @@ TEST_CASE("a shard's command is the same again whatever its words are") {
       run_program("/bin/bash", {"-c", std::string(CSGSIM_BINARY_DIR) + "/" + missing.out}, folder.path());
   CAPTURE(other.err);
   REQUIRE(other.code == 0);
-  REQUIRE(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -231,7 +213,7 @@ TEST_CASE("shards of several studies, or twice the same shard, are not gathered"
   REQUIRE(whole.size() == 2);
   const auto add_shard = [&](const Words& words, const std::string& name) {
     fs::remove_all(folder / "other");
-    REQUIRE(run_words(words + Words{"-o", "other"}, folder.path()).code == 0);
+    succeeded(run_words(words + Words{"-o", "other"}, folder.path()));
     fs::copy_file(shard_files(folder / "other").front(), folder / ("out/shards/" + name));
   };
   const auto refused = [&](const Words& texts) {
@@ -261,7 +243,7 @@ TEST_CASE("shards of several studies, or twice the same shard, are not gathered"
 
   // What two processes of one shard both measured has to be equal.
   fs::copy_file(whole[1], folder / "out/shards/x.csv");
-  CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
   for (const char* const ending : {"csv", "study", "json"})
     fs::remove(folder / ("out/accuracy." + std::string(ending)));
   std::string wrong = content(whole[1]);
@@ -287,9 +269,9 @@ TEST_CASE("gather does not write over points that the shards do not have") {
   const Folder folder;
   write_models(folder);
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--no-plots", "-o", "out", "--strategy"};
-  REQUIRE(run_words(sweep + Words{"parallel"}, folder.path()).code == 0);
+  succeeded(run_words(sweep + Words{"parallel"}, folder.path()));
   const std::string before = content(folder / "out/sweep.csv");
-  REQUIRE(run_words(sweep + Words{"stack,list"} + shard(1, 1), folder.path()).code == 0);
+  succeeded(run_words(sweep + Words{"stack,list"} + shard(1, 1), folder.path()));
   refuses_to_gather({"out"}, folder.path(), {"sweep.csv: has points that the shards do not have", "-o"});
   CHECK(content(folder / "out/sweep.csv") == before);
 }
@@ -301,17 +283,15 @@ TEST_CASE("a shard of a model that has changed since is told and measured anew; 
   run_shards(sweep, 2, folder.path());
   write(folder / "a.csg", two_cubes + two_cubes);
   for (const unsigned number : {1U, 2U}) {
-    const Outcome outcome = run_words(sweep + shard(number, 2), folder.path());
-    CHECK(outcome.code == 0);
+    const Outcome outcome = succeeded(run_words(sweep + shard(number, 2), folder.path()));
     CHECK(one_line(outcome.err));
     CHECK(outcome.err.find("the model has changed") != std::string::npos);
   }
-  REQUIRE(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
-  REQUIRE(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
+  succeeded(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
-  const Outcome other = run_words(sweep + Words{"--no-draw"} + shard(1, 2), folder.path());
-  CHECK(other.code == 1);
-  CHECK(other.err.find("holds a shard of another study, sweep a.csg b.csg") != std::string::npos);
+  fails(run_words(sweep + Words{"--no-draw"} + shard(1, 2), folder.path()), 1,
+        {"holds a shard of another study, sweep a.csg b.csg"});
 }
 
 TEST_CASE("a shard that was killed goes on where it stopped, and nothing is measured twice") {
@@ -341,11 +321,11 @@ TEST_CASE("a shard that was killed goes on where it stopped, and nothing is meas
   // Half a line, as of a machine that lost its power.
   std::string text = content(left.front());
   write(left.front(), text + text.substr(text.rfind('\n', text.size() - 2) + 1, 30));
-  REQUIRE(run_words(sweep + shard(1, 1), where).code == 0);
+  succeeded(run_words(sweep + shard(1, 1), where));
   CHECK(shard_files(folder / "out").size() == 2);
   CHECK(rows(folder / "out") == 12);
-  REQUIRE(run_words({"gather", "out", "--no-plots"}, where).code == 0);
-  REQUIRE(run_words(Words(sweep.begin(), sweep.end() - 1) + Words{"one"}, where).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, where));
+  succeeded(run_words(Words(sweep.begin(), sweep.end() - 1) + Words{"one"}, where));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -353,11 +333,11 @@ TEST_CASE("the same shard in several processes at the same time does no harm") {
   const Folder folder;
   write_models(folder);
   const Words sweep = study("sweep") + Words{"-o", "out"};
-  REQUIRE(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words(study("sweep") + Words{"-o", "one", "--no-plots"}, folder.path()));
   std::vector<pid_t> processes;
   for (int i = 0; i < 4; ++i) processes.push_back(start(sweep + shard(1, 1), folder.path()));
   for (const pid_t process : processes) CHECK(code_of(process) == 0);
-  CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
   CHECK(results(folder / "out") == results(folder / "one"));
 }
 
@@ -367,12 +347,11 @@ TEST_CASE("a shard without points does nothing, and gather misses none") {
   const Words sweep{"sweep", "a.csg", "--size", "24x20", "--strategy", "stack", "-o", "out"};
   std::size_t empty = 0;
   for (const unsigned number : {1U, 2U}) {
-    const Outcome outcome = run_words(sweep + shard(number, 2), folder.path());
-    CHECK(outcome.code == 0);
+    const Outcome outcome = succeeded(run_words(sweep + shard(number, 2), folder.path()));
     if (outcome.out.find(": 0 of the 1 points") != std::string::npos) ++empty;
   }
   CHECK(empty == 1);
-  CHECK(run_words({"gather", "out", "--no-plots"}, folder.path()).code == 0);
+  succeeded(run_words({"gather", "out", "--no-plots"}, folder.path()));
 }
 
 TEST_CASE("a point that does not fit is a row of its shard, and gather ends as one process does") {
@@ -423,7 +402,5 @@ TEST_CASE("the scripts of docs/cluster take the shard that their launcher means"
   CHECK(runs("PMI_RANK=4 PMI_SIZE=5 " + scripts + "rank.sh" + words).out.starts_with("shard 5/5: "));
   CHECK(runs("SLURM_PROCID=1 SLURM_STEP_NUM_TASKS=2 " + scripts + "rank.sh" + words).out.starts_with("shard 2/2: "));
   // A batch script has a SLURM_PROCID without srun.
-  const Outcome alone = runs("SLURM_PROCID=0 " + scripts + "rank.sh" + words);
-  CHECK(alone.code == 2);
-  CHECK(alone.err.find("start it with mpirun or srun") != std::string::npos);
+  fails(runs("SLURM_PROCID=0 " + scripts + "rank.sh" + words), 2, {"start it with mpirun or srun"});
 }

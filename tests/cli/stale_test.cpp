@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -58,7 +51,7 @@ TEST_CASE("what a study measured of a machine or a model that has changed since 
     write(folder / "m.csg", cube);
     write(folder / "mine.toml", with_alu_bits(1));
     const std::vector<std::string> words = words_of(command);
-    REQUIRE(run_words(words, folder.path()).code == 0);
+    succeeded(run_words(words, folder.path()));
     const nlohmann::json before = points(folder, command);
 
     // A comment changes nothing that is measured.
@@ -67,8 +60,7 @@ TEST_CASE("what a study measured of a machine or a model that has changed since 
     CHECK(points(folder, command) == before);
 
     write(folder / "mine.toml", with_alu_bits(8));
-    const Outcome other_machine = run_words(words, folder.path());
-    CHECK(other_machine.code == 0);
+    const Outcome other_machine = succeeded(run_words(words, folder.path()));
     CHECK(one_line(other_machine.err));
     CHECK(other_machine.err.find("the machine has changed") != std::string::npos);
     const nlohmann::json wider = points(folder, command);
@@ -91,7 +83,7 @@ TEST_CASE("figures of another build of csgsim are measured anew") {
   write(folder / "m.csg", cube);
   write(folder / "mine.toml", machine_text());
   const std::vector<std::string> words = words_of("sweep");
-  REQUIRE(run_words(words, folder.path()).code == 0);
+  succeeded(run_words(words, folder.path()));
   const std::string table = content(folder / "out/sweep.csv");
   const std::string csgsim = points(folder, "sweep")[0]["csgsim"];
   CHECK(csgsim.size() > std::string("0.1.0 ").size());
@@ -109,7 +101,7 @@ TEST_CASE("every option that changes what a study measures makes it another stud
   write(folder / "mine.toml", machine_text());
   for (const std::string command : {"compare", "accuracy"}) {
     const std::vector<std::string> words = words_of(command);
-    REQUIRE(run_words(words, folder.path()).code == 0);
+    succeeded(run_words(words, folder.path()));
     const std::string table = content(folder / ("out/" + command + ".csv"));
     for (const std::vector<std::string>& option :
          std::vector<std::vector<std::string>>{{"--z-bits", "16"},
@@ -125,9 +117,7 @@ TEST_CASE("every option that changes what a study measures makes it another stud
       CAPTURE(option.front());
       std::vector<std::string> changed = words;
       changed.insert(changed.end(), option.begin(), option.end());
-      const Outcome outcome = run_words(changed, folder.path());
-      CHECK(outcome.code == 1);
-      CHECK(outcome.err.find("holds another study") != std::string::npos);
+      fails(run_words(changed, folder.path()), 1, {"holds another study"});
     }
     CHECK(content(folder / ("out/" + command + ".csv")) == table);
   }
@@ -138,11 +128,11 @@ TEST_CASE("the strategy and the prunings that accuracy is given are those it mea
   write(folder / "m.csg", "difference() { sphere(r = 6, $fn = 24); " + multmatrix + multmatrix + " }");
   write(folder / "mine.toml", machine_text());
   std::vector<std::string> words = words_of("accuracy");
-  REQUIRE(run_words(words, folder.path()).code == 0);
+  succeeded(run_words(words, folder.path()));
   const nlohmann::json usual = points(folder, "accuracy");
   words.insert(words.end(), {"--pruning", "none"});
   words[5] = "unpruned";
-  REQUIRE(run_words(words, folder.path()).code == 0);
+  succeeded(run_words(words, folder.path()));
   const nlohmann::json unpruned = json(folder / "unpruned/accuracy.json")["points"];
   REQUIRE(unpruned.size() == usual.size());
   CHECK(unpruned[0]["clocks"] > usual[0]["clocks"]);
@@ -157,13 +147,10 @@ TEST_CASE("a study that finds its folder in use says who holds it, and goes on w
     const int lock = ::open((folder / "out/.csgsim-lock").c_str(), O_RDWR | O_CREAT, 0600);
     REQUIRE(::flock(lock, LOCK_EX) == 0);
     REQUIRE(::write(lock, "process 12, sweep", 17) == 17);
-    const Outcome refused = run_words(words_of(command), folder.path());
-    CHECK(refused.code == 1);
-    CHECK(one_line(refused.err));
-    CHECK(refused.err.find("another csgsim is writing there (process 12, sweep)") != std::string::npos);
+    fails(run_words(words_of(command), folder.path()), 1, {"another csgsim is writing there (process 12, sweep)"});
     CHECK_FALSE(fs::exists(folder / ("out/" + command + ".csv")));
     ::close(lock);
-    CHECK(run_words(words_of(command), folder.path()).code == 0);
+    succeeded(run_words(words_of(command), folder.path()));
     CHECK_FALSE(fs::exists(folder / "out/.csgsim-lock"));
   }
 }
@@ -191,6 +178,6 @@ TEST_CASE("of processes that begin at the same time in one folder none writes a 
   CHECK(done >= 1);
   const std::string table = content(folder / "out/sweep.csv");
   CHECK(std::count(table.begin(), table.end(), '\n') == 1 + 6);
-  CHECK(run_words(words, folder.path()).code == 0);
+  succeeded(run_words(words, folder.path()));
   CHECK(content(folder / "out/sweep.csv") == table);
 }

@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <array>
-#include <cstdlib>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -47,13 +41,13 @@ const std::string draw = " --size 40x30 ";
 TEST_CASE("- is standard input: a model, a Program in either form, and what is in doubt by how it begins") {
   const Folder folder;
   const std::string part = model("old_example003");
-  REQUIRE(run("render " + part + draw + "-o " + (folder / "p.png")).code == 0);
+  succeeded(run("render " + part + draw + "-o " + (folder / "p.png")));
   CHECK(shell(binary() + " render -" + draw + "-o " + (folder / "q.png") + " <" + part).code == 0);
   CHECK(content(folder / "q.png") == content(folder / "p.png"));
   // Read twice: once to choose settings.
   CHECK(shell("cat " + part + " | " + binary() + " render -" + draw + "--max-wrong-pixels 900").code == 0);
 
-  REQUIRE(run("compile " + part + draw + "-o " + (folder / "p.csgt")).code == 0);
+  succeeded(run("compile " + part + draw + "-o " + (folder / "p.csgt")));
   CHECK(shell(binary() + " run - -o " + (folder / "r.png") + " <" + (folder / "p.csgt")).code == 0);
   CHECK(content(folder / "r.png") == content(folder / "p.png"));
   const Outcome text = shell(binary() + " disasm - <" + (folder / "p.csgt"));
@@ -87,13 +81,11 @@ TEST_CASE("what a model on standard input imports is looked for in the current f
 TEST_CASE("- is standard output: the data alone, the summary on standard error") {
   const Folder folder;
   const std::string part = model("old_example003");
-  REQUIRE(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") + " --owner " +
-              (folder / "o.png"))
-              .code == 0);
+  succeeded(run("render " + part + draw + "-o " + (folder / "p.png") + " --depth " + (folder / "z.exr") + " --owner " +
+                (folder / "o.png")));
   for (const std::string name : {"-", "/dev/stdout", "/dev/fd/1"}) {
     CAPTURE(name);
-    const Outcome picture = run("render " + part + draw + "-o " + name);
-    CHECK(picture.code == 0);
+    const Outcome picture = succeeded(run("render " + part + draw + "-o " + name));
     CHECK(picture.out == content(folder / "p.png"));
     CHECK(picture.err.find("7 primitives") != std::string::npos);
   }
@@ -149,7 +141,6 @@ TEST_CASE("a terminal is shown text, and never binary data") {
     CHECK(outcome.out.find("primitives") == std::string::npos);  // refused before anything is drawn
     CHECK(outcome.out.find("IHDR") == std::string::npos);
   }
-  const Outcome stats = on_terminal("render " + part + draw + "-q --stats -");
-  CHECK(stats.code == 0);
+  const Outcome stats = succeeded(on_terminal("render " + part + draw + "-q --stats -"));
   CHECK(stats.out.find("\"by_purpose\"") != std::string::npos);
 }

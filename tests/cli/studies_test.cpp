@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <string>
 #include <thread>
 
 #include "places.h"
@@ -17,8 +13,7 @@ using namespace csgsim::testing::cli;
 TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing twice") {
   const Folder folder;
   const std::string command = "accuracy " + model("old_example011") + " --size 48x48 --views 2 -o " + (folder / "a");
-  const Outcome first = run(command);
-  REQUIRE(first.code == 0);
+  succeeded(run(command));
   const std::string table = content(folder / "a/accuracy.csv");
   for (const std::string knob : {"z-bits", "fraction-bits", "edge-on", "size", "fn", "tolerance", "pareto"}) {
     if (knob != "pareto") CHECK(table.find("\n" + knob + ",") != std::string::npos);
@@ -29,8 +24,7 @@ TEST_CASE("accuracy measures every knob, draws its plots, and measures nothing t
   // As if interrupted: the last two lines are gone, one of them halfway.
   const std::string cut = table.substr(0, table.rfind('\n', table.rfind('\n', table.size() - 2) - 1) - 5);
   write(folder / "a/accuracy.csv", cut);
-  const Outcome second = run(command + " --no-plots");
-  CHECK(second.code == 0);
+  succeeded(run(command + " --no-plots"));
   CHECK(content(folder / "a/accuracy.csv") == table);
   CHECK(run(command + " --projection perspective").code == 1);
 }
@@ -42,8 +36,7 @@ TEST_CASE(
       "accuracy " + model("thesis_fig_2_3") +
       " --camera 42,-38,41,10,5.5,2 --size 64x64 --views 2 --knobs curves,tolerance --tolerances 0.5,0.0005 -o " +
       (folder / "a");
-  const Outcome outcome = run(command + " --machine pixel-powers --report " + (folder / "a.html"));
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run(command + " --machine pixel-powers --report " + (folder / "a.html")));
   const auto points = json(folder / "a/accuracy.json")["points"];
   REQUIRE(points.size() == 4);
   CHECK(points[0]["value"] == "0.5");
@@ -57,9 +50,7 @@ TEST_CASE(
   CHECK(outcome.out.find("Pareto front") == std::string::npos);
   CHECK(fs::file_size(folder / "a/curves.svg") > 1000);
   CHECK(content(folder / "a.html").find(": facets and curved surfaces") != std::string::npos);
-  const Outcome linear = run(command + "x");
-  CHECK(linear.code == 1);
-  CHECK(linear.err.find("pixel-powers") != std::string::npos);
+  fails(run(command + "x"), 1, {"pixel-powers"});
   CHECK(run(command + "x --machine pixel-powers --tolerances 0").code != 0);
 }
 
@@ -67,8 +58,7 @@ TEST_CASE("accuracy holds fast spheres beside facets on any machine, and says wh
   const Folder folder;
   const std::string command =
       "accuracy " + model("molecule") + " --view-all --size 48x48 --views 1 --knobs curves --no-plots -o ";
-  const Outcome linear = run(command + (folder / "a"));
-  REQUIRE(linear.code == 0);
+  const Outcome linear = succeeded(run(command + (folder / "a")));
   const auto points = json(folder / "a/accuracy.json")["points"];
   REQUIRE(points.size() == 2);
   CHECK(points[0]["value"] == "facets");
@@ -77,14 +67,10 @@ TEST_CASE("accuracy holds fast spheres beside facets on any machine, and says wh
   CHECK(points[1]["facet_wrong"] > points[0]["facet_wrong"]);
   CHECK(linear.out.find("\nfast curves: ") != std::string::npos);
   CHECK(linear.err.find("--knobs curves, not exact: pixel-planes-4") != std::string::npos);
-  const Outcome near = run(command + (folder / "b") + " --projection perspective --machine pixel-powers");
-  REQUIRE(near.code == 0);
+  const Outcome near = succeeded(run(command + (folder / "b") + " --projection perspective --machine pixel-powers"));
   CHECK(near.err.find("--knobs curves, not fast: ") != std::string::npos);
   CHECK(json(folder / "b/accuracy.json")["points"][1]["value"] == "exact");
-  const Outcome alone = run(command + (folder / "c") + " --projection perspective");
-  CHECK(alone.code == 1);
-  CHECK(alone.err.find("not fast: ") != std::string::npos);
-  CHECK(alone.err.find("not exact: ") != std::string::npos);
+  fails(run(command + (folder / "c") + " --projection perspective"), 1, {"not fast: ", "not exact: "});
 }
 
 TEST_CASE("sweep writes a table, JSON and plots for every model, and measures nothing twice") {
@@ -118,12 +104,12 @@ TEST_CASE("sweep writes a table, JSON and plots for every model, and measures no
   const std::size_t last = expected.rfind('\n', expected.size() - 2);
   const std::size_t before = expected.rfind('\n', last - 1);
   write(folder / "s/sweep.csv", expected.substr(0, before + 30));
-  CHECK(run(command + "3..5 --no-plots").code == 0);
+  succeeded(run(command + "3..5 --no-plots"));
   CHECK(content(folder / "s/sweep.csv") == expected);
   // With other ranges only what is new is measured, and what is known stays.
-  REQUIRE(run(command + "6 --no-plots --strategy bits").code == 0);
+  succeeded(run(command + "6 --no-plots --strategy bits"));
   CHECK(json(folder / "s/sweep.json")["points"].size() == 2);
-  REQUIRE(run(command + "3..5 --no-plots").code == 0);
+  succeeded(run(command + "3..5 --no-plots"));
   CHECK(content(folder / "s/sweep.csv").starts_with(expected));
   CHECK(run(command + "3..5 --no-plots --projection perspective").code == 1);
 }
@@ -134,7 +120,7 @@ TEST_CASE("an interrupted sweep goes on with the same command") {
   const std::string whole = folder / "whole";
   const std::string words = "sweep " + model("carburettor") + " --size 300x300 --strategy bits --stack-bits 3..14" +
                             " --threads 2 --no-plots -o ";
-  REQUIRE(run(words + whole).code == 0);
+  succeeded(run(words + whole));
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
   if (child == 0) {
@@ -153,7 +139,7 @@ TEST_CASE("an interrupted sweep goes on with the same command") {
   CHECK(WIFSIGNALED(status));
   CHECK(lines() >= 3);
   CHECK(lines() < 13);
-  REQUIRE(run(words + output).code == 0);
+  succeeded(run(words + output));
   CHECK(content(output + "/sweep.csv") == content(whole + "/sweep.csv"));
   CHECK(content(output + "/sweep.json") == content(whole + "/sweep.json"));
 }
@@ -162,8 +148,7 @@ TEST_CASE("a point that does not fit is a row that says why, unless none fits") 
   const Folder folder;
   const std::string command = "sweep " + model("old_example011") +
                               " --size 48x36 --no-plots --strategy stack,list --z-bits 20,24 -o " + (folder / "s");
-  const Outcome outcome = run(command + " --memory-bits 70");
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run(command + " --memory-bits 70"));
   const nlohmann::json points = json(folder / "s/sweep.json")["points"];
   REQUIRE(points.size() == 4);
   CHECK(points[0]["clocks"] > 0);
@@ -194,11 +179,11 @@ TEST_CASE("render tells how right its picture is, and takes the cheapest setting
   const Folder folder;
   const std::string options =
       "render " + model("old_example002") + " --size 100x80 --check --stats " + (folder / "s.json");
-  REQUIRE(run(options).code == 0);
+  succeeded(run(options));
   const nlohmann::json fine = json(folder / "s.json");
   CHECK(fine["accuracy"]["unexplained"] == 0);
   CHECK(fine["accuracy"]["wrong"] <= 1);
-  REQUIRE(run(options + " --max-wrong-pixels 40").code == 0);
+  succeeded(run(options + " --max-wrong-pixels 40"));
   const nlohmann::json coarse = json(folder / "s.json");
   CHECK(coarse["accuracy"]["wrong"] <= 40);
   CHECK(coarse["clocks"] < fine["clocks"]);
@@ -206,8 +191,7 @@ TEST_CASE("render tells how right its picture is, and takes the cheapest setting
 }
 
 TEST_CASE("levels runs a model at every level and finds them equal") {
-  const Outcome outcome = run("levels " + model("old_example011") + " --size 40x30");
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run("levels " + model("old_example011") + " --size 40x30"));
   for (const std::string level : {"functional", "cycle", "reference"})
     CHECK(outcome.out.find(level) != std::string::npos);
   CHECK(outcome.out.find("DIFFERENT") == std::string::npos);

@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <set>
-#include <sstream>
-#include <string>
-
 #include "places.h"
 #include "tests/cli/cli.h"
 
@@ -21,9 +13,7 @@ std::string trace(const std::string& more) {
 
 TEST_CASE("trace counts by every directory, rays and item buffer, prices the parts, and nothing is done twice") {
   const Folder folder;
-  const Outcome first = run(trace(" -o " + (folder / "t")));
-  CAPTURE(first.err);
-  REQUIRE(first.code == 0);
+  const Outcome first = succeeded(run(trace(" -o " + (folder / "t"))));
   CHECK(first.out.find("All ways see the same surfaces") != std::string::npos);
   const nlohmann::json points = json(folder / "t/trace.json")["points"];
   REQUIRE(points.size() == 7 * 3 * 2);
@@ -51,7 +41,7 @@ TEST_CASE("trace counts by every directory, rays and item buffer, prices the par
   CHECK(surfaces.size() == 1);
   CHECK(fs::file_size(folder / "t/trace_cells.svg") > 1000);
   const std::string table = content(folder / "t/trace.csv");
-  REQUIRE(run(trace(" -o " + (folder / "t"))).code == 0);
+  succeeded(run(trace(" -o " + (folder / "t"))));
   CHECK(content(folder / "t/trace.csv") == table);
 }
 
@@ -81,11 +71,9 @@ TEST_CASE("trace varies buckets and tolerances, with a plot of each") {
 TEST_CASE("shards of trace are gathered to the table of one run") {
   const Folder folder;
   const std::string common = " --directories excell,grid --cast primary --processors mc68000 --no-plots -o ";
-  REQUIRE(run(trace(common + (folder / "s") + " --shard 1/2")).code == 0);
-  REQUIRE(run(trace(common + (folder / "s") + " --shard 2/2")).code == 0);
-  const Outcome gathered = run("gather " + (folder / "s") + " --no-plots");
-  CAPTURE(gathered.err);
-  REQUIRE(gathered.code == 0);
+  succeeded(run(trace(common + (folder / "s") + " --shard 1/2")));
+  succeeded(run(trace(common + (folder / "s") + " --shard 2/2")));
+  succeeded(run("gather " + (folder / "s") + " --no-plots"));
   CHECK(json(folder / "s/trace.json")["points"].size() == 4);
 }
 
@@ -102,10 +90,10 @@ TEST_CASE("trace refuses what it does not know, with the nearest that there is")
 
 TEST_CASE("the directory that trace writes has each corner of a facet in its cell, and as many cells as are counted") {
   const Folder folder;
-  REQUIRE(run(trace(" --directories excell --bucket-sizes 4 --cast primary --item-buffer without --processors mc68000 "
-                    "--json " +
-                    (folder / "cells.json") + " -o " + (folder / "t")))
-              .code == 0);
+  succeeded(
+      run(trace(" --directories excell --bucket-sizes 4 --cast primary --item-buffer without --processors mc68000 "
+                "--json " +
+                (folder / "cells.json") + " -o " + (folder / "t"))));
   const nlohmann::json point = json(folder / "t/trace.json")["points"][0];
   const nlohmann::json directory = json(folder / "cells.json");
   CHECK(directory["directory"] == "excell");
@@ -137,15 +125,14 @@ TEST_CASE("the directory that trace writes has each corner of a facet in its cel
 
 TEST_CASE("trace counts list priority for an item buffer, and projection where facets are tested in the picture") {
   const Folder folder;
-  REQUIRE(run(trace(" --directories kd-tree --cast primary --facet-test space,projected --item-buffer "
-                    "without,list-priority,depth-lists --processors mc68000 -o " +
-                    (folder / "t")))
-              .code == 0);
-  REQUIRE(
+  succeeded(
+      run(trace(" --directories kd-tree --cast primary --facet-test space,projected --item-buffer "
+                "without,list-priority,depth-lists --processors mc68000 -o " +
+                (folder / "t"))));
+  succeeded(
       run("display " + model("thesis_fig_2_3") +
           " --camera 42,-38,41,10,5.5,2 --size 48x36 --methods list-priority/depth-buffer --processors mc68000 -o " +
-          (folder / "d"))
-          .code == 0);
+          (folder / "d")));
   const nlohmann::json drawn = json(folder / "d/display.json")["points"][0];
   const double total = drawn["seconds"]["mc68000"]["total"];
   const nlohmann::json points = json(folder / "t/trace.json")["points"];

@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
-
 #include <regex>
-#include <sstream>
-#include <string>
 
 #include "places.h"
 #include "tests/cli/cli.h"
@@ -20,9 +16,8 @@ std::string trimmed(const std::string& text) {
 std::string told_of(const Folder& folder, const std::string& source, const std::string& given) {
   const std::string output = folder / "commit.cpp";
   fs::remove(output);
-  const Outcome outcome = run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
-                                                std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"});
-  REQUIRE(outcome.code == 0);
+  succeeded(run_program("cmake", {"-DSOURCE=" + source, "-DCOMMIT=" + given, "-DOUTPUT=" + output, "-P",
+                                  std::string(CSGSIM_SOURCE_DIR) + "/cmake/commit.cmake"}));
   std::smatch found;
   const std::string text = content(output);
   REQUIRE(std::regex_search(text, found, std::regex("commit = \"([^\"]*)\"")));
@@ -32,8 +27,7 @@ std::string told_of(const Folder& folder, const std::string& source, const std::
 }  // namespace
 
 TEST_CASE("--version tells the version, the commit and its day, the build and the libraries") {
-  const Outcome outcome = run("--version");
-  CHECK(outcome.code == 0);
+  const Outcome outcome = succeeded(run("--version"));
   CHECK(outcome.err == "");
   std::istringstream lines(outcome.out);
   std::string line;
@@ -57,8 +51,7 @@ TEST_CASE("--version tells the libraries by the numbers that pkg-config has of t
                               {"HarfBuzz", "harfbuzz"},
                               {"libedit", "libedit"}}) {
     CAPTURE(library.first);
-    const Outcome version = run_program("pkg-config", {"--modversion", library.second});
-    REQUIRE(version.code == 0);
+    const Outcome version = succeeded(run_program("pkg-config", {"--modversion", library.second}));
     CHECK((told + ",").find(" " + library.first + " " + trimmed(version.out)) != std::string::npos);
   }
 }
@@ -74,7 +67,7 @@ TEST_CASE("the commit is that of the sources, with a mark if they are changed, a
        {std::vector<std::string>{"init", "-q"},
         {"add", "."},
         {"-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false", "commit", "-qm", "one"}})
-    REQUIRE(run_program("git", words, source).code == 0);
+    succeeded(run_program("git", words, source));
   const std::string head = trimmed(run_program("git", {"rev-parse", "HEAD"}, source).out);
   CHECK(told_of(folder, source, "0123abcd") == head.substr(0, 12));
   write(source + "/CMakeLists.txt", "2");

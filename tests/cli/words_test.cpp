@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-
-#include <string>
-
 #include "tests/cli/cli.h"
 
 using namespace csgsim::testing::cli;
@@ -9,8 +5,7 @@ using namespace csgsim::testing::cli;
 TEST_CASE("render ends with what bounds the frame, its dearest primitives and the knobs, and so do the stats") {
   const Folder folder;
   const std::string words = "render " + model("carburettor") + " --size 64x64 --advice --stats " + (folder / "s.json");
-  const Outcome outcome = run(words);
-  REQUIRE(outcome.code == 0);
+  const Outcome outcome = succeeded(run(words));
   const nlohmann::json stats = json(folder / "s.json");
   CHECK(stats["bound_by"]["part"] == "array");
   CHECK(outcome.out.find(stats["bound_by"]["sentence"].get<std::string>()) != std::string::npos);
@@ -40,7 +35,7 @@ TEST_CASE("what advice says of an option is what render takes with it") {
     const std::string words =
         "render " + model("thesis_fig_2_3") + " --size 64x64 --stats " + (folder / "s.json") + " ";
     const std::string given = "--machine " + machine;
-    REQUIRE(run(words + given + " --advice").code == 0);
+    succeeded(run(words + given + " --advice"));
     const nlohmann::json knobs = json(folder / "s.json")["knobs"];
     REQUIRE(knobs.size() > 2);
     bool sets = false;
@@ -49,7 +44,7 @@ TEST_CASE("what advice says of an option is what render takes with it") {
       CAPTURE(option);
       const bool is_machine = option.starts_with("--machine");
       sets = sets || !is_machine;
-      REQUIRE(run(words + (is_machine ? option : given + " " + option)).code == 0);
+      succeeded(run(words + (is_machine ? option : given + " " + option)));
       CHECK(json(folder / "s.json")["interval_clocks"] == knob["clocks_after"]);
       CHECK(knob["clocks_after"] < knob["clocks_before"]);
     }
@@ -86,8 +81,8 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
       run("compare " + model("thesis_fig_2_3") +
           " --machines pixel-planes-4,scan-line --size 64x64 --sides 32 --fragments 8 --no-plots -o " + (folder / "c"));
   REQUIRE(outcome.code == 0);
-  REQUIRE(run("render " + model("thesis_fig_2_3") + " --machine scan-line --size 64x64 --stats " + (folder / "s.json"))
-              .code == 0);
+  succeeded(
+      run("render " + model("thesis_fig_2_3") + " --machine scan-line --size 64x64 --stats " + (folder / "s.json")));
   const nlohmann::json points = json(folder / "c/compare.json")["points"];
   const nlohmann::json stats = json(folder / "s.json");
   for (const nlohmann::json& point : points) {
@@ -102,9 +97,8 @@ TEST_CASE("compare ends with what bounds each machine and with what the dearest 
   CHECK(outcome.out.find(stats["dearest"][0]["name"].get<std::string>()) != std::string::npos);
   CHECK(outcome.out.find("$fn = 8 gives") != std::string::npos);
   // The share of the dearest primitive of the first machine on each, as render tells it of that machine.
-  REQUIRE(
-      run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " + (folder / "p.json"))
-          .code == 0);
+  succeeded(run("render " + model("thesis_fig_2_3") + " --machine pixel-planes-4 --size 64x64 --stats " +
+                (folder / "p.json")));
   const nlohmann::json first = json(folder / "p.json")["dearest"];
   const std::string name = first[0]["name"];
   const std::size_t line = outcome.out.find("\n  " + name + " ", outcome.out.find("dearest primitives"));

@@ -1,18 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdlib>
-#include <map>
-#include <string>
-#include <string_view>
-
 #include "host/read/read.h"
-#include "hw/base/error.h"
 #include "hw/isa/program.h"
 #include "hw/kinds/load.h"
 #include "tests/corpus/reference.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,14 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdlib>
-#include <string>
-
 #include "hw/isa/depth_scale.h"
 #include "hw/isa/facts.h"
 #include "tests/corpus/reference.h"
 #include "tests/support/drawing.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,17 +1,3 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "places.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/facets/facets.h"
@@ -20,11 +6,9 @@
 #include "sim/software/tree/tree.h"
 #include "tests/corpus/reference.h"
 #include "tests/support/drawing.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-
-namespace fs = std::filesystem;
 
 namespace {
 

@@ -1,20 +1,16 @@
 #include "tests/faults/child.h"
 
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <fstream>
 
 #include "hw/base/address_sanitizer.h"
 #include "places.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing::faults {
 

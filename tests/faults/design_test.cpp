@@ -1,19 +1,10 @@
 /// Fails the n-th write, fsync, rename, ... of a design, one at a time: the old one is there then, or the new one.
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <iterator>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
 
 namespace {
 
-namespace fs = std::filesystem;
 using csgsim::testing::cli::content;
 using csgsim::testing::cli::Folder;
 using csgsim::testing::faults::Ended;

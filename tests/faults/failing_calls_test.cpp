@@ -1,18 +1,8 @@
 /// Fails the n-th write, fsync, rename, ... of a command, one at a time, by a library that is preloaded.
 
-#include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "hw/base/address_sanitizer.h"
 #include "tests/faults/commands.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 namespace {
 

@@ -1,12 +1,10 @@
 /// A limit on the size of files (ulimit -f) makes every write past it fail, whoever writes: this program, a library
 /// inside of stdio, or gnuplot.
 
-#include <algorithm>
 #include <csignal>
-#include <set>
-#include <string>
 
 #include "tests/faults/commands.h"
+#include "tests/support/test.h"
 
 namespace {
 

@@ -3,24 +3,17 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <set>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "hw/base/output_file.h"
 #include "hw/isa/facts.h"
 #include "sim/observe/pictures.h"
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
 
+using namespace csgsim;
+
 namespace {
 
-using namespace csgsim;
 using namespace csgsim::testing::faults;
-namespace fs = std::filesystem;
 using csgsim::testing::cli::content;
 using csgsim::testing::cli::Folder;
 

@@ -1,18 +1,10 @@
 /// Fails the n-th write, fsync, rename, ... of a shard, one at a time: it goes on from what is left.
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 #include "tests/faults/child.h"
 
 namespace {
 
-namespace fs = std::filesystem;
 using csgsim::testing::cli::content;
 using csgsim::testing::cli::Folder;
 using csgsim::testing::faults::calls;

@@ -1,14 +1,5 @@
 #include "hw/isa/facts.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/isa/host_counts.h"
 #include "hw/isa/program_file.h"
 #include "hw/isa/text.h"
@@ -19,6 +10,7 @@
 #include "sim/observe/frame.h"
 #include "sim/observe/stats.h"
 #include "tests/support/bare_text.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,10 +1,6 @@
-#include <doctest/doctest.h>
 #include <png.h>
 
-#include <array>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <string>
 
 #include "host/read/read.h"
 #include "hw/isa/facts.h"
@@ -17,6 +13,7 @@
 #include "sim/observe/stats.h"
 #include "sim/observe/stats_json.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

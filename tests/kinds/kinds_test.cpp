@@ -1,9 +1,5 @@
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
-#include <string>
 
-#include "hw/base/error.h"
 #include "hw/machines/description.h"
 #include "hw/machines/timeline.h"
 #include "sim/cycle/clocked_engine.h"
@@ -12,6 +8,7 @@
 #include "sim/observe/stats_json.h"
 #include "tests/kinds/raster.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,12 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <hwy/targets.h>
 #include <rapidcheck.h>
-
-#include <string>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/validate.h"
 #include "sim/engine/engine.h"
 #include "tests/lockstep/lockstep.h"
 #include "tests/support/random_program.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::ArrayShape;

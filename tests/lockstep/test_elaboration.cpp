@@ -1,15 +1,11 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
 #include <systemc>
-#include <vector>
 
 #include "host/effects/rows.h"
 #include "host/scene/read.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

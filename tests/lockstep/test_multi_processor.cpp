@@ -1,15 +1,9 @@
 // SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
-
 #include "host/emit/compile.h"
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
-#include "hw/base/error.h"
 #include "hw/division/divide.h"
 #include "hw/division/division_check.h"
 #include "hw/division/encoding.h"
@@ -18,12 +12,13 @@
 #include "hw/kinds/load.h"
 #include "hw/multi_processor/figures.h"
 #include "sim/engine/engine.h"
+#include "tests/support/test.h"
 #include "tests/support/two_cubes.h"
 #include "tests/unit/division/hand_models.h"
 
-namespace {
-
 using namespace csgsim;
+
+namespace {
 
 machines::Machine machine_32x32() {
   machines::Machine machine = kinds::load("multi-processor");

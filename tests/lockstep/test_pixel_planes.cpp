@@ -1,15 +1,5 @@
 // SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/timing.h"
@@ -19,6 +9,7 @@
 #include "hw/wave/vcd_writer.h"
 #include "sim/cycle/clocked_engine.h"
 #include "tests/lockstep/lockstep.h"
+#include "tests/support/test.h"
 
 namespace {
 

@@ -1,22 +1,17 @@
 // SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
 
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-#include <utility>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
 #include "hw/pixel_planes/kind.h"
 #include "hw/pixel_square/figures.h"
 #include "hw/pixel_square/kind.h"
 #include "sim/engine/engine.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 namespace {
 
-using namespace csgsim;
 using isa::Instruction;
 using isa::Opcode;
 

@@ -1,13 +1,5 @@
 // SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
 
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-#include <string>
-#include <variant>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
 #include "hw/pixel_planes/kind.h"
@@ -17,10 +9,12 @@
 #include "hw/scan_line/scan_line_array.h"
 #include "sim/cycle/sequence.h"
 #include "sim/engine/engine.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 namespace {
 
-using namespace csgsim;
 using isa::Field;
 using isa::Instruction;
 using isa::Opcode;

@@ -1,13 +1,6 @@
 #include "sim/software/methods/counts.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
-#include <vector>
 
 #include "hw/processors/processor.h"
 #include "sim/software/traversals/bit_parallel.h"
@@ -19,6 +12,7 @@
 #include "tests/m68000/developed_tree.h"
 #include "tests/m68000/random_tree.h"
 #include "tests/m68000/traversal.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,23 +1,17 @@
 // What hw/processors/*.toml says of an MC68000, held against programs that run on one.
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstdint>
-#include <span>
-
 #include "hw/processors/processor.h"
 #include "tests/m68000/mean_clocks.h"
 #include "tests/m68000/processor.h"
+#include "tests/support/test.h"
 
-using namespace csgsim;
 using processors::Compiled;
 
 namespace programs_by_hand {
 #include "tests/m68000/programs.inc"
-}
+
+using namespace csgsim;
+}  // namespace programs_by_hand
 
 namespace {
 

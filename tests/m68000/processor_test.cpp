@@ -1,9 +1,6 @@
 #include "tests/m68000/processor.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim::m68000;
 

@@ -1,15 +1,10 @@
 #include "tests/m68000/traversal.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <stdexcept>
-#include <utility>
-#include <vector>
 
 #include "tests/m68000/developed_tree.h"
 #include "tests/m68000/random_tree.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::m68000;
 

@@ -1,12 +1,5 @@
 #include "tests/numerics/curved_case.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <glm/geometric.hpp>
-#include <utility>
-#include <vector>
-
 #include "host/read/read.h"
 #include "hw/isa/facts.h"
 #include "sim/engine/engine.h"
@@ -16,6 +9,7 @@
 #include "tests/numerics/variants.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/software_ways.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <numbers>
-#include <string>
-
 #include "tests/numerics/curved_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 
@@ -17,14 +12,8 @@ const std::string cone = cylinder({0, 0, -4}, 8, 4, 0);
 const std::string frustum = cylinder({0, 0, -4}, 8, 4, 2);
 const std::string oval = placed(scaling({1, 0.5, 1}), upright);
 
-CurvedLook lenient() {
-  CurvedLook how;
-  how.may_be_faceted = true;
-  return how;
-}
-
 /// From above, an angle in degrees from the axis.
-CurvedVerdict look_down(const std::string& csg, double degrees, const CurvedLook& how = lenient()) {
+CurvedVerdict look_down(const std::string& csg, double degrees, const CurvedLook& how = lenient) {
   const double angle = degrees * std::numbers::pi / 180;
   return look_both_ways(csg, {40 * std::sin(angle), 0, 40 * std::cos(angle)}, {0, 0, 0}, how);
 }
@@ -75,9 +64,9 @@ TEST_CASE("a cone seen along a line in its side, and nearly so, is drawn right o
 }
 TEST_CASE("a cone with a half angle of 45 degrees is seen along a line in its side exactly") {
   const std::string right_angled = cylinder({0, 0, -4}, 8, 8, 0);
-  look_both_ways(right_angled, {0, -40, 40}, {0, 0, 0}, lenient());
-  look_both_ways(right_angled, {0, -40, 44}, {0, 0, 4}, lenient());
-  look_both_ways(subtract({box({-9, -9, -4}, {9, 9, 5}), right_angled}), {0, -40, 44}, {0, 0, 4}, lenient());
+  look_both_ways(right_angled, {0, -40, 40}, {0, 0, 0}, lenient);
+  look_both_ways(right_angled, {0, -40, 44}, {0, 0, 4}, lenient);
+  look_both_ways(subtract({box({-9, -9, -4}, {9, 9, 5}), right_angled}), {0, -40, 44}, {0, 0, 4}, lenient);
 }
 TEST_CASE("a cylinder seen exactly from the side has its ends edge-on") {
   look_both_ways(upright, {0, -40, 0}, {0, 0, 0});

@@ -1,9 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "tests/numerics/curved_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 

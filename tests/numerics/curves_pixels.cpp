@@ -1,10 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "host/view/camera.h"
 #include "tests/numerics/curved_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 

@@ -1,19 +1,10 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "tests/numerics/curved_case.h"
 #include "tests/numerics/variants.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_curves.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using testing::CurvedScene;

@@ -1,20 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "tests/numerics/curved_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 
 namespace {
-
-CurvedLook lenient() {
-  CurvedLook how;
-  how.may_be_faceted = true;
-  return how;
-}
 
 /// A pixel of a picture of the usual size seen from 40 units is a half of one.
 constexpr double pixel = 0.48;
@@ -25,15 +15,15 @@ TEST_CASE("ellipsoids scaled along an axis by 1/1000 to 1000 are drawn right") {
   for (const double factor : {1e-3, 1e-2, 0.1, 10.0, 1e2, 1e3}) {
     CAPTURE(factor);
     // Seen from its edge what is a tenth of a pixel thin is too steep for the machine's numbers.
-    const CurvedLook how = factor < 0.1 || factor > 100 ? lenient() : CurvedLook{};
+    const CurvedLook how = factor < 0.1 || factor > 100 ? lenient : CurvedLook{};
     look_at_all(placed(scaling({factor, 1, 1}), ball({0, 0, 0}, 4)), how);
     look_at_all(placed(rotation(31, 17), placed(scaling({1, 1, factor}), ball({0, 0, 0}, 4))));
   }
 }
 TEST_CASE("ellipsoids scaled by 1/1000 one way and by 1000 another are drawn right") {
-  look_at_all(placed(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4)), lenient());
-  look_at_all(placed(rotation(31, 17), placed(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4))), lenient());
-  look_at_all(placed(rotation(31, 17), placed(scaling({1e3, 1e-3, 1}), ball({0, 0, 0}, 4))), lenient());
+  look_at_all(placed(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4)), lenient);
+  look_at_all(placed(rotation(31, 17), placed(scaling({1e-3, 1, 1e3}), ball({0, 0, 0}, 4))), lenient);
+  look_at_all(placed(rotation(31, 17), placed(scaling({1e3, 1e-3, 1}), ball({0, 0, 0}, 4))), lenient);
 }
 TEST_CASE("models of a 2^-20th and of 2^20 units are drawn as those of one") {
   const std::string model = subtract({unite({ball({0, 0, 0}, 4), rod({0, 0, 0}, 8, 2)}), ball({2, -3, 2}, 2)});
@@ -62,9 +52,9 @@ TEST_CASE("wires of a thousandth of a pixel to one pixel are drawn right") {
   for (const double radius : {1e-3, 1e-2, 0.1, 1.0}) {
     CAPTURE(radius);
     const std::string wire = rod({0, 0, -12}, 24, radius * pixel);
-    look_both_ways(unite({wire, placed(rotation(47, 20), wire)}), {0, -40, 0}, {0, 0, 0}, lenient());
+    look_both_ways(unite({wire, placed(rotation(47, 20), wire)}), {0, -40, 0}, {0, 0, 0}, lenient);
     look_both_ways(subtract({box({-8, -2, -6}, {8, 2, 6}), wire, placed(rotation(47, 20), wire)}), {0, -40, 0},
-                   {0, 0, 0}, lenient());
+                   {0, 0, 0}, lenient);
   }
 }
 TEST_CASE("balls of radii of up to 10000 pixels are cut by the picture's sides") {
@@ -72,9 +62,9 @@ TEST_CASE("balls of radii of up to 10000 pixels are cut by the picture's sides")
     CAPTURE(radius);
     const double r = radius * pixel;
     const std::string ground = intersect({ball({0, 0, -r}, r), box({-20, -20, -40}, {20, 20, 40})});
-    look_both_ways(ground, {10, -40, 20}, {0, 0, 0}, lenient());
+    look_both_ways(ground, {10, -40, 20}, {0, 0, 0}, lenient);
     look_both_ways(subtract({box({-10, -10, -10}, {10, 10, 0}), ball({0, 0, r - 4}, r)}), {10, -40, 20}, {0, 0, 0},
-                   lenient());
+                   lenient);
   }
 }
 TEST_CASE("a ball of 10000 pixels fills the picture") {
@@ -90,28 +80,28 @@ TEST_CASE("cylinders of radii of up to 10000 pixels are drawn right") {
     const double r = radius * pixel;
     const std::string wave =
         intersect({placed(rotation(90, 0), rod({0, -r, -20}, 40, r)), box({-20, -20, -40}, {20, 20, 40})});
-    look_both_ways(wave, {10, -40, 20}, {0, 0, 0}, lenient());
+    look_both_ways(wave, {10, -40, 20}, {0, 0, 0}, lenient);
   }
 }
 TEST_CASE("frustums whose radii differ by a tenth to a 10^-9th are drawn right") {
   for (const double part : {0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
     CAPTURE(part);
     const std::string frustum = cylinder({0, 0, -6}, 12, 4, 4 * (1 - part));
-    look_at_all(frustum, lenient());
-    look_at_all(subtract({box({-5, -5, -5}, {5, 5, 5}), placed(rotation(20, 10), frustum)}), lenient());
+    look_at_all(frustum, lenient);
+    look_at_all(subtract({box({-5, -5, -5}, {5, 5, 5}), placed(rotation(20, 10), frustum)}), lenient);
   }
 }
 TEST_CASE("needles and discs of cones are drawn right") {
   for (const double radius : {1e-2, 0.1, 100.0, 1000.0}) {
     CAPTURE(radius);
     const std::string cone = cylinder({0, 0, -6}, 12, radius, 0);
-    look_both_ways(intersect({cone, box({-9, -9, -9}, {9, 9, 9})}), {10, -40, 20}, {0, 0, 0}, lenient());
+    look_both_ways(intersect({cone, box({-9, -9, -9}, {9, 9, 9})}), {10, -40, 20}, {0, 0, 0}, lenient);
   }
 }
 TEST_CASE("flat ellipsoids seen from their edge are drawn right") {
   const std::string coin = placed(scaling({1, 1, 1e-3}), ball({0, 0, 0}, 6));
-  look_both_ways(coin, {0, -40, 0}, {0, 0, 0}, lenient());
-  look_both_ways(coin, {0, -40, 0.01}, {0, 0, 0}, lenient());
+  look_both_ways(coin, {0, -40, 0}, {0, 0, 0}, lenient);
+  look_both_ways(coin, {0, -40, 0.01}, {0, 0, 0}, lenient);
   look_both_ways(placed(scaling({1, 1, 20}), coin), {0, -40, 0}, {0, 0, 0});
   look_both_ways(subtract({box({-8, -8, -4}, {8, 8, 4}), coin, box({-9, -9, 0}, {9, 0, 5})}), {0, -40, 10}, {0, 0, 0});
 }
@@ -125,7 +115,7 @@ TEST_CASE("curved solids are drawn right with depths of 4 bits and of 30") {
       unite({subtract({ball({0, 0, 0}, 6), rod({0, 0, -8}, 16, 2)}), cylinder({6, 4, -6}, 9, 4, 0)});
   for (const unsigned bits : {4U, 6U, 12U, 26U, 30U}) {
     CAPTURE(bits);
-    CurvedLook how = lenient();
+    CurvedLook how = lenient;
     how.z_bits = bits;
     how.shares = 2;
     look_both_ways(csg, {20, -30, 10}, {0, 0, 0}, how);

@@ -1,14 +1,5 @@
 #include "tests/numerics/hard_case.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <glm/geometric.hpp>
-#include <string_view>
-#include <utility>
-
 #include "host/read/read.h"
 #include "hw/isa/facts.h"
 #include "hw/pixel_planes/kind.h"
@@ -17,6 +8,7 @@
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
 #include "tests/support/software_ways.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

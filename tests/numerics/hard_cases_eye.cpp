@@ -1,7 +1,6 @@
-#include <doctest/doctest.h>
-
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 

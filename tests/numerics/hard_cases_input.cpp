@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-
-#include "hw/base/error.h"
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 

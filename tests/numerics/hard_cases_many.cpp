@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 

@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
 #include <hwy/targets.h>
-
-#include <cstdint>
-#include <string>
 
 #include "tests/numerics/hard_case.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 
 using namespace csgsim::testing;
 

@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "hw/isa/facts.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,14 +1,10 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <string>
-#include <vector>
 
 #include "tests/numerics/variants.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,15 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <memory>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/kinds/load.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/stats.h"
 #include "tests/scenes/scene_file.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,17 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "host/effects/antialias.h"
 #include "host/lighting/lighting.h"
 #include "hw/isa/colour_format.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/scenes/scene_file.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,12 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/scene/read.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

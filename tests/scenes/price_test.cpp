@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/scene/read.h"
 #include "hw/kinds/load.h"
@@ -13,6 +5,7 @@
 #include "sim/engine/engine.h"
 #include "sim/observe/stats.h"
 #include "tests/scenes/scene_file.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

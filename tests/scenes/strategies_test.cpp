@@ -1,9 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "tests/scenes/scene_file.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

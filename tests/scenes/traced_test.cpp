@@ -1,17 +1,3 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <fstream>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/lighting/lighting.h"
 #include "host/read/read.h"
@@ -20,6 +6,7 @@
 #include "sim/software/tracing/trace.h"
 #include "sim/software/tree/tree.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using software::Seen;

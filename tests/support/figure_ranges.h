@@ -1,14 +1,6 @@
 #pragma once
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
-
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

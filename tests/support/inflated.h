@@ -1,10 +1,8 @@
 #pragma once
 
-#include <doctest/doctest.h>
 #include <zlib.h>
 
-#include <cstddef>
-#include <string>
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

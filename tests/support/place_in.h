@@ -1,11 +1,6 @@
 #pragma once
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string>
-#include <string_view>
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

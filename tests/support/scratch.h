@@ -1,11 +1,6 @@
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <cstdlib>
-#include <filesystem>
-#include <iterator>
-#include <string>
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 
@@ -15,7 +10,7 @@ class Scratch {
   Scratch() {
     std::string pattern = (std::filesystem::temp_directory_path() / "csgsim-test-XXXXXX").string();
     REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = pattern;
+    path_ = std::filesystem::canonical(pattern);
   }
   ~Scratch() { std::filesystem::remove_all(path_); }
   Scratch(const Scratch&) = delete;

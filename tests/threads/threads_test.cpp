@@ -1,14 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <filesystem>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "host/read/read.h"
 #include "hw/base/output_file.h"
 #include "hw/base/work.h"
@@ -21,6 +10,7 @@
 #include "sim/studies/design/meter.h"
 #include "sim/studies/parallel.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

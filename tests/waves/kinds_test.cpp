@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
@@ -13,9 +5,10 @@
 #include "tests/waves/engine_state.h"
 #include "tests/waves/vcd.h"
 
+using namespace csgsim;
+
 namespace {
 
-using namespace csgsim;
 using namespace csgsim::testing::cli;
 using csgsim::test::EngineState;
 using csgsim::test::Vcd;
@@ -93,7 +86,7 @@ TEST_CASE("a wave of any kind of machine shows its parts, and what the reference
 TEST_CASE("levels of trees are refused where there are no trees") {
   const Folder folder;
   const std::string file = folder / "p.csgt";
-  REQUIRE(run("compile " + model("basics_csg") + " --view-all --size 8x4 --machine scan-line -o " + file).code == 0);
+  succeeded(run("compile " + model("basics_csg") + " --view-all --size 8x4 --machine scan-line -o " + file));
   const Outcome outcome =
       run("wave " + file + " --machine scan-line --pixel 1,1 --probe tree.x:1 -o " + (folder / "w.vcd"));
   CHECK(outcome.code == 1);

@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 #include "tests/waves/vcd.h"
 

@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
@@ -15,9 +7,10 @@
 #include "tests/waves/engine_state.h"
 #include "tests/waves/vcd.h"
 
+using namespace csgsim;
+
 namespace {
 
-using namespace csgsim;
 using namespace csgsim::testing::cli;
 using csgsim::test::EngineState;
 using csgsim::test::Vcd;
@@ -193,7 +186,7 @@ TEST_CASE("in the wave of a scene a curved surface has the root and the depth th
   const Folder folder;
   const std::string scene =
       " " + model("carburettor") + " --camera 220,-255,135,2,0,5 --size 64x64 --machine pixel-powers --pixel 32,32 ";
-  REQUIRE(run("explain" + scene + "--json " + (folder / "story.json")).code == 0);
+  succeeded(run("explain" + scene + "--json " + (folder / "story.json")));
   const auto story = json(folder / "story.json");
   const auto surface = std::ranges::find_if(story["events"], [](const auto& event) {
     return event["what"] == "surface" && event.contains("decision") && event["decision"].contains("worked_out");
@@ -202,8 +195,7 @@ TEST_CASE("in the wave of a scene a curved surface has the root and the depth th
   const auto& worked_out = (*surface)["decision"]["worked_out"];
   const auto value_after = [&](const nlohmann::json& number, const std::string& field) {
     const std::string file = folder / "w.vcd";
-    const Outcome outcome = run("wave" + scene + "--window i" + number.dump() + " -o " + file);
-    REQUIRE(outcome.code == 0);
+    succeeded(run("wave" + scene + "--window i" + number.dump() + " -o " + file));
     const Vcd vcd(content(file));
     const auto value = vcd.number_at("frame_buffer.pixel_32_32." + field, vcd.last_time());
     REQUIRE(value.has_value());

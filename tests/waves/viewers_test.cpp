@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <sstream>
-#include <string>
-#include <vector>
-
 #include "tests/cli/cli.h"
 #include "tests/waves/vcd.h"
 
@@ -12,8 +5,8 @@ using namespace csgsim::testing::cli;
 
 TEST_CASE("commands for Surfer name each variable of the wave once, pixels first, and end at the marker") {
   const Folder folder;
-  REQUIRE(run("wave " + model("old_example011") + " --size 16x16 --probe 8,8 --window 50:80 -o " + (folder / "w.vcd"))
-              .code == 0);
+  succeeded(
+      run("wave " + model("old_example011") + " --size 16x16 --probe 8,8 --window 50:80 -o " + (folder / "w.vcd")));
   const csgsim::test::Vcd vcd(content(folder / "w.vcd"));
   std::vector<std::string> named;
   std::istringstream commands(content(folder / "w.sucl"));

@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
@@ -13,9 +6,10 @@
 #include "tests/waves/engine_state.h"
 #include "tests/waves/vcd.h"
 
+using namespace csgsim;
+
 namespace {
 
-using namespace csgsim;
 using namespace csgsim::testing::cli;
 using csgsim::test::EngineState;
 using csgsim::test::Vcd;
@@ -143,8 +137,8 @@ TEST_CASE("what the probed pixels do alone is what they do in the whole machine"
       CAPTURE(window);
       const std::string words = "wave " + (folder / "p.csgt") + " --machine " + machine +
                                 " --pixel 35,20 --pixel 64,3 " + window + tree + " -o ";
-      REQUIRE(run(words + (folder / "probed.vcd")).code == 0);
-      REQUIRE(run(words + (folder / "whole.vcd") + " --whole").code == 0);
+      succeeded(run(words + (folder / "probed.vcd")));
+      succeeded(run(words + (folder / "whole.vcd") + " --whole"));
       CHECK(content(folder / "probed.vcd") == content(folder / "whole.vcd"));
       CHECK(content(folder / "probed.vcd").size() > 3000);
       CHECK_NOTHROW(Vcd(content(folder / "probed.vcd")));
@@ -164,9 +158,9 @@ TEST_CASE("the wave of stepped trees, which levels of trees ask for, is that of 
       CAPTURE(more);
       const std::string words =
           "wave " + (folder / "p.csgt") + " --machine " + machine + " --pixel 35,20 --pixel 35,3 " + more + tree;
-      REQUIRE(run(words + " -o " + (folder / "stepped.vcd")).code == 0);
-      REQUIRE(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")).code == 0);
-      REQUIRE(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")).code == 0);
+      succeeded(run(words + " -o " + (folder / "stepped.vcd")));
+      succeeded(run(words + " --evaluator stepped -o " + (folder / "asked.vcd")));
+      succeeded(run(words + " --evaluator worked-out -o " + (folder / "worked_out.vcd")));
       CHECK(content(folder / "stepped.vcd") == content(folder / "worked_out.vcd"));
       CHECK(content(folder / "asked.vcd") == content(folder / "worked_out.vcd"));
     }
@@ -260,7 +254,7 @@ TEST_CASE("padding ends where the frame begins, and where clocks end") {
   const Case one{"pixel-planes-4", "--size 24x16", {{12, 8}}, ""};
   compiled(one, folder / "p.csgt");
   const std::string words = "wave " + (folder / "p.csgt") + " --pixel 12,8 --padding 7 -o " + (folder / "w.vcd");
-  REQUIRE(run(words + " --window 3:18446744073709551615").code == 0);
+  succeeded(run(words + " --window 3:18446744073709551615"));
   const std::string file = content(folder / "w.vcd");
   CHECK(file.find("$enddefinitions $end\n#100000\n$dumpvars") != std::string::npos);
   CHECK(file.find("$dumpoff") == std::string::npos);
@@ -272,9 +266,9 @@ TEST_CASE("windows that touch by their padding are one") {
   compiled(apart, folder / "p.csgt");
   const std::string words =
       "wave " + (folder / "p.csgt") + " --pixel 12,8 --window purpose:merge -o " + (folder / "w.vcd");
-  REQUIRE(run(words).code == 0);
+  succeeded(run(words));
   CHECK(content(folder / "w.vcd").find("$dumpoff") != std::string::npos);
-  REQUIRE(run(words + " --padding 1000000").code == 0);
+  succeeded(run(words + " --padding 1000000"));
   CHECK(content(folder / "w.vcd").find("$dumpoff") == std::string::npos);
 }
 

@@ -1,14 +1,10 @@
-#include <doctest/doctest.h>
 #include <hwy/targets.h>
-
-#include <cstdint>
-#include <string>
-#include <vector>
 
 #include "hw/array/kernels.h"
 #include "hw/array/pixel_array.h"
 #include "hw/array/plane.h"
 #include "tests/support/plain_array.h"
+#include "tests/support/test.h"
 
 namespace {
 

@@ -1,19 +1,16 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
 
 #include "hw/array/pixel_array.h"
 #include "hw/array/sequencer.h"
 #include "hw/isa/opcodes.h"
 #include "tests/support/plain_array.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 namespace {
 
-using namespace csgsim;
 using array::ArrayStep;
 using array::PixelArray;
 using array::StreamBit;

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "hw/array/linear_evaluator.h"
+#include "tests/support/test.h"
 
 namespace {
 

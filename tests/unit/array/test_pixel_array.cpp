@@ -1,8 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-
 #include "hw/array/pixel_array.h"
+#include "tests/support/test.h"
 
 using csgsim::array::AluFunction;
 using csgsim::array::ArrayStep;

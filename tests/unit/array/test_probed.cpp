@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <cstdint>
-#include <vector>
 
 #include "hw/array/linear_evaluator.h"
 #include "hw/array/pixel_replay.h"
@@ -11,10 +7,12 @@
 #include "tests/support/probed_trees.h"
 #include "tests/support/quadratic_trees.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 namespace {
 
-using namespace csgsim;
 using array::Place;
 
 std::vector<Place> any_places(array::PlaneShape shape) {

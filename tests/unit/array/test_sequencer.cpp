@@ -1,9 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 #include "hw/array/sequencer.h"
 #include "hw/isa/opcodes.h"
@@ -11,6 +6,7 @@
 #include "hw/machines/clocks.h"
 #include "hw/pixel_planes/kind.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 namespace {
 

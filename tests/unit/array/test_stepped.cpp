@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <deque>
-#include <numeric>
-#include <random>
-#include <vector>
 
 #include "hw/array/linear_evaluator.h"
 #include "hw/array/pixel_array.h"
@@ -14,11 +8,12 @@
 #include "hw/array/stepped_evaluator.h"
 #include "hw/isa/instruction.h"
 #include "tests/support/random_program.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 namespace {
 
-using namespace csgsim;
 using array::LevelProbe;
 using array::Place;
 using array::PlaneShape;

@@ -1,31 +1,18 @@
-#include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <limits>
-#include <string>
-
-#include "hw/base/error.h"
 #include "hw/base/file_roles.h"
 #include "hw/base/input_file.h"
 #include "hw/base/output_file.h"
-#include "tests/support/error_of.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using testing::error_of;
-using testing::Scratch;
+using namespace testing;
 
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string content(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

@@ -1,11 +1,8 @@
 #include "hw/base/hash.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,11 +1,10 @@
 #include "hw/base/interruption.h"
 
-#include <doctest/doctest.h>
-
 #include <stop_token>
 #include <thread>
 
 #include "hw/base/work.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,6 +1,6 @@
 #include "hw/base/markup.h"
 
-#include <doctest/doctest.h>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,44 +1,20 @@
 #include "hw/base/output_folder.h"
 
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <set>
-#include <string>
 #include <thread>
 
-#include "hw/base/error.h"
+#include "tests/support/scratch.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
+using testing::error_of;
+using testing::Scratch;
 
 namespace {
-
-namespace fs = std::filesystem;
-
-class Scratch {
- public:
-  Scratch() {
-    std::string pattern = (fs::temp_directory_path() / "csgsim-folder-XXXXXX").string();
-    REQUIRE(::mkdtemp(pattern.data()) != nullptr);
-    path_ = fs::canonical(pattern);
-  }
-  ~Scratch() { fs::remove_all(path_); }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  [[nodiscard]] fs::path operator/(const std::string& name) const { return path_ / name; }
-  [[nodiscard]] const fs::path& path() const { return path_; }
-  [[nodiscard]] auto files() const { return std::distance(fs::directory_iterator(path_), {}); }
-
- private:
-  fs::path path_;
-};
 
 /// The current folder for as long as the object lives.
 class Within {
@@ -72,12 +48,7 @@ void write(const fs::path& folder, const std::string& text, int files = count) {
 }
 
 std::string refusal(const fs::path& folder) {
-  try {
-    write(folder, "new");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return error_of([&] { write(folder, "new"); });
 }
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

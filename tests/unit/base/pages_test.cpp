@@ -1,10 +1,6 @@
 #include "hw/base/pages.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

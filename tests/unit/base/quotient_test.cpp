@@ -1,9 +1,6 @@
 #include "hw/base/quotient.h"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <limits>
+#include "tests/support/test.h"
 
 using csgsim::quotient_up;
 

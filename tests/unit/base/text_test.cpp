@@ -1,11 +1,8 @@
 #include "hw/base/text.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cstdio>
-#include <string>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

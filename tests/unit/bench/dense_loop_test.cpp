@@ -1,13 +1,11 @@
 #include "tests/performance/dense_loop.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
 
 #include "hw/kinds/load.h"
 #include "sim/reference/reference_run.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,24 +1,15 @@
 #include "tests/performance/rounds.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <variant>
 
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/camera.h"
-#include "hw/base/error.h"
 #include "tests/performance/povray.h"
 #include "tests/performance/process.h"
 #include "tests/performance/report.h"
 #include "tests/performance/subjects.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

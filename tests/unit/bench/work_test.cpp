@@ -1,16 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
 #include "places.h"
 #include "sim/engine/engine.h"
 #include "tests/performance/program_work.h"
 #include "tests/performance/schedule.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

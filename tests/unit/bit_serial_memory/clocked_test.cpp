@@ -1,25 +1,15 @@
 #include "tests/unit/bit_serial_memory/clocked.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <systemc>
-#include <vector>
 
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/kind.h"
 #include "hw/systemc/kernel.h"
 #include "sim/reference/reference_array.h"
-#include "tests/support/error_of.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 // Random Programs on memories in SystemC, held at every instruction against the reference, and against the clocks, the
 // account and the timeline that are worked out without stepping.

@@ -1,11 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <functional>
-#include <memory>
-#include <vector>
-
 #include "hw/bit_serial_memory/column_logic.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
 // What others have of n bits each, and where it was read:

@@ -1,13 +1,7 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <numeric>
-#include <vector>
-
 #include "hw/bit_serial_memory/expression_sum.h"
 #include "hw/bit_serial_memory/micro_program.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
 // The terms of a product of coefficient and coordinate, and the bits of an expression that the trees bring, worked out

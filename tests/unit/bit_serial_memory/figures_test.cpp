@@ -1,12 +1,5 @@
 #include "hw/bit_serial_memory/figures.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "hw/bit_serial_memory/account.h"
 #include "hw/bit_serial_memory/micro_program.h"
 #include "hw/bit_serial_memory/slots.h"
@@ -15,6 +8,7 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
+#include "tests/support/test.h"
 
 // Absolute figures of the memories, worked out by hand: the clocked level and the working-out of clocks share what is
 // checked here, so that lockstep cannot notice an error in it.

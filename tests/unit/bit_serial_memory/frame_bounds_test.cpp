@@ -1,20 +1,15 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "hw/bit_serial_memory/figures.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/timing.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 // The clocks of whole frames, from both sides: worked out from the counts that others print (counts_test.cpp) and the
 // timing that the machine's file has (figures_test.cpp holds it against its source), without the compiler of row
 // commands.
-
-using namespace csgsim;
 
 namespace {
 

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cstddef>
-#include <string>
-
 #include "hw/bit_serial_memory/micro_program.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
 // Row commands of whole instructions, added up by hand from the counts of single operations (counts_test.cpp).

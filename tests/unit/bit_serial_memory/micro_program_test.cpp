@@ -1,13 +1,9 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
-
-#include <random>
-#include <string>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/text.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
 using namespace csgsim;

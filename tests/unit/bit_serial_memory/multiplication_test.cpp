@@ -1,12 +1,7 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <random>
-
 #include "hw/bit_serial_memory/column_logic.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
 // A multiplication is no instruction. Here one is made of the operations of which instructions are, to be held beside

@@ -1,15 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "hw/bit_serial_memory/column_logic.h"
 #include "hw/bit_serial_memory/subarray.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/columns.h"
 
 // The operations that instructions consist of, in sequences that no instruction has, on 64 columns of a subarray:

@@ -1,14 +1,5 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <vector>
-
 #include "hw/bit_serial_memory/timing.h"
+#include "tests/support/test.h"
 
 // A rank that keeps the clock of each activation, by the table of docs/machines/bit-serial-memory.md, is the judge of
 // the working-out, which goes from state to state and counts from the last activation.

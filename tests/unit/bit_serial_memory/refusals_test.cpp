@@ -1,22 +1,15 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstdint>
-#include <string>
-#include <string_view>
-
-#include "hw/base/error.h"
 #include "hw/bit_serial_memory/figures.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
 #include "tests/support/figure_ranges.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 // What the file of a memory may say: each figure at its least and its most, and one beyond; and figures that do not
 // fit each other, one refusal for each of them.
-
-using namespace csgsim;
 
 namespace {
 

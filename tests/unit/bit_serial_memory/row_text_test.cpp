@@ -1,13 +1,6 @@
 #include "hw/bit_serial_memory/row_text.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <map>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "hw/bit_serial_memory/row_command.h"
 #include "hw/bit_serial_memory/row_map.h"
@@ -15,6 +8,7 @@
 #include "hw/kinds/load.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

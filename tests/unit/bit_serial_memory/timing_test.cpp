@@ -1,10 +1,6 @@
 #include "hw/bit_serial_memory/timing.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <random>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using bit_serial_memory::Figures;

@@ -1,16 +1,9 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/kind.h"
 #include "hw/machines/timing.h"
 #include "hw/systemc/kernel.h"
+#include "tests/support/test.h"
 #include "tests/unit/bit_serial_memory/clocked.h"
 
 // A frame of the smallest memory clock by clock, by hand: what it takes, what its account tells, and what a wave of it

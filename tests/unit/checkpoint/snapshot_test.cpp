@@ -1,25 +1,19 @@
 #include "sim/checkpoint/snapshot.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <memory>
-#include <string>
-
-#include "hw/base/error.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/text.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"
-#include "hw/pixel_planes/kind.h"
 #include "sim/checkpoint/file.h"
 #include "tests/lockstep/divided_program.h"
-#include "tests/support/error_of.h"
+#include "tests/support/planes_machine.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using csgsim::testing::error_of;
+using testing::planes;
 
 namespace {
 
@@ -99,16 +93,6 @@ bool survives_interruptions(const machines::Machine& machine, const rc::Gen<isa:
     const Outcome expected = uninterrupted(*engines.back(), program);
     RC_ASSERT(same(interrupted(engines, program, machine), expected));
   });
-}
-
-machines::Machine planes(isa::ArrayShape shape) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
-  machine.name = "test";
-  machine.array = shape;
-  machine.picture = {shape.width, shape.height};
-  machine.clock_hz = 10'000'000;
-  machine.evaluator_degree = 2;
-  return machine;
 }
 
 /// Pixels of 8 x 4, of which some are enabled, with a number in memory.

@@ -1,9 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "host/commands/read.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

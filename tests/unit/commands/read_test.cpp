@@ -1,15 +1,9 @@
 #include "host/commands/read.h"
 
-#include <doctest/doctest.h>
-
-#include <fstream>
-#include <glm/geometric.hpp>
-#include <iterator>
-#include <string>
-
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "places.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/tree_invariants.h"
 
 using namespace csgsim;

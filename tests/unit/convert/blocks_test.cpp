@@ -1,15 +1,6 @@
 #include "sim/software/convert/blocks.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "host/facet/solid.h"
 #include "host/model/tree.h"
@@ -18,8 +9,7 @@
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
-#include "tests/support/error_of.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/random_blocks.h"
 
 using namespace csgsim;

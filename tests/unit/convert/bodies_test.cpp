@@ -1,17 +1,6 @@
 #include "sim/software/convert/bodies.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "host/csg/positive_tree.h"
 #include "host/facet/planes.h"
@@ -23,6 +12,7 @@
 #include "sim/software/convert/fragments.h"
 #include "sim/software/convert/side_by_side.h"
 #include "sim/software/planes/whole_planes.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 namespace convert = software::convert;

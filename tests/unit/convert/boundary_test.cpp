@@ -1,8 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "sim/software/convert/surface.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

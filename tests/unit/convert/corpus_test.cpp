@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <fstream>
-#include <string>
-
 #include "host/read/read.h"
 #include "places.h"
 #include "sim/software/convert/surface.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

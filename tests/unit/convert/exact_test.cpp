@@ -1,14 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <set>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "host/csg/positive_tree.h"
 #include "host/facet/planes.h"
 #include "host/facet/solid.h"
@@ -22,6 +11,7 @@
 #include "sim/software/convert/side_by_side.h"
 #include "sim/software/convert/surface.h"
 #include "sim/software/planes/whole_planes.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

@@ -1,24 +1,12 @@
 #include "sim/software/convert/formats.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "host/read/read.h"
 #include "host/solids/read_mesh.h"
 #include "host/solids/unzip.h"
-#include "hw/base/error.h"
 #include "places.h"
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/surface.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

@@ -1,18 +1,12 @@
 #include "sim/software/convert/local_tree.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
 #include "host/csg/positive_tree.h"
 #include "host/csg/tree_paths.h"
 #include "host/model/tree.h"
 #include "sim/software/convert/division.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_tree.h"
 
 using namespace csgsim;

@@ -1,13 +1,9 @@
 #include "tests/unit/convert/nef.h"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <string>
-
 #include "host/read/read.h"
 #include "places.h"
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

@@ -1,17 +1,9 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-
 #include "host/model/tree.h"
 #include "host/read/read.h"
 #include "sim/software/convert/boundary.h"
 #include "sim/software/convert/formats.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 
 using namespace csgsim;

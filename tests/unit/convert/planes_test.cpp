@@ -1,14 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
-#include <cstdint>
-#include <vector>
 
 #include "sim/software/planes/unit_box.h"
 #include "sim/software/planes/whole_planes.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using software::WholePlanes;

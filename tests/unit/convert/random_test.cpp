@@ -1,19 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <random>
-#include <string>
-#include <vector>
 
 #include "host/read/read.h"
 #include "sim/software/convert/surface.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 #include "tests/unit/convert/random_blocks.h"

@@ -1,16 +1,4 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
-#include <cstdint>
-#include <fstream>
-#include <iterator>
-#include <numbers>
-#include <string>
-#include <vector>
 
 #include "host/commands/read.h"
 #include "host/read/read.h"
@@ -18,7 +6,7 @@
 #include "sim/software/convert/surface.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 #include "tests/unit/software/random_tree.h"

@@ -1,16 +1,5 @@
 #include "sim/software/convert/sides.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <numeric>
-#include <optional>
-#include <vector>
-
 #include "sim/software/convert/crossings.h"
 #include "sim/software/convert/near_points.h"
 #include "sim/software/convert/outlines.h"
@@ -18,6 +7,7 @@
 #include "sim/software/convert/sets.h"
 #include "sim/software/convert/side.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/seats.h"
 
 using namespace csgsim;

@@ -1,16 +1,5 @@
 #include "sim/software/convert/surface.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "host/model/tree.h"
 #include "host/read/read.h"
 #include "sim/software/convert/boundary.h"
@@ -18,6 +7,7 @@
 #include "sim/software/convert/side.h"
 #include "sim/software/convert/triangulate.h"
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/mesh_judge.h"
 

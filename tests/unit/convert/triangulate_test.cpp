@@ -1,21 +1,11 @@
 #include "sim/software/convert/triangulate.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <numbers>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "sim/software/convert/polygons.h"
 #include "sim/software/convert/side.h"
 #include "sim/software/convert/surface.h"
+#include "tests/support/test.h"
 #include "tests/unit/convert/converted.h"
 #include "tests/unit/convert/seats.h"
 

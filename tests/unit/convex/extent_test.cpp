@@ -1,8 +1,7 @@
 #include "host/convex/extent.h"
 
-#include <doctest/doctest.h>
-
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;

@@ -1,15 +1,7 @@
 #include "host/convex/face_polygon.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <string>
-#include <vector>
-
 #include "host/convex/polytope.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;

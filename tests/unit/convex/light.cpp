@@ -5,8 +5,7 @@
 
 namespace csgsim::testing {
 
-using convex::Light;
-using convex::ShadowVolume;
+using namespace convex;
 
 double height(const TestModel& model, const ShadowVolume& volume, const glm::dvec3& point) {
   double highest = -1e300;

@@ -1,20 +1,12 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-
 #include "host/convex/shadow_volume.h"
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/light.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;
-using convex::Light;
-using convex::ShadowVolume;
-using testing::doubtful;
-using testing::height;
-using testing::random_light;
-using testing::TestModel;
+using namespace convex;
+using namespace testing;
 
 namespace {
 

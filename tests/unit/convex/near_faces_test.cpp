@@ -1,13 +1,8 @@
 #include "host/convex/near_faces.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <cstdint>
-#include <string>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;

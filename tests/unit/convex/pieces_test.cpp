@@ -1,14 +1,8 @@
 #include "host/convex/pieces.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <map>
-#include <set>
-
 #include "host/convex/clip.h"
 #include "tests/oracle/random_model.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;

@@ -1,25 +1,14 @@
 #include "host/convex/polytope.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <utility>
-#include <vector>
-
 #include "host/convex/carver.h"
 #include "host/convex/clip.h"
 #include "host/convex/merge.h"
 #include "tests/oracle/random_model.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;
-using testing::flaws;
-using testing::TestModel;
+using namespace testing;
 
 namespace {
 

@@ -1,9 +1,5 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
 #include "host/convex/solid_products.h"
-#include "tests/support/error_of.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;

@@ -1,22 +1,14 @@
 #include "host/convex/shadow_volume.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "host/convex/clip.h"
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 #include "tests/unit/convex/light.h"
 #include "tests/unit/convex/support.h"
 
 using namespace csgsim;
-using convex::Light;
-using convex::ShadowVolume;
-using testing::doubtful;
-using testing::height;
-using testing::TestModel;
+using namespace convex;
+using namespace testing;
 
 namespace {
 

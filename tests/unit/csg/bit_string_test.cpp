@@ -1,14 +1,9 @@
 #include "host/csg/bit_string.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <bit>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "host/csg/products.h"
+#include "tests/support/test.h"
 #include "tests/unit/csg/list_trees.h"
 
 using namespace csgsim;

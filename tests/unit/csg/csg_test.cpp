@@ -1,7 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <vector>
 
 #include "host/csg/active_tree.h"
 #include "host/csg/positive_tree.h"
@@ -9,30 +6,12 @@
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "tests/oracle/random_model.h"
+#include "tests/oracle/tree_rules.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 
 namespace {
-
-bool evaluate(const model::Tree& tree, const std::vector<bool>& in) {
-  std::vector<bool> value(tree.nodes.size());
-  for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
-    const model::Node& node = tree.nodes[i];
-    if (node.is_leaf) {
-      value[i] = in[node.primitive];
-      continue;
-    }
-    bool result = value[node.children.front()];
-    for (std::size_t c = 1; c < node.children.size(); ++c) {
-      const bool other = value[node.children[c]];
-      if (node.op == model::Operator::unite) result = result || other;
-      if (node.op == model::Operator::intersect) result = result && other;
-      if (node.op == model::Operator::subtract) result = result && !other;
-    }
-    value[i] = result;
-  }
-  return value[tree.root];
-}
 
 bool evaluate(const csg::PositiveTree& tree, const std::vector<bool>& in) {
   std::vector<bool> value(tree.nodes.size());
@@ -87,7 +66,7 @@ TEST_CASE("the positive form of a tree has its value for every state of the prim
         read::read_csg_text(testing::random_model(seed, static_cast<unsigned>(*rc::gen::inRange(1, 20))), "test");
     const csg::PositiveTree positive = csg::make_positive(tree);
     const auto in = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
-    RC_ASSERT(evaluate(tree, in) == evaluate(positive, in));
+    RC_ASSERT(testing::TreeRules(tree).holds(in) == evaluate(positive, in));
   }));
 }
 

@@ -1,16 +1,10 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <vector>
 
 #include "host/csg/locate.h"
 #include "host/csg/separation.h"
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/view/held.h"
 
 using namespace csgsim;

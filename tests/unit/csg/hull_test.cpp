@@ -1,11 +1,8 @@
 #include "host/csg/hull.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstddef>
-#include <glm/geometric.hpp>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

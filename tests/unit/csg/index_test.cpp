@@ -1,11 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <random>
-#include <span>
-#include <utility>
-#include <vector>
 
 #include "host/csg/active_tree.h"
 #include "host/csg/box_index.h"
@@ -15,6 +8,7 @@
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using csg::Known;

@@ -1,10 +1,8 @@
 #include "host/csg/locate.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using csg::Known;

@@ -1,20 +1,8 @@
 #include "host/csg/ordered_list.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <bit>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <random>
-#include <set>
-#include <string_view>
-#include <utility>
-#include <vector>
-
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/csg/list_trees.h"
 
 using namespace csgsim;

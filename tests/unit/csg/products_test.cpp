@@ -1,21 +1,17 @@
 #include "host/csg/products.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <string>
-#include <vector>
 
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 
 namespace {
 
-using csg::ActiveNode;
-using csg::PositiveOperator;
+using namespace csg;
 
 ActiveNode leaf(std::uint32_t primitive) { return {true, false, PositiveOperator::unite, primitive, 0, {}, {}}; }
 

@@ -1,11 +1,8 @@
 #include "host/csg/separation.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,13 +1,9 @@
 #include "sim/cycle/in_order.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <optional>
-#include <stdexcept>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/cycle/number_view.h"
 
 using namespace csgsim;

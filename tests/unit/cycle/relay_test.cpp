@@ -1,10 +1,7 @@
 #include "sim/cycle/relay.h"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/cycle/number_view.h"
 
 using namespace csgsim;

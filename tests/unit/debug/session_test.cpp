@@ -1,37 +1,19 @@
 #include "sim/debug/session.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <memory>
-#include <set>
-#include <string>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/text.h"
-#include "hw/pixel_planes/kind.h"
 #include "sim/debug/completion.h"
 #include "sim/debug/condition.h"
 #include "sim/debug/field_picture.h"
-#include "tests/support/error_of.h"
+#include "tests/support/planes_machine.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using csgsim::testing::error_of;
+using testing::planes;
 
 namespace {
-
-machines::Machine planes(isa::ArrayShape shape) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
-  machine.array = shape;
-  machine.picture = {shape.width, shape.height};
-  machine.clock_hz = 10'000'000;
-  machine.evaluator_degree = 2;
-  return machine;
-}
 
 /// Two primitives: columns 3 on at depth 40, then columns below 6 at depth x + 20; the question finds none enabled.
 constexpr const char* two_primitives = R"(.array width=8 height=2 memory_bits=24

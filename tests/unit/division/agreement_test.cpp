@@ -1,13 +1,9 @@
 #include "tests/unit/division/agreement.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
-
-#include "hw/base/error.h"
 #include "tests/oracle/random_model.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

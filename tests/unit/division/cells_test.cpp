@@ -1,18 +1,12 @@
 #include "hw/division/cells.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
-using division::DisplayModel;
-using division::Plane;
-using division::Rectangle;
-using division::Tested;
+using namespace division;
 
 namespace {
 

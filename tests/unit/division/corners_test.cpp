@@ -1,16 +1,10 @@
 #include "hw/division/corners.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
-using division::Known;
-using division::Plane;
-using division::Tested;
+using namespace division;
 
 namespace {
 

@@ -1,14 +1,8 @@
 #include "hw/division/display_model.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <string>
-
 #include "host/emit/display_model.h"
-#include "hw/base/error.h"
 #include "hw/division/encoding.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/agreement.h"
 
 using namespace csgsim;

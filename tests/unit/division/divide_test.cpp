@@ -1,19 +1,12 @@
 #include "hw/division/divide.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/division/groups.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
-using isa::Purpose;
+using namespace isa;
 
 namespace {
 

@@ -1,11 +1,8 @@
 #include "hw/division/encoding.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <functional>
-
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;

@@ -1,8 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/agreement.h"
 
 using namespace csgsim;

@@ -1,16 +1,6 @@
 #include "host/effects/antialias.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
 #include <glm/vec2.hpp>
-#include <numbers>
-#include <set>
-#include <vector>
 
 #include "hw/isa/colour_format.h"
 #include "hw/machines/clocks.h"
@@ -18,7 +8,7 @@
 #include "sim/functional/clocks.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cmath>
-#include <numbers>
-
 #include "host/effects/rows.h"
 #include "host/read/read.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

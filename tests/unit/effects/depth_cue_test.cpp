@@ -1,15 +1,8 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-
 #include "hw/isa/depth_scale.h"
 #include "hw/scan_line/kind.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

@@ -1,13 +1,8 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cstdint>
-#include <vector>
-
 #include "host/effects/antialias.h"
 #include "hw/scan_line/kind.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

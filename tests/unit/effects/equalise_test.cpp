@@ -1,21 +1,10 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/read/read.h"
 #include "host/scene/read.h"
 #include "hw/isa/colour_format.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

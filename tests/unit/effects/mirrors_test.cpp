@@ -1,11 +1,4 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
 #include "host/effects/rows.h"
 #include "host/lighting/lighting.h"
@@ -15,7 +8,7 @@
 #include "hw/scan_line/kind.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

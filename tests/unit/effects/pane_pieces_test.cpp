@@ -1,20 +1,10 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <optional>
-#include <vector>
 
 #include "hw/isa/colour_format.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "sim/observe/pictures.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

@@ -1,13 +1,4 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
-#include <string>
-#include <vector>
 
 #include "host/read/read.h"
 #include "hw/isa/colour_format.h"
@@ -15,8 +6,7 @@
 #include "sim/observe/frame.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
-#include "tests/support/error_of.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

@@ -1,15 +1,5 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
-#include <string>
-#include <variant>
-#include <vector>
 
 #include "host/effects/rows.h"
 #include "host/effects/texels.h"
@@ -21,7 +11,7 @@
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/support/drawing.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

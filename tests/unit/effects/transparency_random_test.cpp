@@ -1,14 +1,4 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <memory>
-#include <numeric>
 
 #include "host/lighting/lighting.h"
 #include "host/read/read.h"
@@ -17,7 +7,7 @@
 #include "hw/isa/facts.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

@@ -1,22 +1,15 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <glm/common.hpp>
-#include <set>
 
 #include "host/effects/layers.h"
 #include "host/effects/rows.h"
 #include "host/effects/screen_door.h"
-#include "hw/base/error.h"
 #include "hw/isa/colour_format.h"
 #include "hw/isa/facts.h"
 #include "hw/pixel_square/kind.h"
 #include "hw/scan_line/kind.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/effects/effect_picture.h"
 
 using namespace csgsim;

@@ -1,18 +1,13 @@
 #include "host/emit/broadcast.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <array>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using isa::Field;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 

@@ -1,9 +1,5 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstdlib>
-
 #include "hw/isa/colour_format.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,18 +1,10 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/emit/lambert.h"
 
 using namespace csgsim;
-using testing::Case;
-using testing::Errors;
-using testing::light;
-using testing::measure;
+using namespace testing;
 
 namespace {
 

@@ -1,19 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <optional>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/emit/lambert.h"
 
 using namespace csgsim;
-using testing::Case;
-using testing::Errors;
-using testing::light;
-using testing::measure;
-using testing::Solid;
+using namespace testing;
 
 namespace {
 

@@ -1,13 +1,8 @@
 #include "host/emit/digits.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <limits>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using emit::Digits;

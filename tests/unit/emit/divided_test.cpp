@@ -1,16 +1,8 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <sstream>
-#include <string>
-#include <utility>
-
 #include "host/emit/compile.h"
 #include "host/emit/options.h"
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
 #include "host/view/projection.h"
-#include "hw/base/error.h"
 #include "hw/division/division_check.h"
 #include "hw/division/model_sizes.h"
 #include "hw/isa/binary.h"
@@ -20,11 +12,10 @@
 #include "hw/kinds/load.h"
 #include "hw/machines/runs_on.h"
 #include "hw/pixel_square/figures.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/support/two_cubes.h"
 
 using namespace csgsim;
-
 using testing::error_of;
 
 namespace {

@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <span>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "hw/machines/clocks.h"
@@ -12,10 +5,10 @@
 #include "sim/functional/clocks.h"
 #include "sim/observe/stats.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 

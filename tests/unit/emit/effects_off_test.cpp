@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/scene/read.h"
 #include "hw/isa/binary.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

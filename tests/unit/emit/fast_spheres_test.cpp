@@ -1,17 +1,8 @@
 #include "host/emit/fast_spheres.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "host/emit/compile.h"
 #include "host/read/read.h"
@@ -22,7 +13,7 @@
 #include "hw/machines/regions.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/frame.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

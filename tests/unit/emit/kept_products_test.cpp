@@ -1,19 +1,12 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "sim/functional/clocks.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 

@@ -1,25 +1,16 @@
 #include "host/emit/layout.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/field_role.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 
 namespace {
 
 std::string refusal(const emit::Needs& needs, std::uint32_t memory_bits) {
-  try {
-    emit::plan_layout(needs, memory_bits);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return testing::error_of([&] { emit::plan_layout(needs, memory_bits); });
 }
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -1,9 +1,6 @@
 #include "host/emit/levels.h"
 
-#include <doctest/doctest.h>
-
-#include <string_view>
-
+#include "tests/support/test.h"
 #include "tests/unit/csg/list_trees.h"
 
 using namespace csgsim;

@@ -1,26 +1,17 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "tests/support/drawing.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
+
+using namespace csgsim;
 
 // Spheres that nothing is compared with. The judge of depth is the formula of host/view/screen_quadric.h, worked out
 // for every pixel of the picture, so that it knows neither extents nor regions.
-
-using namespace csgsim;
 
 namespace {
 

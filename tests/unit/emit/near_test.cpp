@@ -1,15 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 #include "host/emit/near_cap.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,13 @@
 #include "host/emit/parallel.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <random>
-#include <vector>
 
 #include "host/csg/products.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/reference/reference_array.h"
+#include "tests/support/test.h"
 #include "tests/unit/csg/list_trees.h"
 
 using namespace csgsim;

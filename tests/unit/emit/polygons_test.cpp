@@ -1,19 +1,13 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/pixel_square/kind.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 

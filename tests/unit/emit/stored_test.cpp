@@ -1,24 +1,13 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 #include "hw/pixel_square/kind.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 
@@ -76,12 +65,7 @@ unsigned stored_fields(const isa::Program& program) {
 }
 
 std::string refusal(const std::string& text, const testing::Setup& how) {
-  try {
-    testing::compile_text(text, how);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return testing::error_of([&] { testing::compile_text(text, how); });
 }
 
 bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

@@ -1,19 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <map>
-#include <numbers>
-#include <utility>
 
 #include "host/facet/geometry.h"
 #include "host/facet/planes.h"
 #include "host/facet/solid.h"
 #include "host/model/degrees.h"
 #include "host/model/fragments.h"
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

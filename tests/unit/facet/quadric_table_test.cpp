@@ -1,14 +1,10 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
-#include <numbers>
 
 #include "host/facet/geometry.h"
 #include "host/facet/planes.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,23 +1,17 @@
 #include "host/flat/combine.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
 #include <glm/ext/matrix_transform.hpp>
-#include <span>
 
 #include "host/flat/hull.h"
 #include "host/flat/made.h"
 #include "host/flat/minkowski.h"
 #include "host/flat/offset.h"
 #include "host/flat/place.h"
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
-using flat::Area;
-using flat::check_as_openscad;
+using namespace flat;
 
 namespace {
 

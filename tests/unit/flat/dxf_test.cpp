@@ -1,11 +1,6 @@
 #include "host/flat/dxf.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
@@ -20,12 +15,7 @@ flat::Area drawing(const std::string& name, const flat::DxfOptions& options = {}
 std::string entities(const std::string& groups) { return "0\nSECTION\n2\nENTITIES\n" + groups + "0\nENDSEC\n0\nEOF\n"; }
 
 std::string message(const std::string& text, const flat::DxfOptions& options = {}) {
-  try {
-    flat::read_dxf(text, options);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return testing::error_of([&] { flat::read_dxf(text, options); });
 }
 
 }  // namespace

@@ -1,12 +1,6 @@
 #include "host/flat/made.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <limits>
-
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;

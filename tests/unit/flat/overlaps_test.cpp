@@ -1,13 +1,7 @@
 #include "host/flat/overlaps.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstdint>
-#include <random>
-
 #include "host/flat/clipping.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using ClipperLib::Path;

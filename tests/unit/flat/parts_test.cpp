@@ -1,22 +1,14 @@
 #include "host/flat/parts.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <random>
-#include <set>
-
 #include "host/flat/combine.h"
 #include "host/flat/hull.h"
 #include "host/flat/made.h"
 #include "host/flat/place.h"
+#include "tests/support/test.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
-using flat::Area;
-using flat::Outline;
+using namespace flat;
 
 namespace {
 

@@ -1,20 +1,10 @@
 #include "tests/unit/flat/support.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
 #include <polyclipping/clipper.hpp>
-#include <random>
-#include <sstream>
-#include <string_view>
 
-#include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "places.h"
+#include "tests/support/test.h"
 
 namespace csgsim::flat {
 

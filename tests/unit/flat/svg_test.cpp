@@ -1,12 +1,6 @@
 #include "host/flat/svg.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
@@ -21,12 +15,7 @@ flat::Area drawing(const std::string& name, const flat::SvgOptions& options = {}
 flat::Area path(const std::string& data) { return flat::read_svg("<svg><path d=\"" + data + "\"/></svg>", {}); }
 
 std::string message(const std::string& text) {
-  try {
-    flat::read_svg(text, {});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return testing::error_of([&] { flat::read_svg(text, {}); });
 }
 
 }  // namespace

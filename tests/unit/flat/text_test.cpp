@@ -1,17 +1,11 @@
 #include "host/flat/text.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
-#include "hw/base/error.h"
 #include "places.h"
+#include "tests/support/test.h"
 #include "tests/unit/flat/support.h"
 
 using namespace csgsim;
-using flat::check_as_openscad;
-using flat::Text;
+using namespace flat;
 
 TEST_CASE("text is set as OpenSCAD sets it") {
   check_as_openscad(flat::text({.text = "Hello, World! 0123"}), "text");

@@ -1,11 +1,10 @@
 #include "sim/functional/crew.h"
 
-#include <doctest/doctest.h>
-
 #include <atomic>
 #include <chrono>
 #include <thread>
-#include <vector>
+
+#include "tests/support/test.h"
 
 using csgsim::functional::Crew;
 

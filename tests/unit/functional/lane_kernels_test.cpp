@@ -1,10 +1,6 @@
 #include "sim/functional/lane_kernels.h"
 
-#include <doctest/doctest.h>
-
-#include <memory>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;

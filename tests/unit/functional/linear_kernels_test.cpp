@@ -1,10 +1,6 @@
 #include "sim/functional/linear_kernels.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <memory>
-
+#include "tests/support/test.h"
 #include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;

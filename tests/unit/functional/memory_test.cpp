@@ -1,7 +1,6 @@
 #include "sim/functional/memory.h"
 
-#include <doctest/doctest.h>
-
+#include "tests/support/test.h"
 #include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;

@@ -1,10 +1,7 @@
 #include "sim/functional/quadratic_kernels.h"
 
-#include <doctest/doctest.h>
-
-#include <memory>
-
 #include "tests/support/quadric_judge.h"
+#include "tests/support/test.h"
 #include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;

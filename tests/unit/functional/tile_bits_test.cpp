@@ -1,8 +1,7 @@
 #include "sim/functional/tile_bits.h"
 
-#include <doctest/doctest.h>
-
 #include "sim/functional/lane_kernels.h"
+#include "tests/support/test.h"
 #include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;

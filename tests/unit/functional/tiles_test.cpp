@@ -1,11 +1,10 @@
 #include "sim/functional/tiles.h"
 
-#include <doctest/doctest.h>
-
 #include "hw/isa/opcodes.h"
 #include "sim/functional/tile.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 #include "tests/unit/functional/pixels.h"
 
 using namespace csgsim;

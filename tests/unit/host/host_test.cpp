@@ -1,14 +1,5 @@
 #include "hw/host/host.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <numeric>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/host/recipes.h"
 #include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
@@ -16,6 +7,7 @@
 #include "hw/machines/kind.h"
 #include "hw/processors/processor.h"
 #include "sim/observe/bound.h"
+#include "tests/support/test.h"
 #include "tests/support/two_cubes.h"
 
 using namespace csgsim;

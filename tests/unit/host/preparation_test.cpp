@@ -1,8 +1,7 @@
-#include <doctest/doctest.h>
-
 #include "host/emit/compile.h"
 #include "hw/isa/host_counts.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,12 @@
 #include "hw/host/recipes.h"
 
-#include <doctest/doctest.h>
-
 #include <initializer_list>
-#include <map>
-#include <string>
-#include <utility>
 
 #include "hw/isa/host_counts.h"
 #include "hw/isa/instruction.h"
 #include "hw/isa/opcodes.h"
 #include "hw/processors/processor.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,21 +1,18 @@
 #include "hw/isa/binary.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/crc.hpp>
-#include <limits>
-#include <string>
 
 #include "hw/isa/bytes.h"
 #include "hw/isa/extents.h"
+#include "hw/isa/facts.h"
 #include "hw/isa/field_role.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program_file.h"
 #include "places.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;
@@ -23,9 +20,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-using test::contains;
-using test::refusal;
-using test::sample_program;
+using namespace test;
 
 using Bytes = std::vector<std::byte>;
 

@@ -1,9 +1,8 @@
 #include "hw/isa/manual.h"
 
-#include <doctest/doctest.h>
-
 #include "hw/isa/instruction.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;

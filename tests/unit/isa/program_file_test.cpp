@@ -1,12 +1,7 @@
 #include "hw/isa/program_file.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-
 #include "places.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;
@@ -14,11 +9,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-namespace fs = std::filesystem;
-
-using test::contains;
-using test::refusal;
-using test::sample_program;
+using namespace test;
 
 /// An empty directory of its own for a test case.
 class Scratch {

@@ -1,11 +1,8 @@
 #include "tests/support/random_program.h"
 
-#include <doctest/doctest.h>
-
-#include <set>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::test;

@@ -1,16 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <string_view>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/clocks.h"
 #include "hw/pixel_planes/figures.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/engine/engine.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::engine;

@@ -1,12 +1,9 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <array>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/quadric_judge.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::engine;
@@ -14,11 +11,8 @@ using namespace csgsim::reference;
 
 namespace {
 
-using isa::Field;
-using isa::Linear;
-using isa::Opcode;
-using test::below_bits;
-using test::Quadratic;
+using namespace isa;
+using namespace test;
 
 /// A field of up to 64 bits in halves.
 std::uint64_t wide_value(const ReferenceArray& array, Field field, std::uint32_t x, std::uint32_t y) {

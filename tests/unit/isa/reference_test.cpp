@@ -1,22 +1,15 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <array>
-#include <cstdint>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::reference;
 
 namespace {
 
-using isa::Field;
-using isa::Instruction;
-using isa::Linear;
-using isa::Opcode;
+using namespace isa;
 
 using Values = std::vector<std::uint32_t>;
 using Bits = std::vector<int>;

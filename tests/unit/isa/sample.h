@@ -4,6 +4,7 @@
 
 #include "hw/base/error.h"
 #include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/program.h"
 
@@ -26,7 +27,8 @@ inline isa::Program sample_program() {
   program.facts->depth_scale = {true, 0.1, 1e300};
   program.facts->model = {"dir/model.csg", 2, 1, 0, 0, 12};
   program.facts->compile = {"auto", "field", 8, 4, 0.3, 1, 2, 2, 1, 3, {"shadow", "fog, thick"}};
-  isa::Segment segment{{1, 0, 7, 4}, {}, {2, 12, 1, 9, 4}};
+  isa::Segment segment{.region = {1, 0, 7, 4}, .instructions = {}};
+  *segment.facts = {2, 12, 1, 9, 4};
   const auto add = [&](const isa::Instruction& instruction) { segment.instructions.push_back(instruction); };
   add({Opcode::enable_all, {}, {}, 0, {}});
   add({Opcode::set_constant, {{{8, 8}}}, {}, 255, {}});

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <sstream>
-#include <string>
-
 #include "hw/isa/binary.h"
 #include "hw/isa/text.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;
@@ -13,8 +8,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-using test::contains;
-using test::refusal;
+using namespace test;
 
 const std::string header = ".array width=100 height=64 memory_bits=128\n.segment width=100 height=64\n";
 

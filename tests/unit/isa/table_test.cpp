@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <set>
-#include <string_view>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::isa;

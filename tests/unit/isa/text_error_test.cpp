@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <sstream>
-#include <string>
 
 #include "hw/base/nearest.h"
 #include "hw/isa/text.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;

@@ -1,14 +1,10 @@
 #include "hw/isa/text.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
-
-#include <limits>
-#include <sstream>
 
 #include "hw/isa/facts.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;

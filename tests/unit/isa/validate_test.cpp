@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <limits>
-#include <string>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/isa/sample.h"
 
 using namespace csgsim;
@@ -14,9 +8,7 @@ using namespace csgsim::isa;
 
 namespace {
 
-using test::contains;
-using test::refusal;
-using test::sample_program;
+using namespace test;
 
 constexpr std::uint32_t memory_bits = 72;
 

@@ -1,18 +1,9 @@
 #include "hw/isa/wire.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-#include <set>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
 #include "tests/support/random_program.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::isa;
@@ -52,12 +43,7 @@ LinkWord word_of(const std::string& bits) {
 /// What a decoder says of bits that arrive over a link as wide as they are.
 std::string refusal_of(const std::string& bits) {
   WireDecoder decoder(static_cast<unsigned>(bits.size()));
-  try {
-    decoder.take(word_of(bits));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return {};
+  return testing::error_of([&] { decoder.take(word_of(bits)); });
 }
 
 /// The only command that the words hold, and which ends with the last of them.

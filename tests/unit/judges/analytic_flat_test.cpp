@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <glm/geometric.hpp>
-#include <string>
-#include <vector>
-
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;

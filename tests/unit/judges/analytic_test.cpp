@@ -1,18 +1,12 @@
 #include "sim/judges/analytic.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <numbers>
-#include <string>
 
 #include "hw/isa/depth_scale.h"
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;

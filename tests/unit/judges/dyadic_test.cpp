@@ -1,11 +1,8 @@
 #include "sim/judges/dyadic.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cmath>
-#include <limits>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim::judges;
 

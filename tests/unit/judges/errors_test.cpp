@@ -1,17 +1,11 @@
 #include "sim/judges/errors.h"
 
-#include <doctest/doctest.h>
-
-#include <stdexcept>
-
 #include "hw/isa/facts.h"
 #include "sim/judges/truth.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using judges::compare;
-using judges::Errors;
-using judges::nothing;
-using judges::Truth;
+using namespace judges;
 
 namespace {
 

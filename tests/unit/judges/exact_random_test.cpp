@@ -1,20 +1,14 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 #include "tests/numerics/solids.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/rational_oracle.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using judges::nothing;
-using judges::Truth;
+using namespace judges;
 using view::Projection;
 
 namespace {

@@ -1,15 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <string>
-
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using judges::nothing;
-using judges::Truth;
+using namespace judges;
 using view::Projection;
 
 namespace {

@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <cstdlib>
-#include <vector>
 
 #include "hw/isa/facts.h"
 #include "sim/judges/errors.h"
@@ -10,6 +6,7 @@
 #include "tests/numerics/solids.h"
 #include "tests/oracle/random_model.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;

@@ -1,14 +1,10 @@
 #include "sim/judges/possible.h"
 
-#include <doctest/doctest.h>
-
 #include "sim/judges/truth.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using judges::can_show;
-using judges::Chance;
-using judges::nothing;
-using judges::Ray;
+using namespace judges;
 
 namespace {
 

@@ -1,17 +1,11 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
 
 #include "host/view/projection.h"
 #include "hw/isa/facts.h"
 #include "sim/judges/errors.h"
 #include "sim/judges/explain.h"
 #include "tests/numerics/solids.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;
@@ -145,6 +139,18 @@ view::Sampling picture(unsigned z_bits, unsigned fraction_bits) {
   return sampling;
 }
 
+/// Of a square picture of that side, in which depth runs over twice `reach`.
+judges::Explainer straight_explainer(const Scenery& scenery, std::uint32_t side, double reach, unsigned z_bits,
+                                     unsigned fraction_bits) {
+  isa::Program program;
+  program.shape = {side, side, 128};
+  program.facts->depth_scale = {false, straight_distance(side) - reach, straight_distance(side) + reach};
+  program.facts->compile.z_bits = z_bits;
+  program.facts->compile.fraction_bits = fraction_bits;
+  program.facts->compile.edge_on_fraction = 1.0 / 256;
+  return {scenery.tree, scenery.scene, scenery.camera, program};
+}
+
 }  // namespace
 
 TEST_CASE("a curved solid in the host's integers has no pixel that the bounds do not explain") {
@@ -203,13 +209,7 @@ TEST_CASE("a ball from a camera that is a twentieth of a pixel aside is not expl
 TEST_CASE("a ray on a ball's outline may meet it or miss it, and a ray beside it may not") {
   // The middle column of an odd picture is on the left side.
   const Scenery scenery = make_curved_scenery(ball({4, 0, 0}, 4, 64), straight(21), {21, 21});
-  isa::Program program;
-  program.shape = {21, 21, 128};
-  program.facts->depth_scale = {false, straight_distance(21) - 4, straight_distance(21) + 4};
-  program.facts->compile.z_bits = 20;
-  program.facts->compile.fraction_bits = 12;
-  program.facts->compile.edge_on_fraction = 1.0 / 256;
-  const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
+  const judges::Explainer explainer = straight_explainer(scenery, 21, 4, 20, 12);
   // Half of the 2^20 - 4 steps behind the first.
   constexpr std::uint32_t half_way = (1U << 19) - 1;
   CHECK(explainer.may_show(10, 10, 0, half_way));
@@ -221,13 +221,7 @@ TEST_CASE("a ray on a ball's outline may meet it or miss it, and a ray beside it
 
 TEST_CASE("a primitive is nowhere outside the rectangle of its vertices, however coarse its numbers are") {
   const Scenery scenery = make_curved_scenery(ball({0, 0, 0}, 4, 64), straight(41), {41, 41});
-  isa::Program program;
-  program.shape = {41, 41, 128};
-  program.facts->depth_scale = {false, straight_distance(41) - 4, straight_distance(41) + 4};
-  program.facts->compile.z_bits = 4;
-  program.facts->compile.fraction_bits = 0;
-  program.facts->compile.edge_on_fraction = 1.0 / 256;
-  const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
+  const judges::Explainer explainer = straight_explainer(scenery, 41, 4, 4, 0);
   CHECK(explainer.may_show(20, 20, 0, 1));
   for (const std::uint32_t column : {27U, 13U, 0U, 40U}) {
     for (std::uint32_t depth = 0; depth < 15; ++depth) CHECK_FALSE(explainer.may_show(column, 20, 0, depth));
@@ -238,13 +232,7 @@ TEST_CASE("a primitive is nowhere outside the rectangle of its vertices, however
 TEST_CASE("a cone that is seen along its axis has its depths where its apex is in the middle of the depth range too") {
   const std::string cone = placed(rotation(-90, 0), cylinder({0, 0, 0}, 8, 0, 6, 64));
   const Scenery scenery = make_curved_scenery(cone, straight(21), {21, 21});
-  isa::Program program;
-  program.shape = {21, 21, 128};
-  program.facts->depth_scale = {false, straight_distance(21) - 8, straight_distance(21) + 8};
-  program.facts->compile.z_bits = 20;
-  program.facts->compile.fraction_bits = 12;
-  program.facts->compile.edge_on_fraction = 1.0 / 256;
-  const judges::Explainer explainer(scenery.tree, scenery.scene, scenery.camera, program);
+  const judges::Explainer explainer = straight_explainer(scenery, 21, 8, 20, 12);
   // Three pixels beside the axis it is met 4 units behind the apex.
   constexpr std::uint32_t there = 1 + ((1U << 20) - 4) / 4 * 3;
   CHECK((explainer.may_show(13, 10, 0, there) || explainer.may_show(13, 10, 0, there - 1)));

@@ -1,17 +1,14 @@
 #include "sim/judges/quadric_reach.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-
 #include "tests/numerics/solids.h"
+#include "tests/support/test.h"
 #include "tests/unit/judges/scenery.h"
 
 using namespace csgsim;
 using namespace csgsim::testing;
-using judges::FilterQuadratic;
-using judges::PlaceRect;
+using namespace judges;
 
 namespace {
 

@@ -1,14 +1,11 @@
 #include "sim/judges/surd.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using judges::compare;
-using judges::Dyadic;
-using judges::Surd;
+using namespace judges;
 
 namespace {
 

@@ -1,13 +1,9 @@
 #include "sim/judges/tree_on_ray.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <optional>
-#include <vector>
-
 #include "tests/oracle/tree_rules.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

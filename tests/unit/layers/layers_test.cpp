@@ -1,18 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <regex>
-#include <string>
-#include <vector>
 
 #include "places.h"
+#include "tests/support/test.h"
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// In their order, a line each, so that a failed check says which.
 std::string lines_of(std::vector<std::string> found) {

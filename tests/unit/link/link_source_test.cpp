@@ -2,10 +2,7 @@
 
 #include "hw/link/link_source.h"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using link::LinkSource;

@@ -1,33 +1,19 @@
 #include "sim/lockstep/comparison.h"
 
-#include <doctest/doctest.h>
-
-#include <memory>
-#include <utility>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
-#include "hw/pixel_planes/kind.h"
+#include "tests/support/planes_machine.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using isa::Field;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
+using testing::planes;
 
 namespace {
 
 constexpr Field z2{0, 8};
 constexpr Field colour{8, 6};
-
-machines::Machine planes(isa::ArrayShape shape) {
-  machines::Machine machine = machines::blank(pixel_planes::kind);
-  machine.array = shape;
-  machine.picture = {shape.width, shape.height};
-  machine.clock_hz = 10'000'000;
-  machine.evaluator_degree = 2;
-  return machine;
-}
 
 Instruction constant(Field target, std::uint64_t value) {
   return {.opcode = Opcode::set_constant, .fields = {target}, .constant = value};

@@ -1,9 +1,8 @@
 #include "hw/machines/clocks.h"
 
-#include <doctest/doctest.h>
-
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Field;

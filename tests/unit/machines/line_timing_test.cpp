@@ -1,12 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
 #include "hw/scan_line/timing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Field;

@@ -1,10 +1,5 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
@@ -14,7 +9,7 @@
 #include "hw/pixel_planes/kind.h"
 #include "hw/pixel_planes/timing.h"
 #include "tests/support/random_program.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Instruction;

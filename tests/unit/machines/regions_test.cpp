@@ -1,10 +1,6 @@
 #include "hw/machines/regions.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <cstdlib>
-#include <vector>
 
 #include "hw/pixel_planes/kind.h"
 #include "hw/pixel_square/figures.h"
@@ -12,6 +8,7 @@
 #include "hw/scan_line/figures.h"
 #include "hw/scan_line/kind.h"
 #include "tests/support/coverage.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using pixel_square::SquareOrder;

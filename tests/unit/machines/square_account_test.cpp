@@ -1,13 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/machines/load.h"
 #include "hw/pixel_square/account.h"
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 // The account of a pixel-square machine's clocks, part by part, and the busiest part.

@@ -1,18 +1,10 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <optional>
-#include <set>
-#include <utility>
-#include <vector>
 
 #include "hw/pixel_square/timing_agenda.h"
 #include "hw/pixel_square/timing_leaving.h"
 #include "hw/pixel_square/timing_renderer.h"
 #include "hw/pixel_square/timing_store.h"
+#include "tests/support/test.h"
 
 // What the clocks of a machine of squares are worked out with.
 

@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
 #include "hw/isa/host_counts.h"
 #include "hw/pixel_square/timing_division.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 using namespace csgsim;

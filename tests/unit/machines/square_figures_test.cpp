@@ -1,18 +1,10 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cstdint>
-#include <functional>
-#include <string>
-#include <vector>
-
 #include "hw/division/model_sizes.h"
 #include "hw/isa/host_counts.h"
 #include "hw/kinds/load.h"
 #include "hw/pixel_square/storage_check.h"
 #include "hw/pixel_square/timing_division.h"
-#include "tests/support/error_of.h"
 #include "tests/support/figure_ranges.h"
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 // Figures of machines of squares, by hand: what tests of a divider take, what is refused, one operand after the other

@@ -1,10 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "hw/division/divide.h"
 #include "hw/isa/host_counts.h"
 #include "hw/kinds/load.h"
@@ -12,7 +5,7 @@
 #include "hw/machines/runs_on.h"
 #include "hw/machines/timeline.h"
 #include "hw/pixel_square/storage_check.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 // What the kind says of its machines, and which Programs they refuse.

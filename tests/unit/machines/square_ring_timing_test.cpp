@@ -1,8 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 using namespace csgsim;

@@ -1,15 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
 
 #include "hw/isa/host_counts.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 #include "hw/machines/clocks.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 #include "tests/unit/machines/square_timing.h"
 
 using namespace csgsim;

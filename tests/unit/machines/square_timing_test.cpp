@@ -1,17 +1,13 @@
 #include "tests/unit/machines/square_timing.h"
 
-#include <doctest/doctest.h>
-
 #include <initializer_list>
-#include <utility>
-#include <vector>
 
 #include "hw/machines/clocks.h"
 #include "hw/machines/regions.h"
 #include "hw/machines/runs_on.h"
 #include "hw/pixel_planes/kind.h"
 #include "hw/scan_line/kind.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::testing::squares;

@@ -1,14 +1,9 @@
-#include <doctest/doctest.h>
-
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cmath>
-#include <limits>
-#include <numbers>
-#include <random>
 
 #include "host/model/degrees.h"
 #include "host/model/hypotenuse.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,14 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <set>
-#include <vector>
 
 #include "hw/machines/regions.h"
 #include "hw/multi_processor/figures.h"
 #include "hw/multi_processor/kind.h"
 #include "hw/multi_processor/regions.h"
 #include "tests/support/coverage.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,10 +1,6 @@
 #include "hw/multi_processor/list_renderer.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/operands.h"
@@ -13,6 +9,7 @@
 #include "sim/engine/met_recorder.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using multi_processor::Figures;

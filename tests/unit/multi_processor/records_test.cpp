@@ -1,14 +1,7 @@
 #include "hw/multi_processor/records.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <optional>
-#include <variant>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/base/quotient.h"
 #include "hw/division/divide.h"
 #include "hw/division/division_check.h"
@@ -25,7 +18,7 @@
 #include "hw/multi_processor/timing_parts.h"
 #include "hw/multi_processor/timing_passes.h"
 #include "tests/lockstep/divided_program.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 
 using namespace csgsim;

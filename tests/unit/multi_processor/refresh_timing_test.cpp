@@ -1,12 +1,9 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstdint>
-
-#include "hw/base/error.h"
 #include "hw/isa/program.h"
 #include "hw/machines/runs_on.h"
 #include "hw/multi_processor/refresh.h"
+#include "tests/support/test.h"
 #include "tests/unit/multi_processor/stage_timing.h"
 
 using namespace csgsim;

@@ -1,11 +1,8 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstdint>
-
-#include "hw/base/error.h"
 #include "hw/isa/host_counts.h"
 #include "hw/machines/runs_on.h"
+#include "tests/support/test.h"
 #include "tests/unit/multi_processor/stage_timing.h"
 
 using namespace csgsim;

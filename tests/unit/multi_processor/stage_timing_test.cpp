@@ -1,16 +1,11 @@
 #include "tests/unit/multi_processor/stage_timing.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/host_counts.h"
 #include "hw/machines/clocks.h"
 #include "hw/machines/runs_on.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace csgsim::testing::stages;

@@ -1,8 +1,8 @@
 #include "sim/observe/account_json.h"
 
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
+
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

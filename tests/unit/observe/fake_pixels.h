@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -22,7 +23,11 @@ class FakePixels final : public engine::PixelState {
     memory = (memory & ~(ones(field) << field.base)) | value << field.base;
   }
   void enable(std::uint32_t x, std::uint32_t y) { enable_[at(x, y)] = true; }
-  void enable_none() { enable_.assign(enable_.size(), false); }
+  /// The pixels at these columns and rows.
+  void enable_only(const std::vector<std::array<std::uint32_t, 2>>& pixels) {
+    enable_.assign(enable_.size(), false);
+    for (const auto& [x, y] : pixels) enable(x, y);
+  }
 
   [[nodiscard]] isa::Region region() const override { return region_; }
   void read_field(isa::Field field, std::span<std::uint32_t> values) const override {

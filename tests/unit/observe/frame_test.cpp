@@ -1,17 +1,12 @@
 #include "sim/observe/frame.h"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 #include "tests/unit/observe/fake_pixels.h"
 
 using namespace csgsim;
-using isa::Field;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 using testing::FakePixels;
 
 namespace {
@@ -25,6 +20,7 @@ constexpr std::uint32_t height = 3;
 constexpr std::uint32_t background = 5;
 
 const Instruction merge_of_2{Opcode::copy, {depth, candidate}, {}, 0, {isa::Purpose::merge, 2, isa::no_node}};
+const Instruction merge_of_solid{Opcode::copy, {depth, candidate}, {}, 0, {isa::Purpose::merge, 0, 0}};
 
 Instruction colours(Field field, std::uint32_t primitive, std::uint32_t of_solid) {
   return {Opcode::set_constant, {field}, {}, 1, {isa::Purpose::shade, primitive, of_solid}};
@@ -105,10 +101,7 @@ TEST_CASE("a segment without instructions shows the background, whatever its pix
 TEST_CASE("a pixel whose depth is merged is owned by the primitive whose depth it is") {
   observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
-  pixels.enable(0, 0);
-  pixels.enable(63, 1);
-  pixels.enable(64, 1);
-  pixels.enable(66, 2);
+  pixels.enable_only({{0, 0}, {63, 1}, {64, 1}, {66, 2}});
   carry_out(observer, merge_of_2, pixels);
   const std::vector<std::uint32_t>& owner = observer.frame().owner;
   CHECK(at(owner, 0, 0) == 2);
@@ -146,13 +139,9 @@ TEST_CASE("other copies, and colours of one primitive alone, change no owner and
 TEST_CASE("where several primitives are drawn as one solid, the one whose colour is written is the owner") {
   observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
-  pixels.enable(3, 0);
-  pixels.enable(4, 0);
-  Instruction merge = merge_of_2;
-  merge.origin = {isa::Purpose::merge, 0, 0};
-  carry_out(observer, merge, pixels);
-  pixels.enable_none();
-  pixels.enable(4, 0);
+  pixels.enable_only({{3, 0}, {4, 0}});
+  carry_out(observer, merge_of_solid, pixels);
+  pixels.enable_only({{4, 0}});
   carry_out(observer, colours(colour, 1, 0), pixels);
   CHECK(at(observer.frame().owner, 3, 0) == 0);
   CHECK(at(observer.frame().owner, 4, 0) == 1);
@@ -161,20 +150,16 @@ TEST_CASE("where several primitives are drawn as one solid, the one whose colour
 TEST_CASE("where several primitives are drawn as one solid, light that comes channel by channel tells the owner") {
   observe::FrameObserver observer(program());
   FakePixels pixels({0, 0, 67, 3});
-  pixels.enable(3, 0);
-  pixels.enable(4, 0);
-  Instruction merge = merge_of_2;
-  merge.origin = {isa::Purpose::merge, 0, 0};
-  carry_out(observer, merge, pixels);
-  pixels.enable_none();
-  pixels.enable(4, 0);
+  pixels.enable_only({{3, 0}, {4, 0}});
+  carry_out(observer, merge_of_solid, pixels);
+  pixels.enable_only({{4, 0}});
   const Instruction channel{Opcode::copy, {Field{9, 1}, Field{4, 1}}, {}, 0, {isa::Purpose::shade, 1, 0}};
   CHECK(observer.reads_after(channel));
   carry_out(observer, channel, pixels);
   CHECK(at(observer.frame().owner, 3, 0) == 0);
   CHECK(at(observer.frame().owner, 4, 0) == 1);
   // What the merge brings from beside Z1 has its owner there.
-  CHECK_FALSE(observer.reads_after({Opcode::copy, {colour, candidate_colour}, {}, 0, merge.origin}));
+  CHECK_FALSE(observer.reads_after({Opcode::copy, {colour, candidate_colour}, {}, 0, merge_of_solid.origin}));
 }
 
 TEST_CASE(
@@ -220,20 +205,13 @@ TEST_CASE(
 TEST_CASE("an owner whose colour is beside Z1 becomes the picture's with the merge") {
   observe::FrameObserver observer(program(true));
   FakePixels pixels({0, 0, 67, 3});
-  pixels.enable(3, 0);
-  pixels.enable(4, 0);
+  pixels.enable_only({{3, 0}, {4, 0}});
   carry_out(observer, colours(candidate_colour, 0, 0), pixels);
-  pixels.enable_none();
-  pixels.enable(4, 0);
-  pixels.enable(5, 0);
+  pixels.enable_only({{4, 0}, {5, 0}});
   carry_out(observer, colours(candidate_colour, 1, 0), pixels);
   CHECK(others_than(observer.frame().owner, observe::no_owner) == 0);
-  pixels.enable_none();
-  pixels.enable(3, 0);
-  pixels.enable(4, 0);
-  Instruction merge = merge_of_2;
-  merge.origin = {isa::Purpose::merge, 0, 0};
-  carry_out(observer, merge, pixels);
+  pixels.enable_only({{3, 0}, {4, 0}});
+  carry_out(observer, merge_of_solid, pixels);
   CHECK(at(observer.frame().owner, 3, 0) == 0);
   CHECK(at(observer.frame().owner, 4, 0) == 1);
   CHECK(others_than(observer.frame().owner, observe::no_owner) == 2);

@@ -1,11 +1,6 @@
 #include "sim/observe/long_work.h"
 
-#include <doctest/doctest.h>
-
 #include <ctime>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "hw/isa/program_file.h"
 #include "hw/kinds/load.h"
@@ -13,6 +8,7 @@
 #include "places.h"
 #include "sim/engine/engine.h"
 #include "sim/observe/progress.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,28 +1,17 @@
 #include "sim/observe/pictures.h"
 
 #include <OpenImageIO/imageio.h>
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <array>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <set>
-#include <string>
-#include <vector>
 
-#include "hw/base/error.h"
 #include "hw/isa/facts.h"
 #include "places.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A file that is deleted in the end.
 class Scratch {

@@ -1,21 +1,18 @@
 #include "sim/observe/progress.h"
 
-#include <doctest/doctest.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <optional>
-#include <string>
 #include <thread>
 
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
 #include "tests/support/captured.h"
+#include "tests/support/test.h"
 #include "tests/unit/observe/fake_pixels.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 

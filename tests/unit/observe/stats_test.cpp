@@ -1,21 +1,18 @@
 #include "sim/observe/stats.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <nlohmann/json.hpp>
-#include <span>
 
 #include "hw/isa/facts.h"
 #include "hw/isa/opcodes.h"
 #include "hw/pixel_planes/kind.h"
 #include "sim/observe/stats_json.h"
+#include "tests/support/test.h"
 #include "tests/unit/observe/fake_pixels.h"
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
-using isa::Purpose;
+using namespace isa;
 using observe::Cost;
 
 namespace {

@@ -1,11 +1,3 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <map>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "hw/kinds/load.h"
@@ -14,6 +6,7 @@
 #include "sim/observe/dearest.h"
 #include "sim/observe/knobs.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,10 @@
 #include "tests/oracle/ray_light.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
-
+#include "tests/support/test.h"
 #include "tests/unit/oracle/stage.h"
 
 using namespace csgsim;
-using testing::box;
-using testing::is_near;
-using testing::Stage;
+using namespace testing;
 
 namespace {
 
@@ -22,12 +16,6 @@ glm::dvec3 middle_of(const std::string& csg, const scene::Scene& scene) {
   Stage stage(csg, scene);
   stage.cast();
   return stage.at(0, 0).colour;
-}
-
-scene::Scene lit_by(const scene::Light& light) {
-  scene::Scene scene;
-  scene.lights.push_back(light);
-  return scene;
 }
 
 scene::Scene with_material(scene::Scene scene, const scene::Material& material) {

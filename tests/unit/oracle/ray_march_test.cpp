@@ -1,14 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <optional>
-#include <random>
-
 #include "host/read/read.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_model.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

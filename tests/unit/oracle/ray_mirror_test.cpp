@@ -1,15 +1,8 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <optional>
-
+#include "tests/support/test.h"
 #include "tests/unit/oracle/stage.h"
 
 using namespace csgsim;
-using testing::box;
-using testing::coloured;
-using testing::is_near;
-using testing::Stage;
+using namespace testing;
 
 namespace {
 

@@ -1,11 +1,6 @@
 #include "tests/oracle/ray_model.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <limits>
-#include <utility>
-
+#include "tests/support/test.h"
 #include "tests/unit/oracle/stage.h"
 
 using namespace csgsim;

@@ -1,15 +1,11 @@
 #include "tests/oracle/ray_picture.h"
 
-#include <doctest/doctest.h>
-
 #include "tests/oracle/random_model.h"
+#include "tests/support/test.h"
 #include "tests/unit/oracle/stage.h"
 
 using namespace csgsim;
-using testing::box;
-using testing::coloured;
-using testing::is_near;
-using testing::Stage;
+using namespace testing;
 
 namespace {
 

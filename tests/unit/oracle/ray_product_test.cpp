@@ -1,15 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <string>
-
 #include "host/read/read.h"
 #include "hw/isa/colour_format.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

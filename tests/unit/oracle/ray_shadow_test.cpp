@@ -1,20 +1,12 @@
-#include <doctest/doctest.h>
-
+#include "tests/support/test.h"
 #include "tests/unit/oracle/stage.h"
 
 using namespace csgsim;
-using testing::box;
-using testing::Stage;
+using namespace testing;
 
 namespace {
 
 const std::string wall = testing::coloured({0.5, 0.5, 0.5}, box({-11.5, 5, -11.5}, {11.5, 6, 11.5}));
-
-scene::Scene lit_by(const scene::Light& light) {
-  scene::Scene scene;
-  scene.lights.push_back(light);
-  return scene;
-}
 
 testing::RayEffects shadows() {
   testing::RayEffects effects;

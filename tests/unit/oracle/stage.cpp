@@ -54,6 +54,12 @@ scene::Light shining(const glm::dvec3& direction) {
   return light;
 }
 
+scene::Scene lit_by(const scene::Light& light) {
+  scene::Scene scene;
+  scene.lights.push_back(light);
+  return scene;
+}
+
 bool is_near(const glm::dvec3& a, const glm::dvec3& b) { return glm::length(a - b) < 1e-9; }
 
 }  // namespace csgsim::testing

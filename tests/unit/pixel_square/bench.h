@@ -51,6 +51,16 @@ class Bench {
   bool begun_ = false;
 };
 
+/// Notes the squares that are told of.
+class SquareListener final : public systemc::RunListener {
+ public:
+  void after_segment(std::uint32_t segment, const systemc::PixelView& /*pixels*/) override {
+    squares.push_back(segment);
+  }
+
+  std::vector<std::uint32_t> squares;
+};
+
 /// All that is in a FIFO.
 template <class Word>
 std::vector<Word> drained(sc_core::sc_fifo<Word>& fifo) {

@@ -2,23 +2,17 @@
 
 #include "hw/pixel_square/corner_divider.h"
 
-#include <doctest/doctest.h>
-
-#include <variant>
-#include <vector>
-
 #include "hw/division/encoding.h"
 #include "hw/isa/operands.h"
 #include "hw/isa/wire.h"
 #include "hw/pixel_square/model_receiver.h"
 #include "hw/pixel_square/store_sender.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::CornerDivider;
-using pixel_square::PortWord;
-using pixel_square::SquareActivity;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {

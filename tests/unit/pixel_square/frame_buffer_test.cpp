@@ -2,20 +2,13 @@
 
 #include "hw/pixel_square/frame_buffer.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "hw/pixel_square/taps.h"
 #include "hw/systemc/segment_names.h"
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::FrameBuffer;
-using pixel_square::PortWord;
-using pixel_square::SquareActivity;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {
@@ -61,6 +54,12 @@ struct Board {
       CHECK(clears.nb_write(word));
   }
 
+  /// Frames that are done after that many more edges.
+  std::uint64_t frames_after(std::uint64_t edges) {
+    bench.edges(edges);
+    return frames.read();
+  }
+
   [[nodiscard]] std::vector<std::uint32_t> picture() const {
     return {buffer.picture().begin(), buffer.picture().end()};
   }
@@ -79,10 +78,8 @@ TEST_CASE("a square stands in its place in the picture when as many clocks have 
   Board board(1);
   board.begin(1);
   board.send(0, {2, 0, 2, 2}, {1, 2, 3, 4});
-  board.bench.edges(header_words + 1);
-  CHECK(board.frames.read() == 0);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(header_words + 1) == 0);
+  CHECK(board.frames_after(1) == 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{0, 0, 1, 2, 0, 0, 3, 4});
   board.bench.edges(5);
   const pixel_square::SquareClocks account = board.buffer.account(15);
@@ -120,8 +117,7 @@ TEST_CASE("a square that is cleared gets its background in as many clocks as its
   board.bench.edges(1);
   CHECK(board.picture() == std::vector<std::uint32_t>{4, 4, 1, 2, 0, 0, 0, 0});
   CHECK(board.frames.read() == 0);
-  board.bench.edges(2);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(2) == 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{4, 4, 1, 2, 4, 4, 4, 3});
 }
 
@@ -132,17 +128,13 @@ TEST_CASE(
   board.begin(1, 5);
   board.bench.edges(7);
   board.clear({0, 0, 4, 1});
-  board.bench.edges(header_words + 1);
-  CHECK(board.frames.read() == 0);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(header_words + 1) == 0);
+  CHECK(board.frames_after(1) == 1);
   board.begin(1);
   board.bench.edges(3);
   board.send(1, {0, 1, 1, 1}, {7});
-  board.bench.edges(header_words);
-  CHECK(board.frames.read() == 1);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 2);
+  CHECK(board.frames_after(header_words) == 1);
+  CHECK(board.frames_after(1) == 2);
   CHECK(board.picture() == std::vector<std::uint32_t>{5, 5, 5, 5, 7, 0, 0, 0});
   CHECK(board.buffer.account(12).of(SquareActivity::working) == header_words + 1);
 }
@@ -151,8 +143,7 @@ TEST_CASE("ports take turns from the first again in every frame, whichever was s
   Board board(2);
   board.begin(1);
   board.send(0, {0, 0, 1, 1}, {7});
-  board.bench.edges(header_words + 2);
-  REQUIRE(board.frames.read() == 1);
+  REQUIRE(board.frames_after(header_words + 2) == 1);
   board.begin(2);
   board.send(0, {0, 0, 1, 1}, {1});
   board.send(1, {1, 0, 1, 1}, {2});
@@ -168,10 +159,8 @@ TEST_CASE("two banks take the words of two squares in one clock, where they lie 
   board.begin(2);
   board.send(0, {0, 0, 4, 1}, {1, 2, 3, 4});
   board.send(1, {0, 1, 4, 1}, {5, 6, 7, 0});
-  board.bench.edges(header_words + 1);
-  CHECK(board.frames.read() == 0);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(header_words + 1) == 0);
+  CHECK(board.frames_after(1) == 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 4, 5, 6, 7, 0});
   CHECK(board.buffer.account(10).of(SquareActivity::working) == header_words + 2);
 }
@@ -183,8 +172,7 @@ TEST_CASE("of words for one bank the first in turn is taken, and the other in th
   board.send(1, {2, 0, 2, 1}, {3, 4});
   board.bench.edges(header_words + 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 0, 0, 0, 0, 0, 0});
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(1) == 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 4, 0, 0, 0, 0});
 }
 
@@ -196,11 +184,9 @@ TEST_CASE("the screen's turns hold up words, and are clocks of their own") {
   Board board(figures, 100);
   board.begin(1);
   board.send(0, {2, 0, 2, 2}, {1, 2, 3, 4});
-  board.bench.edges(13);
-  CHECK(board.frames.read() == 0);
+  CHECK(board.frames_after(13) == 0);
   CHECK(board.buffer.account(13).of(SquareActivity::refreshing) == 4);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(1) == 1);
   const pixel_square::SquareClocks account = board.buffer.account(14);
   CHECK(account.of(SquareActivity::working) == 10);
   CHECK(account.of(SquareActivity::refreshing) == 4);
@@ -219,10 +205,8 @@ TEST_CASE("while the screen reads one bank the other takes words") {
   board.send(0, {0, 0, 3, 2}, {1, 2, 3, 4, 5, 6});
   board.bench.edges(10);
   CHECK(board.colours[0].num_available() == 1);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 0);
-  board.bench.edges(1);
-  CHECK(board.frames.read() == 1);
+  CHECK(board.frames_after(1) == 0);
+  CHECK(board.frames_after(1) == 1);
   CHECK(board.picture() == std::vector<std::uint32_t>{1, 2, 3, 0, 4, 5, 6, 0});
 }
 

@@ -2,19 +2,13 @@
 
 #include "hw/pixel_square/graphics_processors.h"
 
-#include <doctest/doctest.h>
-
-#include <variant>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::GraphicsProcessors;
-using pixel_square::RingWord;
-using pixel_square::SquareActivity;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {
@@ -22,16 +16,6 @@ namespace {
 /// Every command is one word of it, and so is a header.
 constexpr std::uint32_t wide = 256;
 constexpr int square_words = 3;
-
-/// Notes the squares that are told of.
-class Listener final : public systemc::RunListener {
- public:
-  void after_segment(std::uint32_t segment, const systemc::PixelView& /*pixels*/) override {
-    squares.push_back(segment);
-  }
-
-  std::vector<std::uint32_t> squares;
-};
 
 struct Board {
   Board(std::uint32_t processors, std::uint32_t renderers, std::uint32_t latency = 0, std::uint32_t ring_bits = wide)
@@ -67,7 +51,7 @@ struct Board {
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> targets;
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> finished;
   systemc::Retirement retirement{"retirement"};
-  Listener listener;
+  testing::SquareListener listener;
   GraphicsProcessors parts;
 };
 

@@ -2,16 +2,11 @@
 
 #include "hw/pixel_square/model_source.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::ModelSource;
-using pixel_square::SquareActivity;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {

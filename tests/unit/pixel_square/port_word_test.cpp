@@ -1,10 +1,8 @@
 #include "hw/pixel_square/port_word.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;

@@ -2,22 +2,15 @@
 
 #include "hw/pixel_square/renderer.h"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "sim/reference/reference_array.h"
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using isa::Field;
-using isa::Instruction;
-using isa::Opcode;
-using pixel_square::PortWord;
-using pixel_square::Renderer;
-using pixel_square::SquareActivity;
+using namespace isa;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {

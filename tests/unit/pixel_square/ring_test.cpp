@@ -2,17 +2,11 @@
 
 #include "hw/pixel_square/ring.h"
 
-#include <doctest/doctest.h>
-
-#include <vector>
-
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::PortWord;
-using pixel_square::Ring;
-using pixel_square::RingWord;
-using pixel_square::SquareActivity;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {

@@ -1,18 +1,13 @@
 #include "hw/pixel_square/screen.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <string>
-
 #include "hw/pixel_square/timing_screen.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::check_screen;
-using pixel_square::Figures;
-using pixel_square::Screen;
+using namespace pixel_square;
 
 namespace {
 

@@ -1,19 +1,13 @@
 // SystemC elaborates once a process, so each case here runs in a process of its own, as ctest does it.
 
-#include <doctest/doctest.h>
-
-#include <variant>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
 #include "hw/pixel_square/host_sender.h"
+#include "tests/support/test.h"
 #include "tests/unit/pixel_square/bench.h"
 
 using namespace csgsim;
-using pixel_square::HostSender;
-using pixel_square::PortWord;
-using pixel_square::SquareActivity;
+using namespace pixel_square;
 using testing::Bench;
 
 namespace {
@@ -23,16 +17,6 @@ constexpr std::uint32_t wide = 256;
 constexpr std::uint32_t port_bits = 16;
 constexpr std::uint64_t header_words = 4;
 constexpr std::uint64_t square_words = 3;
-
-/// Notes the squares that are told of.
-class Listener final : public systemc::RunListener {
- public:
-  void after_segment(std::uint32_t segment, const systemc::PixelView& /*pixels*/) override {
-    squares.push_back(segment);
-  }
-
-  std::vector<std::uint32_t> squares;
-};
 
 struct Board {
   Board(const machines::Link& link, std::uint32_t renderers)
@@ -58,7 +42,7 @@ struct Board {
   sc_core::sc_vector<sc_core::sc_signal<std::uint64_t>> finished;
   sc_core::sc_fifo<PortWord> clears{"clears", 100};
   systemc::Retirement retirement{"retirement"};
-  Listener listener;
+  testing::SquareListener listener;
   HostSender sender;
 };
 

@@ -1,15 +1,5 @@
 // SystemC elaborates once a process, so each case here needs a separate process, which ctest gives it.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <map>
-#include <memory>
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/division/encoding.h"
 #include "hw/isa/opcodes.h"
 #include "hw/machines/regions.h"
@@ -18,14 +8,14 @@
 #include "hw/systemc/clocked_machine.h"
 #include "hw/systemc/kernel.h"
 #include "hw/wave/tap.h"
+#include "tests/support/test.h"
 #include "tests/unit/division/hand_models.h"
 #include "tests/unit/pixel_square/bench.h"
 
 // What waves show of the whole machine, clock by clock: of each clock what the edge has left with which it began.
 
 using namespace csgsim;
-using isa::Instruction;
-using isa::Opcode;
+using namespace isa;
 
 namespace {
 

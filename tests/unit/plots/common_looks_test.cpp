@@ -1,12 +1,8 @@
 #include "sim/plots/common_looks.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <set>
-
 #include "sim/plots/chart_series.h"
 #include "sim/plots/palette.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,9 +1,6 @@
 #include "sim/plots/drawing.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <random>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,17 +1,11 @@
 #include "sim/plots/gnuplot.h"
 
-#include <doctest/doctest.h>
 #include <png.h>
 
-#include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-
-#include "hw/base/error.h"
 #include "sim/plots/glyphs.h"
 #include "sim/plots/layout.h"
 #include "sim/plots/svg.h"
+#include "tests/support/test.h"
 #include "tests/unit/plots/sample_plots.h"
 
 using namespace csgsim;
@@ -87,12 +81,7 @@ class FakeGnuplot {
 
 std::string error_with(const std::string& gnuplot) {
   const FakeGnuplot fake(gnuplot);
-  try {
-    plots::drawn_for(png, of_text({"text", {100, 100}}));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return testing::error_of([&] { plots::drawn_for(png, of_text({"text", {100, 100}})); });
 }
 
 }  // namespace

@@ -1,10 +1,7 @@
 #include "sim/plots/labels.h"
 
-#include <doctest/doctest.h>
-
-#include <random>
-
 #include "sim/plots/text_size.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

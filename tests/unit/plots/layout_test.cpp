@@ -1,13 +1,7 @@
 #include "sim/plots/layout.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <random>
-#include <set>
-
 #include "sim/plots/text_size.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/plots/sample_plots.h"
 
 using namespace csgsim;

@@ -1,12 +1,6 @@
 #include "sim/plots/palette.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <set>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 namespace palette = csgsim::plots::palette;

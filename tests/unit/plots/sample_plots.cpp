@@ -8,10 +8,7 @@ namespace csgsim::testing::plots_ {
 
 namespace {
 
-using plots::Chart;
-using plots::Plot;
-using plots::Scale;
-using plots::Trace;
+using namespace plots;
 
 double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);

@@ -1,15 +1,12 @@
 #include "sim/plots/svg.h"
 
-#include <doctest/doctest.h>
-
 #include <cstring>
 #include <pugixml.hpp>
-#include <set>
-#include <sstream>
 
 #include "hw/base/text.h"
 #include "sim/plots/layout.h"
 #include "sim/plots/text_size.h"
+#include "tests/support/test.h"
 #include "tests/unit/plots/sample_plots.h"
 
 using namespace csgsim;

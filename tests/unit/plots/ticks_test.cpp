@@ -1,13 +1,8 @@
 #include "sim/plots/ticks.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <random>
-#include <set>
-
 #include "sim/plots/extent.h"
 #include "sim/plots/number_text.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,10 +1,7 @@
 #include "sim/plots/tips.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-
 #include "sim/plots/layout.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <string>
-#include <vector>
-
 #include "hw/kinds/load.h"
 #include "hw/machines/area_table.h"
 #include "hw/process/price.h"
 #include "hw/process/process.h"
 #include "tests/support/figure_ranges.h"
+#include "tests/support/test.h"
 
 // The built-in processes by their sources, and the clock, silicon and energy of Pixel-planes 4 in each, worked out by
 // hand.

@@ -1,18 +1,12 @@
 #include "hw/process/process.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <string>
-
-#include "hw/base/error.h"
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/area_table.h"
 #include "hw/machines/change_error.h"
 #include "hw/machines/kind.h"
 #include "hw/process/price.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using process::ClockPath;

@@ -1,17 +1,10 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "host/read/read.h"
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A file or folder that goes away with the test.
 class Temporary {

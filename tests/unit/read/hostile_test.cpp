@@ -1,18 +1,14 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <sys/resource.h>
 
 #include <chrono>
 
 #include "hw/base/address_sanitizer.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 #include "tests/unit/read/tree_invariants.h"
 
-using csgsim::model::count;
-using csgsim::model::Tree;
-using csgsim::read_test::broken_promise;
-using csgsim::read_test::error_of;
-using csgsim::read_test::read;
+using namespace csgsim::model;
+using namespace csgsim::read_test;
 
 namespace {
 

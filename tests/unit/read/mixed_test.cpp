@@ -1,14 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "host/read/read.h"
 #include "places.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
-using csgsim::read_test::dump;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
+using namespace csgsim::read_test;
 
 namespace {
 

@@ -1,13 +1,10 @@
-#include <doctest/doctest.h>
-
 #include <glm/matrix.hpp>
 
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
 using csgsim::model::Tree;
-using csgsim::read_test::error_of;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
+using namespace csgsim::read_test;
 
 namespace {
 

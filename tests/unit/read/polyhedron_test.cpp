@@ -1,17 +1,8 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <utility>
-
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
 using csgsim::model::Polyhedron;
-using csgsim::read_test::error_of;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
-using csgsim::read_test::read_warned;
+using namespace csgsim::read_test;
 
 namespace {
 

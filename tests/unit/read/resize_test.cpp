@@ -1,8 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
 #include <glm/common.hpp>
 
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
 using csgsim::model::Polyhedron;

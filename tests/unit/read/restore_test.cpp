@@ -1,17 +1,12 @@
 #include "host/read/restore.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <cmath>
-#include <cstdlib>
 #include <glm/matrix.hpp>
-#include <limits>
-#include <numbers>
 
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
+#include "tests/support/test.h"
 
 namespace reader = csgsim::read;
 

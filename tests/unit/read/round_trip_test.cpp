@@ -1,6 +1,6 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "tests/support/test.h"
 #include "tests/unit/read/random_model.h"
 #include "tests/unit/read/support.h"
 #include "tests/unit/read/tree_invariants.h"

@@ -1,23 +1,11 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <variant>
-#include <vector>
-
 #include "host/read/read.h"
-#include "hw/base/error.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
 using csgsim::model::Tree;
-using csgsim::read_test::error_of;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
-using csgsim::read_test::read_warned;
+using namespace csgsim::read_test;
 
 namespace {
 

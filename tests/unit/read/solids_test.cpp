@@ -1,18 +1,9 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <stdexcept>
-
 #include "host/read/node_readers.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
-using csgsim::model::Cube;
-using csgsim::model::Cylinder;
-using csgsim::model::FacetControl;
-using csgsim::model::Sphere;
-using csgsim::read_test::error_of;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
+using namespace csgsim::model;
+using namespace csgsim::read_test;
 
 namespace {
 

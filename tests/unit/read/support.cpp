@@ -1,14 +1,8 @@
 #include "tests/unit/read/support.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <iterator>
-#include <utility>
-
 #include "host/read/read.h"
-#include "hw/base/error.h"
 #include "hw/base/messages.h"
+#include "tests/support/test.h"
 
 namespace csgsim::read_test {
 

@@ -1,12 +1,8 @@
-#include <doctest/doctest.h>
-
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 
 using csgsim::model::Cube;
-using csgsim::read_test::error_of;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
-using csgsim::read_test::read_warned;
+using namespace csgsim::read_test;
 
 namespace {
 

@@ -1,16 +1,11 @@
-#include <doctest/doctest.h>
-
 #include "host/read/read.h"
 #include "places.h"
+#include "tests/support/test.h"
 #include "tests/unit/read/support.h"
 #include "tests/unit/read/tree_invariants.h"
 
-using csgsim::model::count;
-using csgsim::model::Tree;
-using csgsim::read_test::broken_promise;
-using csgsim::read_test::error_of;
-using csgsim::read_test::outline;
-using csgsim::read_test::read;
+using namespace csgsim::model;
+using namespace csgsim::read_test;
 
 TEST_CASE("groups, unions, renders and the file itself are unions") {
   for (const char* node : {"group()", "union()", "render(convexity = 1)"}) {

@@ -1,12 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <cmath>
-#include <string>
-
 #include "host/facet/geometry.h"
 #include "host/read/read.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

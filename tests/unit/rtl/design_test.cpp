@@ -1,16 +1,7 @@
 #include "sim/rtl/design.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <sstream>
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "hw/isa/wire.h"
 #include "hw/kinds/load.h"
 #include "sim/rtl/board.h"
@@ -18,6 +9,7 @@
 #include "sim/rtl/program_memory.h"
 #include "sim/rtl/template.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 
@@ -30,12 +22,7 @@ std::uint32_t value_of(const std::vector<rtl::Parameter>& parameters, std::strin
 }
 
 std::string refusal(const std::string& machine) {
-  try {
-    rtl::parameters_of(kinds::load(machine));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return testing::error_of([&] { rtl::parameters_of(kinds::load(machine)); });
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -1,13 +1,6 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
 #include <initializer_list>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
@@ -18,10 +11,11 @@
 #include "sim/rtl/template.h"
 #include "sim/rtl/templates.h"
 #include "tests/support/random_program.h"
-
-// What is in each file of a design.
+#include "tests/support/test.h"
 
 using namespace csgsim;
+
+// What is in each file of a design.
 
 namespace {
 

@@ -1,25 +1,16 @@
 #include "sim/rtl/parameters.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
 #include "hw/kinds/load.h"
 #include "sim/rtl/board.h"
 #include "sim/rtl/design.h"
 #include "sim/rtl/program_memory.h"
 #include "sim/rtl/template.h"
-#include "tests/support/error_of.h"
-
-// The parameters of the Verilog where figures are at their corners.
+#include "tests/support/test.h"
 
 using namespace csgsim;
+
+// The parameters of the Verilog where figures are at their corners.
 
 namespace {
 

@@ -1,14 +1,10 @@
 #include "hw/scan_line/active_list.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <utility>
-#include <vector>
 
 #include "hw/isa/extents.h"
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::RowExtent;

@@ -1,13 +1,9 @@
 #include "hw/scan_line/cells.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <stdexcept>
-#include <vector>
-
 #include "hw/isa/opcodes.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Field;

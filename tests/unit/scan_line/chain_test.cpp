@@ -1,16 +1,12 @@
 #include "hw/scan_line/chain.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <stdexcept>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "sim/reference/reference_array.h"
 #include "tests/support/plain_cells.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Field;

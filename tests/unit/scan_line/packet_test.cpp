@@ -1,13 +1,10 @@
 #include "hw/scan_line/packet.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <array>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "tests/support/plain_cells.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Field;

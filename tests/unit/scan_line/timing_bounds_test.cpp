@@ -1,11 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <numeric>
-#include <set>
-#include <vector>
 
 #include "hw/isa/opcodes.h"
 #include "hw/isa/wire.h"
@@ -13,6 +6,7 @@
 #include "hw/scan_line/kind.h"
 #include "hw/scan_line/timing.h"
 #include "tests/support/random_program.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using isa::Instruction;

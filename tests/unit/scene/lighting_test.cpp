@@ -1,9 +1,6 @@
 #include "host/lighting/lighting.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <glm/geometric.hpp>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,11 +1,7 @@
 #include "host/scene/read.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-
 #include "host/effects/rows.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

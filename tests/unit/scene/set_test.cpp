@@ -1,11 +1,6 @@
-#include <doctest/doctest.h>
-
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "host/scene/read.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

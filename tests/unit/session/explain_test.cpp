@@ -1,14 +1,7 @@
 #include "sim/session/run/explain.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <optional>
-#include <string>
-
 #include "sim/session/model/compiled_model.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/session/parsed.h"
 
 using namespace csgsim;

@@ -1,14 +1,7 @@
 #include "sim/session/options/option_list.h"
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "sim/session/options/usage.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/session/parsed.h"
 
 using namespace csgsim;

@@ -1,14 +1,8 @@
 #pragma once
 
-#include <doctest/doctest.h>
-
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
-
 #include "sim/session/options/option_list.h"
 #include "sim/session/options/usage.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

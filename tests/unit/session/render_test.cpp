@@ -1,15 +1,8 @@
 #include "sim/session/run/render.h"
 
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "hw/base/messages.h"
 #include "hw/isa/facts.h"
@@ -18,7 +11,7 @@
 #include "sim/session/run/run_request.h"
 #include "sim/studies/accuracy/choose_bits.h"
 #include "tests/support/captured.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/session/parsed.h"
 
 using namespace csgsim;

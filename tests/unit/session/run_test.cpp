@@ -1,10 +1,4 @@
-#include <doctest/doctest.h>
 #include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "hw/base/hash.h"
 #include "hw/isa/binary.h"
@@ -12,13 +6,12 @@
 #include "sim/session/model/model_request.h"
 #include "sim/session/options/usage.h"
 #include "sim/session/run/run_file.h"
+#include "tests/support/test.h"
 #include "tests/unit/session/parsed.h"
 
 using namespace csgsim;
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A new folder, which is deleted with the object.
 struct Folder {

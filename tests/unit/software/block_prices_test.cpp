@@ -2,20 +2,12 @@
 // that is programmed in assembly: a word read or written 12, a long 16; words added or compared 4, longs added 8 and
 // compared 6; a product 70, a quotient 140; a shift 8 and 2 a place; a branch 8, taken 10; a call 18, its return 16.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "host/read/read.h"
 #include "hw/processors/processor.h"
 #include "sim/software/display/rows.h"
 #include "sim/software/facets/screen_facets.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 #include "tests/unit/software/shown.h"
 

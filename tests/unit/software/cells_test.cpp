@@ -1,22 +1,10 @@
 // The cells that a ray comes to, in order, by clipping it to all cells; and what is near a cell, by hand.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "sim/software/space/directory.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using software::SpaceRay;

@@ -1,19 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "sim/software/planes/sheet.h"
 #include "sim/software/planes/whole_planes.h"
 #include "tests/oracle/split_mix.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using software::Region;

@@ -1,25 +1,11 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <set>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "host/read/read.h"
-#include "hw/base/error.h"
 #include "sim/software/display/polygons.h"
 #include "sim/software/facets/screen_facets.h"
 #include "sim/software/rays/caster.h"
 #include "sim/software/space/directory.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/shown.h"
 

@@ -1,15 +1,7 @@
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <utility>
-
 #include "host/facet/geometry.h"
 #include "sim/software/methods/rows.h"
-#include "tests/support/error_of.h"
 #include "tests/support/software_ways.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_tree.h"
 #include "tests/unit/software/scenes.h"
 

@@ -1,23 +1,11 @@
 #include "sim/software/facets/facets.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "host/convex/polytope.h"
 #include "host/read/read.h"
-#include "hw/base/error.h"
 #include "sim/software/facets/screen_facets.h"
 #include "sim/software/rays/caster.h"
 #include "tests/support/drawing.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 
@@ -169,10 +157,6 @@ TEST_CASE("a primitive that stays curved is refused with its place") {
   faceting.exact_curves = true;
   const facet::Geometry geometry = facet::make_geometry(tree, faceting);
   REQUIRE(!geometry.solids[0].quadrics.empty());
-  try {
-    (void)software::facets_of(tree, geometry);
-    FAIL("it was taken");
-  } catch (const InputError& error) {
-    CHECK(std::string(error.what()).starts_with("round.csg:2:1: this primitive stays curved"));
-  }
+  const std::string error = testing::error_of([&] { (void)software::facets_of(tree, geometry); });
+  CHECK(error.starts_with("round.csg:2:1: this primitive stays curved"));
 }

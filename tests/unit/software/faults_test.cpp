@@ -1,20 +1,13 @@
 #include "sim/software/display/faults.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
-#include <vector>
 
 #include "host/read/read.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
 #include "sim/software/display/real_depths.h"
 #include "sim/software/rays/caster.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 

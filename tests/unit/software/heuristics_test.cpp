@@ -1,23 +1,11 @@
 // Where trees divide: the cheapest place by the surface heuristic is found by trying all of them, and what is halved at
 // its middle is worked out by hand.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "sim/software/space/directory.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using software::SpaceBox;

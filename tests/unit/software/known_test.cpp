@@ -1,14 +1,7 @@
 #include "sim/software/methods/known.h"
 
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "sim/software/rays/caster.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

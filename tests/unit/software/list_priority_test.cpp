@@ -1,20 +1,10 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "sim/software/rays/caster.h"
 #include "sim/software/space/directory.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/shown.h"
 

@@ -1,14 +1,4 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <span>
-#include <string>
 
 #include "host/read/read.h"
 #include "host/view/eye_space.h"
@@ -16,6 +6,7 @@
 #include "sim/software/tracing/trace_scene.h"
 #include "sim/software/tree/tree.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

@@ -1,18 +1,10 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "host/read/read.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
 #include "tests/support/software_ways.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

@@ -1,27 +1,15 @@
 // Pieces of polygons, cells in order and surfaces of pixels, by hand.
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "host/read/read.h"
 #include "host/view/eye_space.h"
-#include "hw/base/error.h"
 #include "sim/software/display/clipped_facets.h"
 #include "sim/software/display/facet_sheets.h"
 #include "sim/software/display/polygons.h"
 #include "sim/software/display/screen_pieces.h"
 #include "sim/software/methods/counts.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

@@ -1,22 +1,11 @@
 #include "sim/software/display/polygons.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <numeric>
-#include <optional>
-#include <span>
-#include <string>
-#include <vector>
 
 #include "sim/software/display/screen_pieces.h"
 #include "sim/software/methods/counts.h"
 #include "sim/software/space/directory.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/shown.h"
 

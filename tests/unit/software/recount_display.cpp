@@ -1,8 +1,6 @@
 #include "tests/unit/software/recount_display.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

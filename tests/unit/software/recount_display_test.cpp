@@ -4,19 +4,10 @@
 
 #include "tests/unit/software/recount_display.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sim/software/display/rows.h"
 #include "sim/software/rays/tile_planes.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/recount_pixels.h"
 #include "tests/unit/software/recount_sequences.h"

@@ -1,21 +1,6 @@
 // List priority is counted again, operation by operation: facets are cut by each other as exact regions, the pieces go
 // down the directory, are put in order by trying pairs, and are drawn on each pixel of their rectangles.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "host/convex/clip.h"
 #include "host/view/eye_space.h"
 #include "host/view/region.h"
@@ -25,6 +10,7 @@
 #include "sim/software/display/screen_pieces.h"
 #include "sim/software/methods/counts.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/recount_display.h"
 #include "tests/unit/software/recount_space.h"

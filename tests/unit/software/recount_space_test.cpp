@@ -2,15 +2,8 @@
 
 #include "tests/unit/software/recount_space.h"
 
-#include <doctest/doctest.h>
-
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
-
 #include "tests/oracle/split_mix.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/recount_display.h"
 

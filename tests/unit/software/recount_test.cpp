@@ -1,20 +1,9 @@
 #include "tests/unit/software/recount.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
 #include "tests/support/software_ways.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/plain_tree.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"

@@ -1,26 +1,10 @@
 // Ray tracing is counted again, operation by operation, from the cells along each ray, the corners of facets, and the
 // events of rays by half-spaces.
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <iterator>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <set>
-#include <span>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "sim/software/tracing/trace.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/recount_display.h"
 #include "tests/unit/software/recount_space.h"

@@ -1,22 +1,10 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "host/read/read.h"
-#include "hw/base/error.h"
 #include "sim/software/tracing/trace.h"
 #include "sim/software/tree/tree.h"
 #include "tests/oracle/random_model.h"
 #include "tests/oracle/ray_picture.h"
 #include "tests/oracle/split_mix.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

@@ -1,24 +1,8 @@
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "hw/base/error.h"
 #include "sim/software/space/directory.h"
 #include "tests/oracle/split_mix.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using software::SpaceRay;
@@ -447,10 +431,5 @@ TEST_CASE("directories that halve space tell parts that fill it, and cells that 
   }
 }
 TEST_CASE("a directory that there is not is refused with those that there are") {
-  try {
-    (void)software::directory_of("excel");
-    FAIL("it was taken");
-  } catch (const InputError& error) {
-    CHECK(std::string(error.what()).find("excell") != std::string::npos);
-  }
+  CHECK(testing::error_of([] { (void)software::directory_of("excel"); }).find("excell") != std::string::npos);
 }

@@ -1,13 +1,4 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <bit>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "sim/software/methods/counts.h"
 #include "sim/software/traversals/bit_parallel.h"
@@ -21,7 +12,7 @@
 #include "sim/software/tree/tree.h"
 #include "tests/oracle/split_mix.h"
 #include "tests/oracle/tree_rules.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_tree.h"
 
 using namespace csgsim;

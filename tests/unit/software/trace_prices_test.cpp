@@ -1,20 +1,12 @@
 // What tracing one block takes, recounted from its pixels and worked out by hand in clocks of an MC68000 that is
 // programmed in assembly (block_prices_test.cpp has its prices).
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <vector>
-
 #include "host/read/read.h"
 #include "hw/processors/processor.h"
 #include "sim/software/tracing/trace.h"
 #include "sim/software/tree/tree.h"
 #include "tests/support/drawing.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

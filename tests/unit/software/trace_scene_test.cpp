@@ -2,29 +2,17 @@
 
 #include "sim/software/tracing/trace_scene.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <limits>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "host/read/read.h"
 #include "host/view/eye_space.h"
-#include "hw/base/error.h"
 #include "sim/software/coherences/sequences.h"
 #include "sim/software/methods/counts.h"
 #include "sim/software/tracing/piercing.h"
 #include "sim/software/tracing/secondary_rays.h"
 #include "sim/software/tracing/trace.h"
 #include "sim/software/tree/tree.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/scenes.h"
 
 using namespace csgsim;

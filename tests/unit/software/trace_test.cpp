@@ -1,21 +1,11 @@
 #include "sim/software/tracing/trace.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <string>
-#include <vector>
-
 #include "host/read/read.h"
 #include "sim/software/tree/tree.h"
 #include "tests/oracle/pixel_oracle.h"
 #include "tests/support/drawing.h"
 #include "tests/support/software_ways.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/software/random_scenes.h"
 #include "tests/unit/software/scenes.h"
 

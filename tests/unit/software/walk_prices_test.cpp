@@ -1,15 +1,9 @@
 // What a ray takes to go through directories, worked out by hand in clocks of an MC68000 that is programmed in assembly
 // (block_prices_test.cpp has its prices).
 
-#include <doctest/doctest.h>
-
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <utility>
-
 #include "hw/processors/processor.h"
 #include "sim/software/space/directory.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

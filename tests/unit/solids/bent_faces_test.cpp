@@ -1,17 +1,13 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
-#include <set>
 
 #include "host/solids/check.h"
 #include "host/solids/convex_faces.h"
 #include "host/solids/limits.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;
-using solids::check;
-using solids::Mesh;
+using namespace solids;
 using testing::box;
 
 namespace {

@@ -1,19 +1,11 @@
 #include "host/solids/check.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <bit>
-#include <cmath>
-#include <string>
-#include <utility>
-
 #include "host/solids/limits.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;
-using solids::check;
-using solids::Mesh;
+using namespace solids;
 using testing::box;
 
 namespace {

@@ -1,20 +1,11 @@
 #include "host/solids/evaluate.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <fstream>
-#include <numbers>
-#include <sstream>
-#include <string>
-
 #include "host/read/read.h"
 #include "host/solids/hull.h"
 #include "host/solids/minkowski.h"
 #include "host/solids/projection.h"
 #include "places.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;

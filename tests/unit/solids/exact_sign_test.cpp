@@ -1,14 +1,11 @@
 #include "host/solids/exact_sign.h"
 
-#include <doctest/doctest.h>
-
 #include <boost/multiprecision/cpp_int.hpp>
-#include <cmath>
-#include <random>
+
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using solids::Difference;
-using solids::sign_of_determinant;
+using namespace solids;
 
 namespace {
 

@@ -1,18 +1,13 @@
 #include "host/solids/hull.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <random>
 #include <tuple>
-#include <vector>
 
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;
-using solids::hull;
-using solids::hull_piece;
+using namespace solids;
 
 namespace {
 

@@ -1,12 +1,8 @@
 #include "host/solids/minkowski.h"
 
-#include <doctest/doctest.h>
-
-#include <optional>
-#include <vector>
-
 #include "host/solids/hull.h"
 #include "host/solids/hull_faces.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;

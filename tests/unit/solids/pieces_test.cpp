@@ -1,26 +1,15 @@
 #include "host/solids/pieces.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <array>
-#include <cmath>
 #include <glm/vec2.hpp>
-#include <map>
-#include <numbers>
-#include <string>
 
 #include "host/solids/check.h"
 #include "hw/base/work.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;
-using solids::convex_pieces;
-using solids::Mesh;
-using testing::append;
-using testing::box;
-using testing::reverse;
+using namespace solids;
+using namespace testing;
 
 namespace {
 

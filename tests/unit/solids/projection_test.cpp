@@ -1,17 +1,9 @@
 #include "host/solids/projection.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "host/flat/area.h"
 #include "host/read/read.h"
 #include "host/solids/plane_grid.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,16 +1,10 @@
 #include "host/solids/read_mesh.h"
 
-#include <doctest/doctest.h>
-
-#include <bit>
-#include <limits>
-#include <string>
-
 #include "host/solids/check.h"
 #include "host/solids/limits.h"
 #include "hw/base/input_file.h"
 #include "places.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;

@@ -1,13 +1,7 @@
 #include "tests/unit/solids/support.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <glm/geometric.hpp>
-
 #include "places.h"
+#include "tests/support/test.h"
 
 namespace csgsim::testing {
 

@@ -1,16 +1,11 @@
 #include "host/solids/surface.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <string>
-
 #include "host/solids/check.h"
 #include "host/solids/limits.h"
 #include "host/solids/pieces.h"
 #include "hw/base/input_file.h"
 #include "places.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/solids/support.h"
 
 using namespace csgsim;

@@ -1,15 +1,7 @@
 #include "host/solids/tessellation.h"
 
-#include <doctest/doctest.h>
-
-#include <fstream>
-#include <glm/geometric.hpp>
-#include <optional>
-#include <set>
-#include <sstream>
-#include <string>
-
 #include "places.h"
+#include "tests/support/test.h"
 
 using csgsim::solids::tessellate;
 

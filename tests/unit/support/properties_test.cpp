@@ -1,14 +1,8 @@
 #include "tests/support/properties.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
-#include <set>
-#include <string>
-#include <vector>
-
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,23 +1,13 @@
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <numbers>
-#include <vector>
-
 #include "host/swept/curve.h"
 #include "host/swept/net.h"
 #include "host/swept/surface.h"
 #include "host/swept/sweep.h"
 #include "hw/base/work.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;
-using swept::Arithmetic;
-using swept::Curve;
-using swept::SubdivisionCounts;
+using namespace swept;
 
 namespace {
 

@@ -1,15 +1,12 @@
 #include "host/swept/curve.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <glm/geometric.hpp>
-
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;
-using swept::Curve;
-using swept::Segment;
+using namespace swept;
 
 namespace {
 

@@ -1,23 +1,16 @@
 #include "host/swept/filter.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <set>
 #include <tuple>
 
 #include "host/swept/quadtree.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;
 using namespace csgsim::swept_test;
-using swept::Element;
-using swept::Square;
+using namespace swept;
 
 namespace {
 

@@ -1,15 +1,7 @@
 #include "host/swept/flat.h"
 
-#include <doctest/doctest.h>
-
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <string>
-#include <vector>
-
 #include "host/swept/net.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;

@@ -1,23 +1,12 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "host/swept/mesh.h"
 #include "host/swept/net.h"
 #include "host/swept/spine.h"
 #include "host/swept/surface.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;
-using swept::Curve;
-using swept::Net;
-using swept::Sweep;
+using namespace swept;
 
 namespace {
 

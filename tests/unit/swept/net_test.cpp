@@ -1,13 +1,9 @@
 #include "host/swept/net.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <glm/geometric.hpp>
-
 #include "host/swept/flat.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;

@@ -1,20 +1,4 @@
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <set>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 #include "host/swept/element.h"
 #include "host/swept/filter.h"
@@ -22,13 +6,11 @@
 #include "host/swept/output.h"
 #include "host/swept/quadtree.h"
 #include "host/swept/surface.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;
-using swept::Patchwork;
-using swept::Repair;
-using swept::RepairCounts;
-using swept::Square;
+using namespace swept;
 
 namespace {
 

@@ -1,20 +1,13 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 
 #include "host/solids/check.h"
 #include "host/swept/mesh.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/swept/support.h"
 
 using namespace csgsim;
 using namespace csgsim::swept_test;
-using swept::Curve;
-using swept::Sweep;
+using namespace swept;
 
 namespace {
 

@@ -1,25 +1,12 @@
 #include "host/swept/spine.h"
 
-#include <doctest/doctest.h>
-
-#include <cmath>
-#include <cstddef>
-#include <glm/geometric.hpp>
-#include <numbers>
-#include <string>
-#include <vector>
-
 #include "host/swept/curve.h"
 #include "host/swept/orientation.h"
 #include "host/swept/sweep.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using swept::Curve;
-using swept::Orientation;
-using swept::Path;
-using swept::Segment;
-using swept::Spine;
+using namespace swept;
 
 namespace {
 

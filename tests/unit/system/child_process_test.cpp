@@ -1,20 +1,15 @@
 #include "sim/system/child_process.h"
 
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <csignal>
-#include <filesystem>
-#include <fstream>
 #include <stop_token>
-#include <string>
 #include <thread>
-#include <vector>
 
-#include "hw/base/error.h"
 #include "hw/base/interruption.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

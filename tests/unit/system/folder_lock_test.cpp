@@ -1,15 +1,12 @@
 #include "sim/system/folder_lock.h"
 
-#include <doctest/doctest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <csignal>
-#include <string>
 
-#include "tests/support/error_of.h"
 #include "tests/support/scratch.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using testing::error_of;

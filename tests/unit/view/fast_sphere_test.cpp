@@ -1,17 +1,13 @@
 #include "host/view/fast_sphere.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "host/csg/locate.h"
 #include "host/facet/curved.h"
 #include "host/facet/geometry.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,11 +1,7 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-
 #include "host/view/screen_quadric.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

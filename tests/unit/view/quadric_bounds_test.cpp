@@ -1,10 +1,9 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "host/view/screen_quadric.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/view/quadric_subject.h"
 
 using namespace csgsim;

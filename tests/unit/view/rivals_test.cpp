@@ -1,20 +1,11 @@
 #include "host/view/rivals.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <numeric>
-#include <vector>
-
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
-using view::Boundary;
-using view::FixedLinear;
+using namespace view;
 using Numbers = std::vector<std::uint32_t>;
 
 namespace {

@@ -1,19 +1,13 @@
 #include "host/view/screen_quadric.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <array>
 #include <boost/multiprecision/cpp_bin_float.hpp>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <numbers>
 
 #include "host/facet/geometry.h"
 #include "host/view/projection.h"
 #include "hw/isa/depth_scale.h"
-#include "tests/support/usual_cases.h"
+#include "tests/support/test.h"
 #include "tests/unit/view/held.h"
 #include "tests/unit/view/quadric_subject.h"
 

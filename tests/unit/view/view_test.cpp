@@ -1,17 +1,11 @@
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
-
-#include <algorithm>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <limits>
 
 #include "host/facet/geometry.h"
 #include "host/view/camera.h"
 #include "host/view/fixed_point.h"
 #include "host/view/projection.h"
-#include "hw/base/error.h"
 #include "hw/isa/depth_scale.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

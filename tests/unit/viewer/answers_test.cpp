@@ -1,16 +1,9 @@
 // What a session answers to each question, beside what other files test: by hand for a box, and by how work ends.
 
-#include <doctest/doctest.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <memory>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "hw/base/interruption.h"
 #include "hw/kinds/load.h"
@@ -21,7 +14,7 @@
 #include "sim/viewer/evaluations.h"
 #include "sim/viewer/knobs.h"
 #include "sim/viewer/session.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;

@@ -1,10 +1,8 @@
 #include "sim/viewer/door.h"
 
-#include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <set>
-#include <string>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

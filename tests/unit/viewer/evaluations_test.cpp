@@ -1,11 +1,10 @@
 #include "sim/viewer/evaluations.h"
 
-#include <doctest/doctest.h>
-
 #include <chrono>
 #include <thread>
 
 #include "hw/base/interruption.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace std::chrono_literals;

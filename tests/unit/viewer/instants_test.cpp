@@ -1,13 +1,6 @@
 #include "sim/viewer/instants.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
@@ -23,7 +16,7 @@
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/model_request.h"
 #include "sim/session/run/run_request.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

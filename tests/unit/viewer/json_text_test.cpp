@@ -1,10 +1,6 @@
 #include "sim/session/options/json_text.h"
 
-#include <doctest/doctest.h>
-
-#include <string>
-
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,14 +1,8 @@
 #include "sim/viewer/lanes.h"
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <map>
-#include <string>
-#include <vector>
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using Json = nlohmann::ordered_json;

@@ -2,19 +2,12 @@
 
 #include "sim/viewer/page.h"
 
-#include <doctest/doctest.h>
-
-#include <algorithm>
-#include <functional>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "host/effects/rows.h"
 #include "sim/report/parts_html.h"
 #include "sim/viewer/effects_form.h"
 #include "sim/viewer/files.h"
 #include "sim/viewer/wish.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using Json = nlohmann::ordered_json;

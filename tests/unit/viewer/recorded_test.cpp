@@ -1,24 +1,16 @@
 #include "sim/viewer/recorded.h"
 
-#include <doctest/doctest.h>
 #include <unistd.h>
 
 #include <chrono>
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
-#include "hw/base/error.h"
 #include "hw/isa/binary.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using namespace std::chrono_literals;
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A shell script in the place of csgsim, which is deleted with the object.
 struct Script {

@@ -1,11 +1,8 @@
 #include "sim/viewer/server/request_reader.h"
 
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string>
-#include <string_view>
+
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using viewer::RequestReader;

@@ -1,22 +1,15 @@
 // Where OpenSCAD's errors are in a source that is edited, with a script in OpenSCAD's place.
 
-#include <doctest/doctest.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <string>
-
 #include "sim/viewer/session.h"
+#include "tests/support/test.h"
 #include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;
 using viewer::Json;
 
 namespace {
-
-namespace fs = std::filesystem;
 
 /// A folder that comes first where programs are looked for.
 struct Programs {

@@ -1,15 +1,12 @@
 // The server of csgsim view by what its clients get, over connections of this computer.
 
-#include <doctest/doctest.h>
-
 #include <atomic>
 #include <chrono>
 #include <list>
-#include <string>
 #include <thread>
 
 #include "sim/viewer/server/pages.h"
-#include "tests/support/error_of.h"
+#include "tests/support/test.h"
 #include "tests/unit/viewer/served.h"
 
 using namespace csgsim;

@@ -1,18 +1,12 @@
 // What the session keeps from one question to the next: after one thing has been changed, each answer is that of a
 // session that was asked nothing before.
 
-#include <doctest/doctest.h>
-#include <fmt/format.h>
 #include <unistd.h>
-
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "sim/report/codec.h"
 #include "sim/viewer/session.h"
+#include "tests/support/test.h"
 #include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;

@@ -1,10 +1,6 @@
 #include "sim/viewer/session.h"
 
-#include <doctest/doctest.h>
-
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "places.h"
 #include "sim/observe/stats_json.h"
@@ -14,6 +10,7 @@
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/model_request.h"
 #include "sim/session/run/run_request.h"
+#include "tests/support/test.h"
 #include "tests/unit/viewer/asked.h"
 
 using namespace csgsim;

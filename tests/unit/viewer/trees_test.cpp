@@ -1,22 +1,13 @@
 #include "sim/viewer/trees.h"
 
-#include <doctest/doctest.h>
 #include <unistd.h>
-
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <map>
-#include <set>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "hw/isa/facts.h"
 #include "hw/isa/pieces.h"
 #include "places.h"
 #include "sim/session/model/compiled_model.h"
 #include "sim/session/model/model_request.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 using Json = nlohmann::ordered_json;

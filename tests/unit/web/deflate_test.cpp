@@ -1,15 +1,10 @@
 #include "sim/web/wasm/deflate.h"
 
-#include <doctest/doctest.h>
 #include <png.h>
-
-#include <cstdint>
-#include <random>
-#include <string>
-#include <vector>
 
 #include "sim/pictures/encode.h"
 #include "tests/support/inflated.h"
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,14 +1,9 @@
 #include "sim/web/lacking/number.h"
 
-#include <doctest/doctest.h>
-
-#include <bit>
 #include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <random>
-#include <string>
 #include <system_error>
+
+#include "tests/support/test.h"
 
 using namespace csgsim;
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "hw/pixel_planes/kind.h"
+
+namespace csgsim::testing {
+
+/// A frame buffer of that shape, and with a picture as large, at 10 MHz.
+inline machines::Machine planes(isa::ArrayShape shape) {
+  machines::Machine machine = machines::blank(pixel_planes::kind);
+  machine.name = "test";
+  machine.array = shape;
+  machine.picture = {shape.width, shape.height};
+  machine.clock_hz = 10'000'000;
+  machine.evaluator_degree = 2;
+  return machine;
+}
+
+}  // namespace csgsim::testing
