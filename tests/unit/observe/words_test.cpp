@@ -1,4 +1,5 @@
 #include "hw/isa/facts.h"
+#include "hw/isa/host_counts.h"
 #include "hw/isa/pieces.h"
 #include "hw/kinds/load.h"
 #include "hw/machines/kind.h"

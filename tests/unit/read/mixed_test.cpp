@@ -4,6 +4,7 @@
 #include "tests/unit/read/support.h"
 
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 namespace {
 

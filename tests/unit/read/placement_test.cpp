@@ -5,6 +5,7 @@
 
 using csgsim::model::Tree;
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 namespace {
 

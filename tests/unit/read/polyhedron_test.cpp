@@ -3,6 +3,7 @@
 
 using csgsim::model::Polyhedron;
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 namespace {
 

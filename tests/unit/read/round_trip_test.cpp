@@ -6,6 +6,7 @@
 #include "tests/unit/read/tree_invariants.h"
 
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 TEST_CASE("a random model reads back as what it means, in two printers' styles") {
   CHECK(rc::check([] {

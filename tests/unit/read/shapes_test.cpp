@@ -6,6 +6,7 @@
 
 using csgsim::model::Tree;
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 namespace {
 

@@ -4,6 +4,7 @@
 
 using namespace csgsim::model;
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 namespace {
 

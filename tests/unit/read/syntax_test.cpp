@@ -3,6 +3,7 @@
 
 using csgsim::model::Cube;
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 using namespace csgsim::model;
 using namespace csgsim::read_test;
+using csgsim::read_test::read;
 
 TEST_CASE("groups, unions, renders and the file itself are unions") {
   for (const char* node : {"group()", "union()", "render(convexity = 1)"}) {
