@@ -14,6 +14,7 @@
 
 #include "sim/plots/plot.h"
 #include "sim/studies/design/front.h"
+#include "sim/studies/design/row.h"
 #include "sim/studies/explore/show.h"
 #include "sim/studies/row_text.h"
 #include "tests/support/captured.h"
@@ -70,6 +71,19 @@ std::vector<ExploreRow> two_models() {
 }
 
 }  // namespace
+
+TEST_CASE("every column that a study names is a column of rows") {
+  const auto visited = []<class Row>(Row row) {
+    std::string names;
+    Row::columns(
+        row, [&](const char* name, const auto& /*value*/) { names += (names.empty() ? "" : ",") + std::string(name); });
+    return names;
+  };
+  CHECK(visited(studies::SweepRow()) == studies::sweep_columns);
+  CHECK(visited(studies::Measurement()) == studies::accuracy_columns);
+  CHECK(visited(studies::AdviceRow()) == studies::advise_columns);
+  CHECK(visited(studies::ExploreRow()) == studies::explore_columns);
+}
 
 TEST_CASE("a row without values is all zeros and empty cells, in the order of its columns") {
   CHECK(studies::header_of<ExploreRow>() ==
