@@ -1,5 +1,6 @@
 // What a session answers to each question, beside what other files test: by hand for a box, and by how work ends.
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -322,7 +323,12 @@ TEST_CASE("a model whose evaluation takes too long is refused with the limit") {
   std::thread watch([&] {
     while (!is_done) hasty.end_overdue();
   });
-  const Answer late = ask(hasty, "draw", Json::object());
+  // Seconds of work, so that the other thread gets its turn before the end.
+  std::string slow;
+  for (int i = 0; i < 2000; ++i)
+    slow += fmt::format("multmatrix([[1,0,0,{}],[0,1,0,{}],[0,0,1,0],[0,0,0,1]]) {{ sphere(r=3,$fn=60); }}\n", i % 50,
+                        i / 50);
+  const Answer late = ask(hasty, "draw", Json{{"source", "difference() { cube(100);\n" + slow + "}"}});
   is_done = true;
   watch.join();
   CHECK(late.status == 422);
