@@ -5,13 +5,12 @@
 #include "tests/m68000/processor.h"
 #include "tests/support/test.h"
 
+using namespace csgsim;
 using processors::Compiled;
 
 namespace programs_by_hand {
 #include "tests/m68000/programs.inc"
-
-using namespace csgsim;
-}  // namespace programs_by_hand
+}
 
 namespace {
 
