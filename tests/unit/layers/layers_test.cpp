@@ -207,8 +207,10 @@ TEST_CASE("what a room declares is in the namespace of its name, and what the ba
       }
     }
   }
-  // SystemC looks for the operators of a word of a link beside the word; the others name parts of a page beforehand.
+  // An instantiation is declared in the namespace of its template; SystemC looks for the operators of a word of a link
+  // beside the word; the others name parts of a page beforehand.
   CHECK(lines_of(strange) ==
+        "hw/isa/program.h: csgsim\n"
         "hw/link/frame_words.h: csgsim::isa\n"
         "sim/session/run/report_option.h: csgsim::report\n"
         "sim/studies/study.h: csgsim::report\n");
