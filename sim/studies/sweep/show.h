@@ -62,8 +62,8 @@ std::vector<WrongPicture> wrong_pictures(std::span<const SweepRow> rows);
 /// On standard output: every point, table 6.1 of the thesis, and what follows from them.
 void print_sweep(std::span<const SweepRow> rows);
 
-/// Scan-conversions and clocks against what is varied (SweepAxis), clocks against the memory bits that the classification
-/// uses, and what each memory bit holds. None where no row has been compiled.
+/// Scan-conversions and clocks against what is varied (SweepAxis), clocks against the memory bits that the
+/// classification uses, and what each memory bit holds. None where no row has been compiled.
 std::vector<plots::Plot> plots_of_sweep(std::span<const SweepRow> rows, const std::string& model);
 
 }  // namespace csgsim::studies
