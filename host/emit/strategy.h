@@ -15,7 +15,7 @@ struct StrategyRow {
   /// Draws a primitive's visible surface in its own way, and returns true; or returns false, and it is drawn by
   /// `surface` and `classify`.
   bool (*draw)(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) = nullptr;
-  /// As emit_surface.
+  /// Draws the surface into Z1; emit_surface, unless the strategy has its own.
   Surface (*surface)(const Context& context, Broadcast& out, const PlannedSurface& planned,
                      const Sides& sides) = emit_surface;
   /// Products that an active tree with operands is multiplied out to.

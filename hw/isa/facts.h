@@ -10,7 +10,7 @@
 
 namespace csgsim::isa {
 
-/// What the host knows of the model and tells in the stats.
+/// Counts of the model, for the stats.
 struct ModelFacts {
   std::string file;
   std::uint64_t primitives = 0;
@@ -22,7 +22,7 @@ struct ModelFacts {
   bool operator==(const ModelFacts&) const = default;
 };
 
-/// How the host compiled.
+/// The options and results of compiling, for the stats.
 struct CompileFacts {
   std::string strategy;
   std::string colouring;

@@ -5,7 +5,7 @@
 
 namespace csgsim::isa {
 
-/// What the host knows of a region's part of the model and tells in the stats.
+/// Counts of the part of the model in a region, for the stats.
 struct SegmentFacts {
   std::uint32_t primitives = 0;       ///< active in the region
   std::uint32_t halfspaces = 0;       ///< of those primitives

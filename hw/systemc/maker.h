@@ -14,14 +14,14 @@ namespace csgsim::systemc {
 struct Maker {
   const machines::Kind* kind;
   std::unique_ptr<ClockedMachine> (*make)(const machines::Machine& machine);
-  /// With trees that are stepped; null if there are none.
+  /// Makes a machine whose multiplier trees are stepped; null if the kind has none.
   std::unique_ptr<ClockedMachine> (*make_stepped)(const machines::Machine& machine) = nullptr;
-  /// Of which the foretold pixels alone are built; null if the whole machine is built for a wave.
+  /// Makes a machine with the foretold pixels alone; null if the whole machine is built for a wave.
   std::unique_ptr<ClockedMachine> (*make_probed)(const machines::Machine& machine, const Foretold& foretold,
                                                  EvaluatorForm form) = nullptr;
 };
 
-/// Those of all kinds that come with csgsim.
+/// The makers of all built-in kinds.
 std::span<const Maker* const> makers();
 
 }  // namespace csgsim::systemc

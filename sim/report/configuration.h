@@ -10,7 +10,7 @@ namespace csgsim::report {
 
 /// What a command was told, and where its page goes.
 struct Context {
-  std::string command;                                         ///< with all that it was told, for a POSIX shell
+  std::string command;                                         ///< with its arguments, quoted for a POSIX shell
   std::vector<std::pair<std::string, std::string>> options{};  ///< names and values, given or by default
   std::vector<Json> machines{};                                ///< as the `machine` of a stats file's configuration
   std::string explain{};  ///< of a run: explain_command (sim/session/run/explain.h)

@@ -26,9 +26,8 @@ std::vector<std::uint32_t> most_expensive_first(const Json& stats);
 std::vector<std::size_t> central_pixels(std::span<const std::uint32_t> owner, std::size_t width,
                                         std::span<const std::uint32_t> owners);
 
-/// Adds to the drawing the stories of these pixels, numbered in row order, as far as the limits allow, the
-/// first in any case, and says how many these are.
-/// The machine has to be able to run the Program.
+/// Adds the stories of these pixels, numbered in row order, to the drawing until a limit is reached; the first is
+/// always added. The machine has to be able to run the Program.
 void add_stories(const story::Subject& subject, const machines::Machine& machine, std::span<const std::size_t> pixels,
                  Drawing& drawing, const StoryLimits& limits = {});
 

@@ -40,7 +40,7 @@ struct PageSubject {
 /// A model on each of these machines, which a list names.
 PageSubject subject_on(const session::ModelRequest& model, const std::string& machines);
 
-/// The first of these models on the machines; several are told by their number.
+/// The first of these models on the machines, or the number of models if there are several.
 PageSubject subject_of(const std::vector<std::string>& models, const session::ModelRequest& view,
                        const std::string& machines);
 
@@ -165,7 +165,7 @@ class StudyOf : public RowsOf<Row> {
   /// Measures the point with that number; on several threads at the same time, where the study is parallel.
   [[nodiscard]] virtual Row measured(std::size_t point) = 0;
 
-  /// The points in the order in which so many threads measure them.
+  /// The points in the order in which `threads` threads measure them.
   [[nodiscard]] virtual std::vector<std::size_t> in_turn(std::span<const std::size_t> points,
                                                          unsigned /*threads*/) const {
     return {points.begin(), points.end()};

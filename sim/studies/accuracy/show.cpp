@@ -90,7 +90,7 @@ double leading_number(std::string_view& text) {
   return number;
 }
 
-/// Where a value stands: as a number, `1/N` as a fraction, `WxH` as the pixels of its width.
+/// The abscissa of a value: the number; the fraction of `1/N`; the width of `WxH`.
 double place_of(std::string_view value) {
   const double number = leading_number(value);
   if (!value.starts_with('/')) return number;

@@ -38,7 +38,7 @@ struct EqualFacets {
 /// and tolerance, and those that the model says.
 std::vector<EqualFacets> facets_as_right(std::span<const Measurement> rows);
 
-/// On standard output: the points, the front, and what facets as right as curved surfaces cost.
+/// Prints the points, the front, and the cost of facets that are as accurate as curved surfaces.
 void print_accuracy(std::span<const Measurement> rows, unsigned views);
 
 /// What was measured.
@@ -47,7 +47,7 @@ struct MeasuredModel {
   unsigned views = 1;  ///< that each point was drawn in
 };
 
-/// Of each knob, what its values do to errors and clocks; and the Pareto front of z bits and fraction bits.
+/// Errors and clocks against the values of each knob, and the Pareto front of z bits and fraction bits.
 std::vector<plots::Plot> plots_of_accuracy(std::span<const Measurement> rows, const MeasuredModel& of);
 
 }  // namespace csgsim::studies

@@ -52,7 +52,7 @@ Texts texts_of_numbers(const std::string& list, unsigned least, unsigned most) {
   return texts;
 }
 
-/// Of no list of strategies or ALU widths none.
+/// The values of a list; none for an empty list of strategies or ALU widths.
 Texts values_in(std::string_view key, const std::string& list) {
   if (key == "alu-bits") return list.empty() ? Texts{} : texts_of_numbers(list, 1, isa::max_field_width);
   if (key == "fraction-bits") return texts_of_numbers(list, 0, most_fraction_bits);

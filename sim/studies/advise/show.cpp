@@ -26,7 +26,7 @@ std::vector<AdviceRow> coloured(std::span<const AdviceRow> rows, const Wishes& w
   return all;
 }
 
-/// Of the front that are printed; files have all.
+/// Rows of the front that are printed; the files have all.
 constexpr std::size_t most_rows = 40;
 
 std::string figures_text(const AdviceRow& row) {
@@ -81,13 +81,13 @@ struct Staircase {
   std::vector<Step> steps;
 };
 
-/// The wish, none at all, and what ten and a hundred times as many would buy.
+/// The accepted number of wrong pixels, none, and ten and a hundred times as many.
 std::set<std::uint64_t> limits_of(const Wishes& wishes) {
   const std::uint64_t wish = std::max<std::uint64_t>(wishes.max_wrong_pixels, 1);
   return {0, wishes.max_wrong_pixels, 10 * wish, 100 * wish};
 }
 
-/// The most frames a second with so many bits or fewer, where that becomes more.
+/// The most frames a second with at most n bits, for each n at which it rises.
 std::vector<Step> steps_of(std::span<const AdviceRow> front, std::uint64_t most_wrong) {
   std::vector<Step> steps;
   for (const AdviceRow& row : front) {

@@ -35,7 +35,7 @@ struct Words {
   std::string_view unsaid = "";
 };
 
-/// Of a member of the options and one of points.
+/// An axis that copies a member of the request to one of the point.
 template <auto option, auto of_point>
 constexpr Axis axis(const Words& words, Texts (*values)(const std::string& list)) {
   using Value = std::remove_reference_t<decltype(std::declval<DesignPoint&>().*of_point)>;

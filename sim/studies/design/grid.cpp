@@ -145,7 +145,8 @@ std::uint64_t mixed(std::uint64_t number) {
   return number ^ number >> 31U;
 }
 
-/// Of so many, that at this part of 2^64. As many as fit into 32 bits.
+/// The index below `values` at the fraction place / 2^64 of them, of which the upper 32 bits count. `values` fits in 32
+/// bits.
 std::size_t value_at(std::uint64_t place, std::size_t values) {
   return static_cast<std::size_t>((place >> 32U) * std::uint64_t{values} >> 32U);
 }

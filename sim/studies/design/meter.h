@@ -43,17 +43,17 @@ DesignRow measure_picture(const DesignPoint& point, const Job& job, bool is_draw
 struct DesignQuestion {
   std::uint32_t most_bits = most_fitted_bits;  ///< a pixel, that a Program may take
   std::optional<process::Process> process{};   ///< whose clock machines have, and in which they are priced
-  std::vector<unsigned> colour_bits{};         ///< all that designs have, where errors of colours are asked for
+  std::vector<unsigned> colour_bits{};         ///< every value that designs have, if errors of colours are wanted
 };
 
-/// Measures designs, on several threads at the same time. What is the same for many of them is worked out once: the
-/// exact picture of a model, how far that of a machine is from it, what a run of a Program tells.
+/// Measures designs, on several threads at the same time. Results that several designs share are computed
+/// once: the exact picture of a model, the errors of a picture, the outcome of a run.
 class DesignMeter {
  public:
   explicit DesignMeter(DesignQuestion question = {}) : question_(std::move(question)) {}
 
-  /// Where the point does not say how many memory bits its machine has, it is given just as many as its Program takes.
-  /// A model that does not fit is a row that says why.
+  /// A point without memory bits gets a machine with exactly the bits that its Program takes. The row of a model that
+  /// does not fit has the reason.
   DesignRow measure(const DesignPoint& point, const Job& job);
 
  private:
@@ -62,12 +62,12 @@ class DesignMeter {
     std::uint64_t unexplained = 0;
     unsigned colour_error = 0;
   };
-  /// By colour bits; by 0 where errors of colours are not asked for.
+  /// The key is the number of colour bits; 0 if errors of colours are not wanted.
   using ErrorsByColour = std::map<unsigned, PixelErrors>;
   /// A model's surfaces, as facets or curved, and a size.
   using Seen = std::tuple<const Subject*, std::uint32_t, std::uint32_t>;
-  /// With these and with z bits and fraction bits, every strategy, colouring and pruning draws the same on every
-  /// machine (docs/machines.md).
+  /// The picture depends on these, z bits and fraction bits alone: not on strategy, colouring, pruning or machine
+  /// (docs/machines.md).
   using SeenBits = std::tuple<Seen, unsigned, unsigned>;
 
   Fitted fitted(const DesignPoint& point, const Job& job);

@@ -35,7 +35,7 @@ struct DesignPoint {
   std::string curves{};     ///< how curved surfaces are drawn: host/emit/curves.h
   unsigned alu_bits = 0;    ///< of the machine; 0 where its kind has no such figure
 
-  auto operator<=>(const DesignPoint&) const = default;
+  auto operator<=>(const DesignPoint&) const = default;  // NOLINT(modernize-use-nullptr): clang-tidy 14 sees a 0
 };
 
 /// What a point takes, and how right its picture is. Where `reason` says why it cannot be drawn, the counts are 0.

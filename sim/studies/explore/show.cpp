@@ -23,10 +23,10 @@ namespace csgsim::studies {
 
 namespace {
 
-/// Of a front that are printed; files have all.
+/// Rows of a front that are printed; the files have all.
 constexpr std::size_t most_printed = 40;
 
-/// From here on no fraction is shown.
+/// Greater values are printed without a fraction.
 constexpr double least_rounded = 10'000;
 constexpr double most_grouped = 1e15;
 

@@ -112,7 +112,7 @@ plots::Chart bits_chart(std::span<const SweepRow> rows, const std::string& model
   return chart;
 }
 
-/// As many names as there is room for, and the number of the others.
+/// The names that fit, and the number of the others.
 std::string label_of(std::span<const SweepRow* const> alike, const PointNames& names) {
   constexpr std::size_t room = 36;
   std::string label = names.name(alike.front()->point);
@@ -135,7 +135,7 @@ std::vector<plots::Tick> bit_ticks(std::uint32_t most) {
   return ticks;
 }
 
-/// Which bits of pixel memory hold what, a bar for each way in which the rows lay it out.
+/// The layout of pixel memory, a bar for each layout among the rows.
 plots::Plot memory_plot(std::span<const SweepRow> rows, const std::string& model) {
   plots::Bars plot{model + ": which bits hold what",
                    {"bit of pixel memory"},

@@ -19,7 +19,7 @@ class PointNames {
 
   [[nodiscard]] std::string name(const DesignPoint& point) const;
 
-  /// Without the strategy; empty where nothing else varies.
+  /// Names what varies besides the strategy; empty if nothing does.
   [[nodiscard]] std::string conditions(const DesignPoint& point) const;
 
  private:
@@ -34,7 +34,7 @@ class SweepAxis {
 
   [[nodiscard]] const plots::Axis& axis() const { return axis_; }
 
-  /// Where a point stands; none where it is the same for all of the axis: a strategy without stack bits.
+  /// The abscissa of a point; none if it does not depend on the axis, as a strategy without stack bits.
   [[nodiscard]] std::optional<double> place(const DesignPoint& point) const;
 
   /// What else varies, of a point: points of the same text are a line.

@@ -139,7 +139,7 @@ view::Sampling picture(unsigned z_bits, unsigned fraction_bits) {
   return sampling;
 }
 
-/// Of a square picture of that side, in which depth runs over twice `reach`.
+/// An Explainer of a square picture of that side, whose depths span twice `reach`.
 judges::Explainer straight_explainer(const Scenery& scenery, std::uint32_t side, double reach, unsigned z_bits,
                                      unsigned fraction_bits) {
   isa::Program program;

@@ -48,7 +48,7 @@ scene::Scene plain_colours();
 /// A light of intensity 0.7 that shines in that direction, beside the usual ambient light of 0.3.
 scene::Light shining(const glm::dvec3& direction);
 
-/// That light beside the usual ambient light.
+/// The light and the usual ambient light.
 scene::Scene lit_by(const scene::Light& light);
 
 /// Whether colours are equal but for rounding of doubles.

@@ -51,7 +51,7 @@ class Bench {
   bool begun_ = false;
 };
 
-/// Notes the squares that are told of.
+/// Records the reported squares.
 class SquareListener final : public systemc::RunListener {
  public:
   void after_segment(std::uint32_t segment, const systemc::PixelView& /*pixels*/) override {

@@ -80,7 +80,7 @@ std::vector<DesignPoint> small_points() {
   return points;
 }
 
-/// On machines by their ALU widths.
+/// Rows by the ALU width of their machine.
 struct AdviceJobs {
   std::map<unsigned, studies::Job> jobs;
 
