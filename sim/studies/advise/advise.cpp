@@ -237,6 +237,7 @@ class Advise : public StudyOf<AdviceRow> {
     }
     std::ranges::sort(turns);
     std::vector<std::size_t> order;
+    order.reserve(turns.size());
     for (const auto& turn : turns) order.push_back(std::get<2>(turn));
     return order;
   }

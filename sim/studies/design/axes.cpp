@@ -32,7 +32,7 @@ struct Words {
   std::string_view key;
   const char* title;
   const char* prefix;
-  std::string_view unsaid = "";
+  std::string_view unsaid{};
 };
 
 /// An axis that copies a member of the request to one of the point.
