@@ -29,7 +29,7 @@ bool emit_classified(const Context& context, Broadcast& out, const PlannedSurfac
 /// What was appended from `begin` on, right after a depth test, is skipped where that leaves nothing.
 void emit_depth_early_out(const Context& context, Broadcast& out, const PlannedSurface& planned, std::size_t begin);
 
-/// Where a drawing is made at some pixels only, a surface may have none of them in its rectangle.
+/// Skips the surface if it has none of the pixels to which the drawing is restricted.
 void emit_base_early_out(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface);
 
 /// Draws the surface in Z1 where it is nearer than Z2 and what is left of the mask by the classification. The depth

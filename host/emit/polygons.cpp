@@ -92,7 +92,7 @@ void emit_face(const Context& context, Broadcast& out, const PlannedSurface& pla
 }
 
 /// Whether the surface is drawn face by face: nothing is compared with it but its own faces, all are
-/// flat and none is cut by the near plane, and flat shading is all that is called for.
+/// flat and none is cut by the near plane, and flat shading is the only effect.
 bool has_polygons(const Context& context, const PlannedSurface& planned, const Surface& surface) {
   const bool is_plain = context.called.size() <= 1 && context.base.width == 0 && context.beyond.width == 0 &&
                         context.beyond_plane == nullptr && context.paint == nullptr && context.layout.owner.width == 0;

@@ -63,8 +63,7 @@ void emit_rendered_products(const Context& context, Broadcast& out, const Planne
   } while (traversal.next());
 }
 
-/// Z1 := "nothing" where E is 0. Then a depth test finds the surface by itself, and there needs to be no bit that says
-/// where it is.
+/// Z1 := "nothing" where E is 0. The depth test then excludes these pixels, and no bit has to mark the surface.
 void emit_nothing_elsewhere(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   out.origin = {isa::Purpose::stack, planned.primitive(), isa::no_node};
   out.plain(isa::Opcode::enable_invert);

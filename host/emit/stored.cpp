@@ -197,7 +197,7 @@ void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_
 
 namespace {
 
-/// Whether emit_stored_surface has the depths of all that makes up the surface, and no colour beside Z1 to write.
+/// Whether the depths of every part of the surface are stored, and no colour is written beside Z1.
 bool has_stored_surface(const Context& context, const PlannedSurface& planned) {
   if (context.stored == nullptr || context.layout.candidate_colour.width > 0) return false;
   return std::ranges::all_of(planned.set,
@@ -239,7 +239,7 @@ Surface emit_surface_by_stored(const Context& context, Broadcast& out, const Pla
                                               : emit_surface(context, out, planned, sides);
 }
 
-/// Of primitives that a surface of the segment is compared with where both have pixels, a front and a back each.
+/// The bits of a front and a back depth for each primitive that is compared with a surface of the segment.
 unsigned depth_bits(const SegmentPlan& segment, const view::View& view) {
   std::vector<std::uint32_t> compared;
   for (const PlannedSurface& one : segment.surfaces) add_compared(one, view, compared);

@@ -43,8 +43,7 @@ struct CompileFacts {
 struct Facts {
   std::vector<NamedField> fields;
   std::vector<std::string> primitives;  ///< a name for each
-  /// Of each piece that origins name the primitive it belongs to, in order (hw/isa/pieces.h); none: each primitive is
-  /// one piece.
+  /// The primitive of each piece, in order (hw/isa/pieces.h); origins name pieces. Empty: each primitive is one piece.
   std::vector<std::uint32_t> primitive_of_piece{};
   DepthScale depth_scale;
   ModelFacts model;

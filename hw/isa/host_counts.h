@@ -44,8 +44,9 @@ struct Preparation {
 
 inline constexpr std::uint64_t most_prepared = std::uint64_t{1} << 48;
 
-/// What a machine that divides the model itself does for one surface in a region, or for several of which only boxes
-/// are looked at; docs/division.md has the rules. Each of up to 64 bits. First it tests, then it writes.
+/// The work of a machine that divides the model itself, for one surface in a region, or for several surfaces whose
+/// boxes alone are tested; docs/division.md has the rules. Each count has 64 bits. The machine tests first, then
+/// writes.
 struct DivisionStep {
   std::uint64_t boxes = 0;         ///< of primitives, held against the region's
   std::uint64_t lists = 0;         ///< of half-spaces that are read, empty ones left out

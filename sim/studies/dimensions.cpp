@@ -2,11 +2,18 @@
 
 #include <algorithm>
 
+#include "host/emit/strategy.h"
 #include "hw/base/error.h"
 #include "hw/base/text.h"
 #include "sim/session/options/numbers.h"
 
 namespace csgsim::studies {
+
+bool has_stack_bits(std::string_view name) {
+  return std::ranges::any_of(emit::strategies, [&](emit::Strategy one) {
+    return one != emit::Strategy::automatic && name == emit::name_of(one) && emit::row_of(one).has_stack_bits;
+  });
+}
 
 std::vector<double> tolerances_in(const std::string& text) {
   std::vector<double> tolerances;

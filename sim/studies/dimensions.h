@@ -35,7 +35,7 @@ std::vector<std::string> different(const std::vector<std::string>& names);
 /// Faceting tolerances in model units, with commas between them. Throws InputError or UsageError.
 std::vector<double> tolerances_in(const std::string& text);
 
-/// Whether a strategy has a stack whose bits are chosen.
-inline bool has_stack_bits(std::string_view name) { return name == emit::name_of(emit::Strategy::bits); }
+/// Whether --stack-bits has an effect on the strategy of that name.
+bool has_stack_bits(std::string_view name);
 
 }  // namespace csgsim::studies

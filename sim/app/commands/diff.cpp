@@ -156,7 +156,7 @@ void print_story(char letter, const Subject& subject, std::uint32_t x, std::uint
   fmt::print("\n{}  {}", letter, story::text_of({subject.program}, told));
 }
 
-/// Of the pictures, or else of pixel memory.
+/// The first pixel that differs in the pictures, or else in pixel memory.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> first_other_pixel(const lockstep::Comparison& comparison) {
   if (comparison.picture) return std::pair{comparison.picture->x, comparison.picture->y};
   if (comparison.divergence && comparison.divergence->pixel)

@@ -56,7 +56,7 @@ constexpr CurvesChoice choices_of_curves[] = {
     {emit::Curves::exact, as_quadrics, why_no_quadrics},
 };
 
-/// Adds a point of the knob with that value, as the user has it, but for what is changed in what is returned.
+/// Adds a point of the knob with that value. Returns its settings, the user's, for the caller to change.
 using Add = std::function<Settings&(std::string value)>;
 
 struct Knob {

@@ -84,13 +84,10 @@ std::vector<unsigned> alu_widths(const AdviseOptions& options, const machines::M
   return {0};
 }
 
-/// All but polygons, which take the bits of a stack and more clocks (docs/memory-bits.md). A machine that divides the
-/// model itself has one.
+/// The strategies that are searched by default. A machine that divides the model itself has one.
 Texts usual_strategies(const machines::Machine& machine) {
   if (machines::division(machine)) return {std::string(emit::name_of(emit::Strategy::stack))};
-  Texts names = fixed_names_of(emit::strategies);
-  std::erase(names, emit::name_of(emit::Strategy::polygons));
-  return names;
+  return names_of(emit::usual_strategies());
 }
 
 std::vector<Dimension> dimensions_of(const AdviseOptions& options, const machines::Machine& machine) {

@@ -35,7 +35,7 @@ std::string figures_text(const AdviceRow& row) {
                      grouped(row.clocks), text(Wish::colour));
 }
 
-/// Of a front; all of it, if none has them.
+/// Rows of the front with the colours that are asked for; all rows, if none has them.
 std::vector<AdviceRow> with_colours(const std::vector<AdviceRow>& front, const Wishes& wishes) {
   std::vector<AdviceRow> all = coloured(front, wishes);
   return all.empty() ? front : all;
@@ -192,7 +192,6 @@ void print_front(std::span<const AdviceRow> rows, const Wishes& wishes) {
   });
   fmt::print("\n{:>5}{:>5}{:>6}{:>8}{:>7}  {:<10}{:<13}{}{:>12}{:>10}{:>9}\n", "bits", "z", "frac.", "colour", "error",
              "strategy", "colouring", has_alu ? " ALU" : "", "clocks", "frames/s", "wrong");
-  // In the order of the front.
   for (const AdviceRow& row : front) {
     if (std::find(shown.begin(), shown.end(), row) != shown.end()) print_row(row, has_alu, meets_all(row, wishes));
   }

@@ -145,8 +145,7 @@ std::uint64_t mixed(std::uint64_t number) {
   return number ^ number >> 31U;
 }
 
-/// The index below `values` at the fraction place / 2^64 of them, of which the upper 32 bits count. `values` fits in 32
-/// bits.
+/// floor(values * p) for p = place / 2^64 rounded down to 32 bits; `values` is less than 2^32.
 std::size_t value_at(std::uint64_t place, std::size_t values) {
   return static_cast<std::size_t>((place >> 32U) * std::uint64_t{values} >> 32U);
 }

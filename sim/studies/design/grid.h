@@ -38,10 +38,10 @@ struct GridChoice {
   std::uint32_t seed = 1;    ///< of the sample
 };
 
-/// Cells of a grid, each once, in an order that begins all over the grid: an additive recurrence, for each axis the
-/// multiples of an irrational number of its own (Roberts 2018, "The unreasonable effectiveness of quasirandom
-/// sequences"), from a place that the seed says. It is the same on every machine, and a longer sample begins with the
-/// shorter one.
+/// Cells of a grid, each once, in an order that begins all over the grid: an additive recurrence, the multiples
+/// of a different irrational number for each axis (Roberts 2018, "The unreasonable effectiveness of quasirandom
+/// sequences"), from a place that the seed determines. It is the same on every machine, and a longer sample begins with
+/// the shorter one.
 class GridSequence {
  public:
   /// `sizes`: how many values each axis has, none of them 0. Their product has to be below 2^63.

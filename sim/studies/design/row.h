@@ -13,8 +13,8 @@
 #include "sim/studies/inputs.h"
 #include "sim/studies/row_text.h"
 
-/// What the studies of the design space (sweep, accuracy, advise, explore) measure: one row type, of which each study
-/// names the columns that its table has.
+/// What the studies of the design space (sweep, accuracy, advise, explore) measure: one row type. Each study
+/// names the columns of its table.
 namespace csgsim::studies {
 
 /// One way to draw one model. A study sets what it varies (axes.h).

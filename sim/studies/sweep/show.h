@@ -19,7 +19,7 @@ class PointNames {
 
   [[nodiscard]] std::string name(const DesignPoint& point) const;
 
-  /// Names what varies besides the strategy; empty if nothing does.
+  /// The varied options other than the strategy; empty if there are none.
   [[nodiscard]] std::string conditions(const DesignPoint& point) const;
 
  private:
