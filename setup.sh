@@ -91,11 +91,11 @@ need() {
   as_root env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $missing
 }
 
-# build PRESET [CMAKE OPTIONS...]
+# build PRESET [CMAKE OPTIONS...]; with CSGSIM_STRICT set, warnings are errors in every preset.
 build() {
   preset=$1
   shift
-  cmake --preset "$preset" "$@"
+  cmake --preset "$preset" ${CSGSIM_STRICT:+-DCMAKE_COMPILE_WARNING_AS_ERROR=ON} "$@"
   cmake --build --preset "$preset"
 }
 
@@ -179,6 +179,14 @@ lint() {
     }
   fi
   git ls-files '*.h' '*.cpp' | xargs clang-format --dry-run -Werror
+  python3 tests/docs/wording.py
+  if [ -n "${1:-}" ]; then
+    long=$(git log --no-merges --format=%s "$1..HEAD" | grep -vE '^[a-z0-9_./, +-]+: [a-z`-].{0,69}$' || true)
+    [ -z "$long" ] || {
+      printf 'setup.sh: a commit subject is "room: imperative", at most 72 characters; not so:\n%s\n' "$long" >&2
+      exit 1
+    }
+  fi
   cmake --preset lint
   sources "$@" >build/linted
   echo "clang-tidy on $(wc -l <build/linted) files"

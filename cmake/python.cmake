@@ -1,8 +1,20 @@
 # The Python module (sim/python), for a Python with numpy: where several are on the PATH the first that has it, or the one
-# that -DCSGSIM_PYTHON_PROGRAM names. Not beside sanitizers, whose runtime a Python without them would have to load first.
+# that -DCSGSIM_PYTHON_PROGRAM names. A Python without sanitizers has to load their shared runtime first, which clang has
+# for addresses and threads: the tests preload it.
 option(CSGSIM_PYTHON "Build the Python module" ON)
+set(CSGSIM_PRELOAD "")
 if(CSGSIM_SANITIZE)
-  set(CSGSIM_PYTHON OFF)
+  set(runtime "")
+  if(CSGSIM_SANITIZE MATCHES "^(address|thread)")
+    string(SUBSTRING "${CSGSIM_SANITIZE}" 0 1 letter)
+    execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libclang_rt.${letter}san-${CMAKE_SYSTEM_PROCESSOR}.so
+      OUTPUT_VARIABLE runtime OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  endif()
+  if(EXISTS "${runtime}")
+    set(CSGSIM_PRELOAD "${runtime}")
+  else()
+    set(CSGSIM_PYTHON OFF)
+  endif()
 endif()
 if(NOT CSGSIM_PYTHON)
   return()

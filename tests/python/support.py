@@ -1,6 +1,7 @@
 """What the tests of the Python module share: the command line's own answers, to hold the module's against."""
 
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -11,7 +12,8 @@ FOLDER = None  # where commands run
 
 
 def begin(program, source, below="."):
-    """To be called first."""
+    """To be called first. Programs that the tests start have the runtime of their sanitizers in them."""
+    os.environ.pop("LD_PRELOAD", None)
     global CSGSIM, SOURCE, FOLDER  # pylint: disable=global-statement
     CSGSIM, SOURCE = pathlib.Path(program).resolve(), pathlib.Path(source).resolve()
     FOLDER = SOURCE / below
