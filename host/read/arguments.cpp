@@ -10,8 +10,9 @@ std::size_t ValueView::size() const {
   return count;
 }
 
-Arguments::Arguments(Source& source, const Statement& statement, const NodeType& node, const solids::Standing& standing)
-    : source_(&source), statement_(&statement), node_(&node), standing_(standing) {
+Arguments::Arguments(Source& source, const Statement& statement, const NodeType& node,
+                     const solids::MeshPlacement& mesh_placement)
+    : source_(&source), statement_(&statement), node_(&node), mesh_placement_(mesh_placement) {
   std::size_t next_positional = 0;
   for (const Argument& argument : statement.arguments) {
     if (!argument.name.empty()) {

@@ -47,10 +47,11 @@ class ValueView {
 class Arguments {
  public:
   /// Gives names to positional arguments. Throws InputError if one is unknown, given twice or too many.
-  Arguments(Source& source, const Statement& statement, const NodeType& node, const solids::Standing& standing);
+  Arguments(Source& source, const Statement& statement, const NodeType& node,
+            const solids::MeshPlacement& mesh_placement);
 
   /// Where what the node makes stands.
-  [[nodiscard]] const solids::Standing& standing() const { return standing_; }
+  [[nodiscard]] const solids::MeshPlacement& mesh_placement() const { return mesh_placement_; }
 
   [[nodiscard]] std::optional<ValueView> find(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return find(name).has_value(); }
@@ -121,7 +122,7 @@ class Arguments {
   Source* source_;
   const Statement* statement_;
   const NodeType* node_;
-  solids::Standing standing_;
+  solids::MeshPlacement mesh_placement_;
   std::vector<Bound> bound_;
 };
 

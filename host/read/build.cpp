@@ -32,7 +32,7 @@ const NodeType& usable_node(Source& source, const Statement& statement) {
 TreeBuilder::TreeBuilder(Source& source, const Options& options, Meetings meetings)
     : source_(source), options_(options), meetings_(std::move(meetings)), open_(1) {
   tree_.file = source.name();
-  open_.back().standing.meets_others = meetings_.on_top;
+  open_.back().mesh_placement.meets_others = meetings_.on_top;
 }
 
 TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
@@ -40,7 +40,7 @@ TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
   open.offset = statement.offset;
   open.location = source_.locate(statement.offset);
   open.transform = open_.back().transform;
-  open.standing = open_.back().standing;
+  open.mesh_placement = open_.back().mesh_placement;
   open.colour = open_.back().colour;
   open.first_child = children_.size();
   open.first_node = tree_.nodes.size();
@@ -65,7 +65,7 @@ void TreeBuilder::begin(const Statement& statement) {
                  fmt::format("{0}() has no children; put {1}() beside it, in a union() or difference()",
                              open_.back().name, node.name));
   }
-  const Arguments arguments(source_, statement, node, open_.back().standing);
+  const Arguments arguments(source_, statement, node, open_.back().mesh_placement);
   open_.push_back(make_open(statement));
   OpenNode& open = open_.back();
   open.name = node.name;
@@ -77,7 +77,7 @@ void TreeBuilder::begin(const Statement& statement) {
       const glm::dmat4 matrix = placement(arguments);
       open.is_removed = std::isnan(matrix[0][0]);
       open.transform = open.transform * matrix;
-      open.standing.transform = open.standing.transform * matrix;
+      open.mesh_placement.transform = open.mesh_placement.transform * matrix;
       break;
     }
     case NodeKind::colour: {
@@ -91,12 +91,12 @@ void TreeBuilder::begin(const Statement& statement) {
       open.takes_children = node.has_children;
       open.dimensions = node.dimensions;
       open.outer = std::exchange(open.transform, glm::dmat4(1));
-      open.standing.transform = glm::dmat4(1);
+      open.mesh_placement.transform = glm::dmat4(1);
       break;
     case NodeKind::unsupported:
     case NodeKind::source: break;
   }
-  if (meetings_.statements.contains(statement.offset)) open.standing = {.meets_others = true};
+  if (meetings_.statements.contains(statement.offset)) open.mesh_placement = {.meets_others = true};
 }
 
 /// The matrix of the innermost statement.

@@ -43,8 +43,8 @@ class TreeBuilder : public StatementVisitor {
     std::string_view name;
     std::uint32_t offset = 0;  ///< of the statement
     model::Location location;
-    glm::dmat4 transform{1};    ///< from the space of its children to the model's, or to that of the node they make
-    solids::Standing standing;  ///< of its children
+    glm::dmat4 transform{1};  ///< from the space of its children to the model's, or to that of the node they make
+    solids::MeshPlacement mesh_placement;  ///< of its children
     std::optional<Colour> colour;
     std::size_t first_child = 0;      ///< in children_, from here on its own
     std::size_t first_node = 0;       ///< in tree_.nodes

@@ -26,7 +26,7 @@ Made hull_of(Operands operands) {
   const Work work = operands.work;
   const model::Tree all = only_solid(std::move(operands));
   Made made;
-  if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::vertices_of(all, work), work))
+  if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::evaluate_vertices(all, work), work))
     made.pieces.push_back(*std::move(piece));
   return made;
 }
@@ -36,7 +36,7 @@ Made sum_of(const Operands& operands) {
     return {{}, flat::minkowski(operands.areas, operands.work), {}, has_area(operands) ? 2U : 0U};
   if (operands.solids.empty()) return {};
   std::vector<solids::Pieces> all;
-  for (const model::Tree& solid : operands.solids) all.push_back(solids::pieces_of(solid, operands.work));
+  for (const model::Tree& solid : operands.solids) all.push_back(solids::evaluate_pieces(solid, operands.work));
   return {solids::minkowski(all, operands.work), {}};
 }
 
@@ -90,7 +90,7 @@ Made resized(Operands operands, NewSize to) {
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
   const model::Tree solid = only_solid(std::move(operands));
-  std::vector<model::Polyhedron> pieces = solids::pieces_of(solid, work);
+  std::vector<model::Polyhedron> pieces = solids::evaluate_pieces(solid, work);
   if (pieces.empty()) return {};
   facet::Box box;
   for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr InputKind mesh_or_drawing{"a mesh or a drawing", solids::most_mesh_bytes, "make it coarser"};
+constexpr InputKind mesh_or_drawing{"a mesh or a drawing", solids::max_mesh_bytes, "make it coarser"};
 
 flat::Area svg_area(const Arguments& arguments, const std::string& bytes) {
   flat::SvgOptions options;
@@ -56,7 +56,7 @@ Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::
   Made made;
   made.dimensions = 3;
   for (const solids::Mesh& mesh : solids::parse_meshes(file.bytes, file.path)) {
-    const MeshPieces found = pieces_of(mesh, tolerance, arguments.standing(), arguments.work());
+    const MeshPieces found = pieces_of(mesh, tolerance, arguments.mesh_placement(), arguments.work());
     if (found.defect)
       throw InputError(file.path.string() + ": face " + std::to_string(found.defect->face) + ": " + found.defect->what);
     for (const Remark& remark : found.remarks)
@@ -68,7 +68,8 @@ Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::
 
 Made made_of(const Arguments& arguments) {
   const std::optional<ImportedFile> file = arguments.file(mesh_or_drawing);
-  const std::string kind = solids::ending_of(file ? file->path : fs::path(arguments.text("file").value_or("")));
+  const std::string kind =
+      solids::lower_case_extension(file ? file->path : fs::path(arguments.text("file").value_or("")));
   const bool is_drawing = kind == ".svg" || kind == ".dxf";
   if (!file) return {{}, {}, {}, is_drawing ? 2U : 3U};
   try {
@@ -90,7 +91,7 @@ Maker read_surface(const Arguments& arguments) {
   MeshPieces found;
   try {
     found = pieces_of(solids::parse_surface_file(file->bytes, file->path, center, invert),
-                      solids::double_precision_tolerance, arguments.standing(), arguments.work());
+                      solids::double_precision_tolerance, arguments.mesh_placement(), arguments.work());
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }

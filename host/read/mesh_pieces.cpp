@@ -18,15 +18,15 @@ constexpr std::uint64_t check_steps = 3'000;
 
 Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {
   std::string what = bent.count == 1 ? fmt::format("faces[{}] is not flat: a corner is {:.3g} off its plane",
-                                                   bent.first, bent.most_off)
+                                                   bent.first, bent.max_deviation)
                                      : fmt::format(
                                            "faces[{}] and {} more are not flat: corners are up to {:.3g} off "
                                            "their planes",
-                                           bent.first, bent.count - 1, bent.most_off);
+                                           bent.first, bent.count - 1, bent.max_deviation);
   what += is_hull ? "; the solid is nearly convex and meets others, where OpenSCAD takes it for its convex hull"
                   : "; cut into triangles as OpenSCAD cuts it";
-  if (bent.unlike && !is_hull)
-    what += fmt::format(", but for faces[{}], which crosses itself as OpenSCAD looks at it", *bent.unlike);
+  if (bent.first_different && !is_hull)
+    what += fmt::format(", but for faces[{}], which crosses itself as OpenSCAD looks at it", *bent.first_different);
   return {bent.first, std::move(what)};
 }
 
@@ -63,17 +63,18 @@ Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
 }
 
 /// The hull of a mesh in several pieces that OpenSCAD takes for that.
-std::optional<model::Polyhedron> hull_of(const solids::Mesh& mesh, std::size_t pieces, const solids::Standing& standing,
-                                         const Work& work) {
-  if (pieces < 2 || !standing.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
+std::optional<model::Polyhedron> hull_of(const solids::Mesh& mesh, std::size_t pieces,
+                                         const solids::MeshPlacement& mesh_placement, const Work& work) {
+  if (pieces < 2 || !mesh_placement.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
   return solids::hull_piece(mesh.points, work);
 }
 
 }  // namespace
 
-MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::Standing& standing, const Work& work) {
+MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::MeshPlacement& mesh_placement,
+                     const Work& work) {
   work.charge(check_steps * mesh.faces.size(), "checking a mesh of " + std::to_string(mesh.faces.size()) + " faces");
-  solids::Checked checked = solids::check(mesh, tolerance, standing);
+  solids::Checked checked = solids::check(mesh, tolerance, mesh_placement);
   if (checked.defect) return {{}, std::move(checked.defect)};
   solids::Limits limits;
   limits.tolerance = tolerance;
@@ -83,7 +84,7 @@ MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::S
   bool is_hull = false;
   if (divided.crossing) {
     made.remarks.push_back(*std::move(divided.crossing));
-  } else if (auto hull = hull_of(checked.mesh, made.pieces.size(), standing, work)) {
+  } else if (auto hull = hull_of(checked.mesh, made.pieces.size(), mesh_placement, work)) {
     made.pieces = {*std::move(hull)};
     is_hull = true;
   }

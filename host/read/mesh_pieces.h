@@ -27,6 +27,7 @@ struct MeshPieces {
 /// As OpenSCAD 2021.01 draws the mesh: faces that are not flat are cut into its triangles, what is nearly convex is its
 /// convex hull where it meets others, and a mesh whose faces cross is what they wind around. `tolerance`: see
 /// solids/limits.h. Throws InputError past the limits on pieces, and WorkError past that on work.
-MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::Standing& standing, const Work& work);
+MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::MeshPlacement& mesh_placement,
+                     const Work& work);
 
 }  // namespace csgsim::read

@@ -47,9 +47,9 @@ Made made_of(const Arguments& arguments) {
   if (auto solid = solids::as_convex_faces(solids::join_points(mesh).mesh)) return {{*std::move(solid)}, {}};
   MeshPieces found;
   try {
-    solids::Standing standing = arguments.standing();
-    standing.runs_back = true;
-    found = pieces_of(mesh, solids::printed_tolerance, standing, arguments.work());
+    solids::MeshPlacement mesh_placement = arguments.mesh_placement();
+    mesh_placement.is_reversed = true;
+    found = pieces_of(mesh, solids::printed_tolerance, mesh_placement, arguments.work());
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }

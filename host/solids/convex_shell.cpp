@@ -33,7 +33,7 @@ class Shell {
   }
 
   [[nodiscard]] std::optional<model::Polyhedron> polyhedron() const {
-    std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> outlines;  // by region: from corner to corner
+    std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> outlines;  // region, corner, next corner
     for (const std::uint32_t face : faces_) {
       const std::vector<std::uint32_t>& corners = mesh_.faces[face];
       for (std::uint32_t k = 0; k < corners.size(); ++k) {
@@ -64,7 +64,7 @@ class Shell {
     return true;
   }
 
-  /// Corners where only two regions meet are on an edge, and left out.
+  /// Omits corners at which only two regions meet: they lie on an edge.
   [[nodiscard]] std::optional<model::Polyhedron> assemble(const std::map<std::uint32_t, Outline>& outlines) const {
     std::map<std::uint32_t, std::uint32_t> degrees;
     for (const auto& [region, outline] : outlines) {

@@ -27,7 +27,8 @@ bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d));
 }
 
-/// Finds, for each triangle, the first triangle of its face. A face is all that lies in one plane.
+/// Finds, for each triangle, the first triangle of its face. A face is a maximal set of adjacent triangles in one
+/// plane.
 class Grouping {
  public:
   explicit Grouping(const Mesh& hull) : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
@@ -41,7 +42,7 @@ class Grouping {
     return neighbours_.face[neighbours_.first_side[face] + side];
   }
 
-  std::uint32_t of(std::uint32_t face) {
+  std::uint32_t find(std::uint32_t face) {
     while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
     return face;
   }
@@ -54,7 +55,7 @@ class Grouping {
     for (const std::uint32_t corner : hull_.faces[other]) {
       if (!are_in_one_plane(at(face[0]), at(face[1]), at(face[2]), at(corner))) return;
     }
-    const auto [low, high] = std::minmax({of(one), of(other)});
+    const auto [low, high] = std::minmax({find(one), find(other)});
     parent_[high] = low;
   }
 
@@ -63,7 +64,7 @@ class Grouping {
   std::vector<std::uint32_t> parent_;
 };
 
-/// An edge where two faces meet, as the one whose number it has runs along it.
+/// An edge between two faces, in the direction in which `face` runs along it.
 struct Rim {
   std::uint32_t face = 0;
   std::uint32_t from = 0;
@@ -79,8 +80,8 @@ std::vector<Rim> rims_of(const Mesh& hull) {
   std::vector<Rim> rims;
   for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
     for (std::uint32_t side = 0; side < 3; ++side) {
-      const std::uint32_t own = grouping.of(face);
-      if (grouping.of(grouping.beyond(face, side)) == own) continue;
+      const std::uint32_t own = grouping.find(face);
+      if (grouping.find(grouping.beyond(face, side)) == own) continue;
       rims.push_back({own, hull.faces[face][side], hull.faces[face][(side + 1) % 3]});
     }
   }
@@ -88,7 +89,7 @@ std::vector<Rim> rims_of(const Mesh& hull) {
   return rims;
 }
 
-/// The corners of each face in turn.
+/// The corners of each face in order.
 std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
   std::vector<Loop> loops;
   for (auto begin = rims.begin(); begin != rims.end();) {
@@ -104,8 +105,8 @@ std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
   return loops;
 }
 
-/// Numbers the points where three faces or more meet, in the order of their coordinates. Other points, which are within
-/// a face or an edge, get `none`.
+/// Numbers the points at which at least three faces meet, in the order of their coordinates. Other points, inside a
+/// face or an edge, get `none`.
 std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
   std::vector<std::uint32_t> uses(hull.points.size());
   for (const Loop& loop : loops) {

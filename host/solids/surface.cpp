@@ -111,8 +111,8 @@ double floor_below(const std::vector<double>& given) {
 }
 
 void require_few_heights(std::size_t heights, std::string_view name) {
-  if (heights <= most_heights) return;
-  throw InputError(fmt::format("{}: more than {} heights; make it coarser", printable(name), most_heights));
+  if (heights <= max_heights) return;
+  throw InputError(fmt::format("{}: more than {} heights; make the grid coarser", printable(name), max_heights));
 }
 
 /// Lines of numbers, each as long as it is.
@@ -155,7 +155,7 @@ Mesh parse_surface(std::string_view text, std::string_view name, bool center) {
 }
 
 Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool center, bool invert) {
-  const Pixels pixels = read_png(bytes, name, most_heights);
+  const Pixels pixels = read_png(bytes, name, max_heights);
   Heights heights{pixels.width, pixels.height, {}, 0};
   for (std::uint32_t row = 0; row < pixels.height; ++row) {
     const unsigned char* pixel = &pixels.bytes[std::size_t{3} * pixels.width * (pixels.height - 1 - row)];
@@ -169,8 +169,8 @@ Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool cente
 }
 
 Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert) {
-  return ending_of(path) == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
-                                   : parse_surface(bytes, path.native(), center);
+  return lower_case_extension(path) == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
+                                              : parse_surface(bytes, path.native(), center);
 }
 
 }  // namespace csgsim::solids

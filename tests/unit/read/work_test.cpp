@@ -44,7 +44,7 @@ TEST_CASE("a thin area twisted to a point is cut in an end of steps") {
 
 TEST_CASE("slices of which no solid can have so many are refused before they are cut") {
   const std::string expected =
-      "m.csg:1:1: linear_extrude(): linear_extrude() falls into more than 100000 convex pieces; ask for fewer slices, "
+      "m.csg:1:1: linear_extrude(): linear_extrude() needs more than 100000 convex pieces; use fewer slices, "
       "or "
       "raise $fa or $fs";
   CHECK(refusal(twisted("slices = 100001, scale = [0.5, 0.5]", "[12, 5]"), 20'000) == expected);
