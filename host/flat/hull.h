@@ -6,7 +6,7 @@
 
 namespace csgsim::flat {
 
-/// The smallest convex polygon that holds all corners; empty if they are on a line.
+/// The convex hull of all corners; empty if they are collinear.
 Area hull(std::span<const Area> areas);
 
 }  // namespace csgsim::flat
