@@ -146,7 +146,7 @@ void remove(Partition& partition, std::uint32_t diagonal) {
   partition.edges[one.twin].next = none;
 }
 
-/// For each point, whether the area's border is reflex there, so that only cuts make it convex.
+/// Marks the points at which the area's border is reflex, so that only cuts make it convex.
 std::vector<bool> reflex_points(const Partition& partition) {
   std::vector<bool> reflex(partition.points.size(), false);
   for (std::uint32_t out = 0; out < partition.edges.size(); ++out) {
