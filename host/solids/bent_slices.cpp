@@ -164,7 +164,7 @@ class SliceSides {
   /// A cell around the slice, with a margin of a tenth of its size.
   convex::Polytope make_cell() {
     const double margin = 0.1 * size();
-    return convex::intersection(box_, convex::walls_of({box_.low - margin, box_.high + margin}, planes_), planes_);
+    return convex::intersection(box_, convex::box_walls({box_.low - margin, box_.high + margin}, planes_), planes_);
   }
 
   void add(const flat::Outline& outline) {

@@ -153,7 +153,7 @@ class Division {
     const double margin = 0.1 * planes_.diagonal();
     box = {box.low - margin, box.high + margin};
     return convex::intersection({box.low - planes_.centre(), box.high - planes_.centre()},
-                                convex::walls_of(box, planes_), planes_);
+                                convex::box_walls(box, planes_), planes_);
   }
 
   Mesh mesh_;

@@ -82,7 +82,7 @@ facet::Geometry cut_off(const model::Tree& tree, const facet::Geometry& whole, c
     for (const facet::Face& face : facet::make_solid(tree.primitives[i]).faces)
       solid.halfspaces.push_back(cut.planes.add(scaled(face.plane, slab.scale)));
     if (solid.box != box) {
-      for (const facet::Halfspace& wall : convex::walls_of(region, cut.planes)) solid.halfspaces.push_back(wall);
+      for (const facet::Halfspace& wall : convex::box_walls(region, cut.planes)) solid.halfspaces.push_back(wall);
     }
     std::ranges::sort(solid.halfspaces, {},
                       [](const facet::Halfspace& side) { return std::pair(side.plane, side.positive); });
