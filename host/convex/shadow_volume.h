@@ -22,10 +22,9 @@ struct Light {
 /// A face does not face the light if the light is on its plane, within facet::coincidence_tolerance of the model's
 /// diagonal or of the light's distance.
 struct ShadowVolume {
-  std::vector<facet::Halfspace> facing;  ///< half-spaces of the faces that face the light
-  std::vector<facet::Halfspace>
-      edge_on;  ///< half-spaces of faces whose planes contain the light and that bound the volume
-  std::vector<facet::Plane> silhouette;  ///< planes through silhouette edges and the light, as in PlaneTable::planes()
+  std::vector<facet::Halfspace> facing;   ///< half-spaces of the faces that face the light
+  std::vector<facet::Halfspace> edge_on;  ///< half-spaces of bounding faces whose planes contain the light
+  std::vector<facet::Plane> silhouette;   ///< planes through silhouette edges and the light, as in PlaneTable::planes()
 
   /// The volume is the convex hull of the corners, extended along nonnegative combinations of the directions.
   std::vector<glm::dvec3> corners;     ///< model space

@@ -54,7 +54,7 @@ std::uint64_t count_cells(const std::vector<Row>& rows) {
 }
 
 /// The division into rows with the fewest cells. Rows of height 2 theta would have cells of no width. The minimum is at
-/// a row height of about sqrt(2) theta, and never at more than twice as many rows.
+/// a row height of about sqrt(2) theta, and never at more than double the number of rows.
 std::vector<Row> fewest_cells(double theta) {
   const auto least = std::max<std::uint64_t>(1, static_cast<std::uint64_t>((pi - 2.0 * theta) / (2.0 * theta)));
   std::vector<Row> best;

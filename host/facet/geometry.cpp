@@ -106,9 +106,8 @@ class GeometryMaker {
 
   PlaneTable& planes_;
   QuadricTable& quadrics_;
-  std::uint32_t count_ = 0;  ///< number of solids made
-  std::vector<std::array<std::uint32_t, 2>>
-      last_user_;  ///< for each plane and side, the number of the last solid that uses it
+  std::uint32_t count_ = 0;                              ///< number of solids made
+  std::vector<std::array<std::uint32_t, 2>> last_user_;  ///< last solid that uses each plane and side
 };
 
 /// Whether each coordinate is a number within the supported range.
@@ -154,7 +153,7 @@ Box box_of(std::span<const glm::dvec3> points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};
   for (const glm::dvec3& point : points) {
-    // Equivalent to glm::min() and glm::max(), which take several times as many instructions as this.
+    // Equivalent to glm::min() and glm::max(), which take several times the instructions.
     for (int axis = 0; axis < 3; ++axis) {
       box.low[axis] = point[axis] < box.low[axis] ? point[axis] : box.low[axis];
       box.high[axis] = point[axis] > box.high[axis] ? point[axis] : box.high[axis];

@@ -22,13 +22,13 @@ enum class QuadricKind : std::uint8_t {
 /// matrix is less accurate if the quadric is thin relative to its length.
 struct Quadric {
   QuadricKind kind = QuadricKind::ellipsoid;
-  glm::dvec3 origin{
-      0};  ///< relative to QuadricTable::centre(): centre, point of the axis nearest to that centre, or apex
-  glm::dvec3 axis{
-      0, 0,
-      1};  ///< of cylinders and cones, of length 1, first nonzero component positive; of a cone, the principal axis
-  std::array<double, 6>
-      form{};  ///< xx, yy, zz, xy, xz, yz of a symmetric matrix; for a cone the largest magnitude is 1
+  /// Relative to QuadricTable::centre(): the centre, the point of the axis nearest to QuadricTable::centre(), or the
+  /// apex.
+  glm::dvec3 origin{0};
+  /// Of cylinders and cones: of length 1, first nonzero component positive. Of a cone, the principal axis.
+  glm::dvec3 axis{0, 0, 1};
+  /// xx, yy, zz, xy, xz, yz of a symmetric matrix; for a cone the largest magnitude is 1.
+  std::array<double, 6> form{};
   std::array<glm::dvec3, 3> to_unit{};  ///< rows of a matrix; the last row is 0 for a cylinder
 
   [[nodiscard]] double level() const { return kind == QuadricKind::cone ? 0.0 : -1.0; }

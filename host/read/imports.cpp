@@ -50,7 +50,7 @@ flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double s
 
 namespace {
 
-Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
+Made make_meshes(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
   const double tolerance =
       kind == ".stl" || kind == ".3mf" ? solids::single_precision_tolerance : solids::printed_tolerance;
   Made made;
@@ -60,13 +60,13 @@ Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::
     if (found.defect)
       throw InputError(file.path.string() + ": face " + std::to_string(found.defect->face) + ": " + found.defect->what);
     for (const Remark& remark : found.remarks)
-      arguments.tell(fmt::format("{}: {}", printable(file.path.native()), remark.what));
+      arguments.report(fmt::format("{}: {}", printable(file.path.native()), remark.what));
     made.pieces.insert(made.pieces.end(), found.pieces.begin(), found.pieces.end());
   }
   return made;
 }
 
-Made made_of(const Arguments& arguments) {
+Made make_import(const Arguments& arguments) {
   const std::optional<ImportedFile> file = arguments.file(mesh_or_drawing);
   const std::string kind =
       solids::lower_case_extension(file ? file->path : fs::path(arguments.text("file").value_or("")));
@@ -75,7 +75,7 @@ Made made_of(const Arguments& arguments) {
   try {
     if (kind == ".svg") return {{}, svg_area(arguments, file->bytes), {}, 2};
     if (kind == ".dxf") return {{}, dxf_area(arguments, file->bytes, arguments.number("scale").value_or(1)), {}, 2};
-    return mesh_made(arguments, *file, kind);
+    return make_meshes(arguments, *file, kind);
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
@@ -100,7 +100,7 @@ Maker read_surface(const Arguments& arguments) {
 }
 
 Maker read_import(const Arguments& arguments) {
-  return [made = made_of(arguments)](const Operands& /*none*/) { return made; };
+  return [made = make_import(arguments)](const Operands& /*none*/) { return made; };
 }
 
 }  // namespace csgsim::read

@@ -32,9 +32,8 @@ inline constexpr double most_coordinate = model::most_coordinate;
 
 /// Limits and tolerances of the division of a solid into convex pieces.
 struct Limits {
-  double tolerance =
-      printed_tolerance;        ///< maximum distance of points from a flat face, in units of the largest coordinate
-  bool checks_coverage = true;  ///< reject pieces that extend past the surface, as a hole
+  double tolerance = printed_tolerance;  ///< distance of points from a flat face, in units of the largest coordinate
+  bool checks_coverage = true;           ///< reject pieces that extend past the surface, as a hole
   std::size_t max_pieces = 100'000;
   std::size_t max_fragments = 4'000'000;  ///< parts of faces produced by cuts
   Work work{};

@@ -224,8 +224,7 @@ class Section {
   std::vector<flat::Outline> leaves_;  ///< outline of each primitive
   std::vector<facet::Box> boxes_;      ///< bounds of each node
   std::vector<std::uint32_t> terms_;
-  std::vector<Paths> made_ =
-      std::vector<Paths>(tree_.nodes.size());  ///< result of each node, until its parent takes it
+  std::vector<Paths> made_ = std::vector<Paths>(tree_.nodes.size());  ///< node results, until used
 };
 
 }  // namespace

@@ -11,10 +11,9 @@ namespace csgsim::solids {
 
 /// Groups of adjacent faces that are in one plane, to rounding.
 struct Regions {
-  std::vector<std::uint32_t>
-      of_face;                       ///< region of each face; `none` for a face without area that is next to no region
-  std::vector<facet::Plane> planes;  ///< outward planes
-  double deviation = 0;              ///< maximum distance of a corner from its face's plane
+  std::vector<std::uint32_t> of_face;  ///< region of each face; `none` for an isolated face without area
+  std::vector<facet::Plane> planes;    ///< outward planes
+  double deviation = 0;                ///< maximum distance of a corner from its face's plane
 };
 
 /// Grows regions from the largest face down. Each region absorbs adjacent faces as long as no corner is farther than
