@@ -1,3 +1,5 @@
+// Repeated clipping of one polytope with an index of its vertices.
+// Used by polytope.cpp.
 #pragma once
 
 #include <boost/container/small_vector.hpp>

@@ -1,3 +1,5 @@
+// Clipping of a polytope by a half-space.
+// Used throughout host/convex and by host/effects, host/solids and sim/software.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// The cut of a polytope's faces by a plane.
+// Used by carver.h and clip.cpp.
 #pragma once
 
 #include <cstddef>

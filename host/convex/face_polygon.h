@@ -1,3 +1,5 @@
+// Polygon of one face of a primitive.
+// Used by near_faces.cpp and host/solids.
 #pragma once
 
 #include <array>

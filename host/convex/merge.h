@@ -1,3 +1,5 @@
+// Merging of adjacent convex polytopes.
+// Used by pieces.cpp and host/solids.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Detection of overlapping faces in nearly equal planes.
+// Used by sim/session.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Difference of a polytope and a convex primitive.
+// Used by extent.cpp and pieces.cpp.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Division of a model into convex pieces.
+// Used by host/effects and host/solids.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Bounded convex polyhedra.
+// Used throughout host/convex and by host/solids and sim/software.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Shadow volumes of polytopes.
+// Used by host/effects.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,3 +1,5 @@
+// Enumeration of the nonempty products of a CSG tree.
+// Used by extent.cpp and pieces.cpp.
 #pragma once
 
 #include <cstdint>

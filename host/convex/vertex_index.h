@@ -1,3 +1,5 @@
+// Spatial index of a polytope's vertices.
+// Used by carver.h.
 #pragma once
 
 #include <cstdint>

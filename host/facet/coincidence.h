@@ -1,3 +1,5 @@
+// Tolerance and hashing that identify coincident surfaces.
+// Used by planes.h, quadric_table.h and sim/software.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Faceting of a ball within a tolerance by few half-spaces.
+// Used by solid.cpp.
 #pragma once
 
 #include "host/facet/solid.h"

@@ -1,3 +1,5 @@
+// Hulls and quadrics of curved primitives.
+// Used by solid.cpp, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Options of faceting.
+// Used by curved.h, solid.h, solid_at.h and sim.
 #pragma once
 
 #include <cstdint>

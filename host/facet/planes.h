@@ -1,3 +1,5 @@
+// Table of a model's distinct planes.
+// Used by geometry.h, host/convex, host/solids and sim/software.
 #pragma once
 
 #include <cstdint>

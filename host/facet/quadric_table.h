@@ -1,3 +1,5 @@
+// Table of a model's distinct quadrics.
+// Used by curved.h, geometry.h, solid.h, host/view and sim/judges.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Primitives in model space, faceted or curved.
+// Used throughout host/facet and by host/convex, host/solids and sim/software.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Faceting of one primitive of a tree, with positions in errors.
+// Used by geometry.cpp and sim/software.
 #pragma once
 
 #include <cstdint>

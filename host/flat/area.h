@@ -1,3 +1,5 @@
+// 2-D areas bounded by polygons.
+// Used throughout host/flat and by host/read and host/solids.
 #pragma once
 
 #include <glm/vec2.hpp>

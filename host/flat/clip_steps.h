@@ -1,3 +1,5 @@
+// Work charged for calls to Clipper.
+// Used by clipping.cpp, offset.cpp and host/solids.
 #pragma once
 
 #include <polyclipping/clipper.hpp>

@@ -1,3 +1,5 @@
+// Conversions to and from Clipper, and its Boolean operations.
+// Used throughout host/flat.
 #pragma once
 
 #include <polyclipping/clipper.hpp>

@@ -1,3 +1,5 @@
+// OpenSCAD's Booleans of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include <span>

@@ -1,3 +1,5 @@
+// Reader of DXF drawings.
+// Used by host/read.
 #pragma once
 
 #include <glm/vec2.hpp>

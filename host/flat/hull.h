@@ -1,3 +1,5 @@
+// Convex hulls of 2-D areas.
+// Used by host/read and host/solids.
 #pragma once
 
 #include <span>

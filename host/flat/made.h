@@ -1,3 +1,5 @@
+// OpenSCAD's 2-D primitives: square(), circle() and polygon().
+// Used by host/read.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Minkowski sums of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include <span>

@@ -1,3 +1,5 @@
+// OpenSCAD's offset() of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include "host/flat/area.h"

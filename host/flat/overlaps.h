@@ -1,3 +1,5 @@
+// Removal of coincident sides before a call to Clipper.
+// Used by clipping.cpp.
 #pragma once
 
 #include <polyclipping/clipper.hpp>

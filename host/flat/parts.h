@@ -1,3 +1,5 @@
+// Division of 2-D areas into convex polygons.
+// Used by host/solids.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Transformation and resizing of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -1,3 +1,5 @@
+// Reader of SVG drawings.
+// Used by host/read and sim/web.
 #pragma once
 
 #include <string_view>

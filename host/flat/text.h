@@ -1,3 +1,5 @@
+// OpenSCAD's text().
+// Used by lettering/module.h, lettering/shaping.h and host/read.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Typed access to the arguments of a `.csg` statement.
+// Used throughout host/read.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Construction of the CSG tree from statements.
+// Used by read.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Grammar of `.csg` files.
+// Used by syntax.cpp and host/commands.
 #pragma once
 
 #include <tao/pegtl.hpp>

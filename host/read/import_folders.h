@@ -1,3 +1,5 @@
+// Folders from which a model may import files.
+// Used by source.h.
 #pragma once
 
 #include <filesystem>

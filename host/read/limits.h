@@ -1,3 +1,5 @@
+// Limits of the `.csg` reader.
+// Used by build.cpp, parser.cpp, source.h, host/commands and sim/session.
 #pragma once
 
 #include <cstddef>

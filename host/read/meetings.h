@@ -1,3 +1,5 @@
+// Statements in which solids are combined with others.
+// Used by build.h and read.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Conversion of meshes to convex pieces, with notes on repairs.
+// Used by imports.cpp, polyhedron.cpp and host/commands.
 #pragma once
 
 #include <cstdint>

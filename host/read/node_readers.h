@@ -1,3 +1,5 @@
+// Readers of the arguments of each node type.
+// Used throughout host/read.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Table of node types.
+// Used by arguments.h, build.h and meetings.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Parser of number literals.
+// Used by parser.cpp, restore.cpp and host/commands.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Operands and results of nodes other than Booleans.
+// Used by node_readers.h and nodes.h.
 #pragma once
 
 #include <cstdint>

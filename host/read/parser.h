@@ -1,3 +1,5 @@
+// Actions of the `.csg` grammar.
+// Used by syntax.cpp.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,3 +1,5 @@
+// Matrices and colours of nodes.
+// Used by build.cpp and host/commands.
 #pragma once
 
 #include <glm/mat4x4.hpp>

@@ -1,3 +1,5 @@
+// Reader of OpenSCAD `.csg` files.
+// Used by build.h, source.h, host/commands, sim.
 #pragma once
 
 #include <filesystem>

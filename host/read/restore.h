@@ -1,3 +1,5 @@
+// Recovery of rotations from six printed digits.
+// Used by build.h.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Modifiers that select the drawn statements.
+// Used by read.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Arguments common to several nodes: facets, radii, points, indices.
+// Used throughout host/read.
 #pragma once
 
 #include <fmt/format.h>

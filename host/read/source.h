@@ -1,3 +1,5 @@
+// The text of a model: positions, messages, imports.
+// Used throughout host/read and by host/commands, sim/session, sim/studies and sim/viewer.
 #pragma once
 
 #include <cstddef>

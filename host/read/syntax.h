@@ -1,3 +1,5 @@
+// Statements of `.csg` files, and their visitor.
+// Used throughout host/read.
 #pragma once
 
 #include <cstddef>

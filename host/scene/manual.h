@@ -1,3 +1,5 @@
+// Documentation of scene files, generated from their schema.
+// Used by host/effects and sim/viewer.
 #pragma once
 
 #include <string>

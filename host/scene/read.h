@@ -1,3 +1,5 @@
+// Reader of scene files.
+// Used by set.cpp and sim/session.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Scene data: camera, lights, materials, background, effects.
+// Used by schema.h, host/effects, host/emit, host/lighting, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Schema of scene files: sections and their keys.
+// Used by manual.h, read.h, sections.cpp, host/emit and sim/session.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Scene values set on the command line.
+// Used by read.cpp.
 #pragma once
 
 #include <toml++/toml.h>

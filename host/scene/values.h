@@ -1,3 +1,5 @@
+// Values and keys of scene files.
+// Used by scene.h and schema.h.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Division of a profile into convex parts that suit rotation about the y axis.
+// Used by rotate_extrude.cpp.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Linear extrusion with bent sides, slice by slice.
+// Used by linear_extrude.cpp.
 #pragma once
 
 #include <vector>

@@ -1,3 +1,5 @@
+// Checks and repairs that turn a mesh into the closed surface of a solid.
+// Used throughout host/solids and by host/read.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Choice of the planes by which a solid is cut into convex pieces.
+// Used by partition.cpp.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Recognition of convex and nearly convex meshes.
+// Used by host/read.
 #pragma once
 
 #include <optional>

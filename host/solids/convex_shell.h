@@ -1,3 +1,5 @@
+// Recognition of convex shells, which need no cutting.
+// Used by pieces.cpp.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Space enclosed by a self-intersecting surface, as convex polytopes.
+// Used by bent_slices.cpp and pieces.cpp.
 #pragma once
 
 #include <vector>

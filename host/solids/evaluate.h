@@ -1,3 +1,5 @@
+// Evaluation of a CSG tree to convex pieces or to points.
+// Used by host/read.
 #pragma once
 
 #include <glm/vec3.hpp>

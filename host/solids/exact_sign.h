@@ -1,3 +1,5 @@
+// Exact signs of 3x3 determinants of point differences.
+// Used by hull.cpp and hull_faces.cpp.
 #pragma once
 
 #include <array>

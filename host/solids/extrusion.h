@@ -1,3 +1,5 @@
+// OpenSCAD's linear_extrude() and rotate_extrude() of 2-D areas.
+// Used throughout host/solids and by host/read.
 #pragma once
 
 #include <cstdint>

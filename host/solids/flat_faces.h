@@ -1,3 +1,5 @@
+// Face normals, planarity, and division of faces into flat convex parts.
+// Used throughout host/solids.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,3 +1,5 @@
+// Tests and monotone division of a projected outline, with exact predicates.
+// Used by seen_outline.h, tessellation.cpp and triangle_net.h.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// PNG decoding for surface().
+// Used by surface.cpp and sim/web.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Convex hulls of points, computed with exact predicates.
+// Used by minkowski.cpp and host/read.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,3 +1,5 @@
+// Canonical form of a convex hull.
+// Used by hull.cpp.
 #pragma once
 
 #include "host/solids/mesh.h"

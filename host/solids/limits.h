@@ -1,3 +1,5 @@
+// Tolerances of meshes, and limits of their division into convex pieces.
+// Used throughout host/solids and by host/commands.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// A polygon mesh.
+// Used throughout host/solids and by host/read and host/swept.
 #pragma once
 
 #include <cstdint>

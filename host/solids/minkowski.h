@@ -1,3 +1,5 @@
+// Minkowski sums of solids in convex pieces.
+// Used by host/read.
 #pragma once
 
 #include <cstddef>

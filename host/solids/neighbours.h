@@ -1,3 +1,5 @@
+// Adjacency of faces, and connected shells.
+// Used throughout host/solids.
 #pragma once
 
 #include <algorithm>

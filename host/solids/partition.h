@@ -1,3 +1,5 @@
+// Division of a solid into convex polytopes by planes of its faces.
+// Used throughout host/solids.
 #pragma once
 
 #include <array>

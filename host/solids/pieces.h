@@ -1,3 +1,5 @@
+// Division of a mesh into convex pieces.
+// Used by hull.cpp and host/read.
 #pragma once
 
 #include <vector>

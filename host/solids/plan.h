@@ -1,3 +1,5 @@
+// Projection of a solid's convex pieces to the x, y plane.
+// Used by projection.cpp.
 #pragma once
 
 #include <cstdint>

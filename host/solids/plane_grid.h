@@ -1,3 +1,5 @@
+// Integer grids in the x, y plane for Clipper.
+// Used by projection.cpp.
 #pragma once
 
 #include <cstdint>

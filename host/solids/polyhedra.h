@@ -1,3 +1,5 @@
+// Conversion of polytopes to model space.
+// Used by bent_slices.cpp, evaluate.cpp and pieces.cpp.
 #pragma once
 
 #include "host/convex/polytope.h"

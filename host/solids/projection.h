@@ -1,3 +1,5 @@
+// OpenSCAD's projection() of solids: shadow and section.
+// Used by host/read.
 #pragma once
 
 #include "host/flat/area.h"

@@ -1,3 +1,5 @@
+// Readers of mesh files: STL, OFF, OBJ, AMF and 3MF.
+// Used throughout host/solids and by host/read and sim/web.
 #pragma once
 
 #include <cstddef>

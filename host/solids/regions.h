@@ -1,3 +1,5 @@
+// Groups of adjacent faces that share a plane, to rounding.
+// Used by convex_shell.h and pieces.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Projection of a face's outline, as in libtess2.
+// Used by tessellation.cpp.
 #pragma once
 
 #include <glm/vec3.hpp>

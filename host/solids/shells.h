@@ -1,3 +1,5 @@
+// Volumes, winding numbers and nesting of a mesh's shells.
+// Used throughout host/solids.
 #pragma once
 
 #include <cstdint>

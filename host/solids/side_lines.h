@@ -1,3 +1,5 @@
+// Canonical lines of a profile's sides.
+// Used by bent_slices.cpp, linear_extrude.cpp and rotate_extrude.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,3 +1,5 @@
+// OpenSCAD's number of slices of an extrusion.
+// Used by bent_slices.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// OpenSCAD's surface(): meshes of height fields.
+// Used by host/read.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// OpenSCAD's triangulation of faces that are not flat.
+// Used by bent_faces.cpp and triangle_net.h.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Half-edge triangulation of a flat outline, as in libtess2.
+// Used by tessellation.cpp.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Extraction of members of zip archives.
+// Used by read_xml.cpp.
 #pragma once
 
 #include <cstddef>

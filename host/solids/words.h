@@ -1,3 +1,5 @@
+// Tokenizer of text formats, with positions for messages.
+// Used throughout host/solids.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// B-spline design curves and their Bernstein segments.
+// Used by net.cpp, orientation.h, sweep.h and host/commands.
 #pragma once
 
 #include <array>

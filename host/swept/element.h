@@ -1,3 +1,5 @@
+// Surface elements and quadtree streams.
+// Used throughout host/swept.
 #pragma once
 
 #include <array>

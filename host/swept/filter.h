@@ -1,3 +1,5 @@
+// The thesis's integrity filter for subdivided patches.
+// Used by mesh.cpp.
 #pragma once
 
 #include "host/swept/element.h"

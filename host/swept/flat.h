@@ -1,3 +1,5 @@
+// Distances and the flatness test of surface elements.
+// Used by net.cpp and sweep.cpp.
 #pragma once
 
 #include <array>

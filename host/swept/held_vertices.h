@@ -1,3 +1,5 @@
+// Vertices held by the integrity filter.
+// Used by filter.cpp.
 #pragma once
 
 #include <array>

@@ -1,3 +1,5 @@
+// Conforming meshes of surfaces, and swept solids.
+// Used by host/commands and sim/studies.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Bicubic B-spline surfaces given by a net of control points.
+// Used by host/commands.
 #pragma once
 
 #include <glm/vec3.hpp>

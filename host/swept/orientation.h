@@ -1,3 +1,5 @@
+// Trajectories, and the orientation of the contour along them.
+// Used by spine.h.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Interface through which repaired meshes are received, and counts of the repair.
+// Used throughout host/swept.
 #pragma once
 
 #include <cstdint>

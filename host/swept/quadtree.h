@@ -1,3 +1,5 @@
+// Mesh repair with a complete quadtree, as an alternative to the filter.
+// Used by mesh.cpp.
 #pragma once
 
 #include "host/swept/element.h"

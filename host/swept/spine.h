@@ -1,3 +1,5 @@
+// Sections along a trajectory.
+// Used by mesh.cpp and sweep.cpp.
 #pragma once
 
 #include <cstddef>

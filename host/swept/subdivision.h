@@ -1,3 +1,5 @@
+// Adaptive subdivision of any surface (algorithm 3.1).
+// Used by net.cpp and sweep.cpp.
 #pragma once
 
 #include <fmt/format.h>

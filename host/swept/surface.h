@@ -1,3 +1,5 @@
+// Interface of subdivided surfaces: accuracy, counts and patches.
+// Used throughout host/swept.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Swept solids defined by four design curves.
+// Used by mesh.h, spine.h and host/commands.
 #pragma once
 
 #include <memory>

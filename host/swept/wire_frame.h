@@ -1,3 +1,5 @@
+// Wire frame of the edges between patches.
+// Used by filter.h, mesh.h and quadtree.h.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// DXF entities, and their conversion to segments.
+// Used by dxf.cpp.
 #pragma once
 
 #include <array>

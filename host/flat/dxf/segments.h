@@ -1,3 +1,5 @@
+// Segments on OpenSCAD's grid, and the outlines that they form.
+// Used by dxf.cpp.
 #pragma once
 
 #include <array>

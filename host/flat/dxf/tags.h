@@ -1,3 +1,5 @@
+// Reader of the groups of an ASCII DXF file.
+// Used by dxf.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Font lookup through fontconfig and FreeType.
+// Used by module.cpp, outlines.h and shaping.h.
 #pragma once
 
 #include <ft2build.h>

@@ -1,3 +1,5 @@
+// Interface of the text module, which is loaded at run time.
+// Used by text.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Conversion of FreeType glyph outlines to polygons.
+// Used by module.cpp.
 #pragma once
 
 #include <cstdint>

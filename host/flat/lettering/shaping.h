@@ -1,3 +1,5 @@
+// Text shaping with HarfBuzz.
+// Used by module.cpp.
 #pragma once
 
 #include <hb.h>

@@ -1,3 +1,5 @@
+// Elliptical arcs of SVG paths.
+// Used by path.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>

@@ -1,3 +1,5 @@
+// Parser of number lists in SVG attributes.
+// Used throughout host/flat/svg.
 #pragma once
 
 #include <optional>

@@ -1,3 +1,5 @@
+// Page size and viewBox of an SVG file.
+// Used by svg.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>

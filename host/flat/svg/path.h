@@ -1,3 +1,5 @@
+// SVG path data.
+// Used by shapes.cpp.
 #pragma once
 
 #include <cstddef>

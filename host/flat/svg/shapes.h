@@ -1,3 +1,5 @@
+// SVG shape elements.
+// Used by svg.cpp.
 #pragma once
 
 #include <cstddef>

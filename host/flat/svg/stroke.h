@@ -1,3 +1,5 @@
+// Strokes of open SVG lines.
+// Used by path.h and shapes.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// SVG transform attributes.
+// Used by svg.cpp.
 #pragma once
 
 #include <glm/mat3x3.hpp>
