@@ -36,7 +36,7 @@ Polytope apply(Polytope polytope, Cut cut, facet::Halfspace halfspace) {
   return polytope;
 }
 
-std::vector<VertexSide> sides_of(const std::vector<double>& distances, double near) {
+std::vector<VertexSide> classify_vertices(const std::vector<double>& distances, double near) {
   std::vector<VertexSide> sides;
   sides.reserve(distances.size());
   for (const double distance : distances) {
@@ -76,7 +76,7 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
     const double near = times * tolerance(planes);
     if (!(*deepest < -near)) return {};
     if (*farthest <= near) return polytope;
-    if (std::optional<Cut> made = cut_faces(polytope, faces, plane, sides_of(distances, near)))
+    if (std::optional<Cut> made = cut_faces(polytope, faces, plane, classify_vertices(distances, near)))
       return apply(std::move(polytope), std::move(*made), halfspace);
   }
 }

@@ -26,7 +26,7 @@ struct Side {
   double high_y = 0;
 };
 
-std::vector<Side> sides_of(const ClipperLib::Paths& paths) {
+std::vector<Side> collect_sides(const ClipperLib::Paths& paths) {
   std::vector<Side> sides;
   for (const ClipperLib::Path& path : paths) {
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -89,7 +89,7 @@ void charge_crossings(const std::vector<Side>& sides, const Work& work) {
 }  // namespace
 
 void charge_clipping(const ClipperLib::Paths& paths, const Work& work) {
-  const std::vector<Side> sides = sides_of(paths);
+  const std::vector<Side> sides = collect_sides(paths);
   work.charge(side_steps * sides.size(), combining);
   charge_heights(sides, work);
   charge_crossings(sides, work);

@@ -1,5 +1,5 @@
 // Reader of OpenSCAD `.csg` files.
-// Used by build.h, source.h, host/commands, sim.
+// Used by build.h, source.h, host/commands and sim.
 #pragma once
 
 #include <filesystem>

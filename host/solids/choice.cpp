@@ -19,12 +19,12 @@ constexpr Sides on = 0;
 constexpr Sides back = 1;
 constexpr Sides front = 2;
 
-std::uint64_t key_of(facet::Halfspace halfspace) {
+std::uint64_t sort_key(facet::Halfspace halfspace) {
   return std::uint64_t{halfspace.plane} << 1U | (halfspace.positive ? 1U : 0U);
 }
 
 /// A step coprime to `count`: it visits all indices, and the first ones are far apart.
-std::size_t stride_of(std::size_t count) {
+std::size_t coprime_stride(std::size_t count) {
   std::size_t stride = static_cast<std::size_t>(static_cast<double>(count) * 0.381966) | 1U;
   const auto divides = [&](std::size_t a, std::size_t b) {
     while (b != 0) a = std::exchange(b, a % b);
@@ -46,15 +46,15 @@ class Choice {
 
   std::optional<facet::Halfspace> operator()() {
     std::vector<facet::Halfspace> candidates = at_reflex_edges();
-    std::optional<Found> found = best_of(candidates);
+    std::optional<Found> found = choose_best(candidates);
     if (!found) {
       candidates.clear();
       for (const Fragment& fragment : soup_.fragments) candidates.push_back(fragment.halfspace);
       sort_unique(candidates);
-      found = best_of(candidates);
+      found = choose_best(candidates);
     }
     if (!found) return std::nullopt;
-    const std::optional<Found> level = best_of(levels_inside());
+    const std::optional<Found> level = choose_best(levels_inside());
     constexpr double gain = 0.7;  // a level of about the same cost leaves more to cut
     return level && level->cost < gain * found->cost ? level->halfspace : found->halfspace;
   }
@@ -112,13 +112,13 @@ class Choice {
 
   /// The best candidate that has part of the surface in front of it. If there are many candidates, only a sample is
   /// evaluated.
-  std::optional<Found> best_of(const std::vector<facet::Halfspace>& candidates) {
+  std::optional<Found> choose_best(const std::vector<facet::Halfspace>& candidates) {
     constexpr std::size_t work = 200'000;
     const std::size_t size = soup_.points.size() + soup_.corners.size();
     const std::size_t most = std::max<std::size_t>(12, work / (size + 1));
     std::optional<Found> best;
     std::size_t looked_at = 0;
-    const std::size_t stride = stride_of(candidates.size());
+    const std::size_t stride = coprime_stride(candidates.size());
     for (std::size_t i = 0; i < candidates.size() && looked_at < most; ++i) {
       const facet::Halfspace candidate = candidates[i * stride % candidates.size()];
       from_.work.charge(size, "choosing planes to cut a solid");
@@ -183,7 +183,7 @@ class Choice {
 
 void sort_unique(std::vector<facet::Halfspace>& halfspaces) {
   std::sort(halfspaces.begin(), halfspaces.end(),
-            [](facet::Halfspace a, facet::Halfspace b) { return key_of(a) < key_of(b); });
+            [](facet::Halfspace a, facet::Halfspace b) { return sort_key(a) < sort_key(b); });
   halfspaces.erase(std::unique(halfspaces.begin(), halfspaces.end()), halfspaces.end());
 }
 

@@ -30,7 +30,7 @@ struct TriangleBox : Box {
 };
 
 /// The mesh as triangles, each with the index of its face.
-std::vector<Triangle> triangles_of(const Mesh& mesh, double tolerance) {
+std::vector<Triangle> make_triangles(const Mesh& mesh, double tolerance) {
   std::vector<Triangle> triangles;
   for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
     for (const auto& face : flat_convex_parts(mesh, mesh.faces[i], tolerance)) {
@@ -62,7 +62,7 @@ struct Interval {
 class Crossings {
  public:
   Crossings(const Mesh& mesh, double tolerance)
-      : mesh_(mesh), tolerance_(tolerance), triangles_(triangles_of(mesh, tolerance)) {}
+      : mesh_(mesh), tolerance_(tolerance), triangles_(make_triangles(mesh, tolerance)) {}
 
   /// The pairs of faces that cross, with the depth of each crossing.
   [[nodiscard]] std::map<FacePair, double> find() const {
@@ -93,7 +93,7 @@ class Crossings {
     return box;
   }
 
-  [[nodiscard]] Plane plane_of(const Triangle& triangle) const {
+  [[nodiscard]] Plane triangle_plane(const Triangle& triangle) const {
     const glm::dvec3& origin = point(triangle, 0);
     const glm::dvec3 vector = glm::cross(point(triangle, 1) - origin, point(triangle, 2) - origin);
     const double size = glm::length(vector);
@@ -126,8 +126,8 @@ class Crossings {
   /// cross or the crossing is no longer than the tolerance.
   [[nodiscard]] double crossing_depth(const Triangle& one, const Triangle& other) const {
     if (shared_corners(one, other) > 1) return 0;
-    const Plane first = plane_of(one);
-    const Plane second = plane_of(other);
+    const Plane first = triangle_plane(one);
+    const Plane second = triangle_plane(other);
     const glm::dvec3 along = glm::cross(first.normal, second.normal);
     const double slant = glm::length(along);
     if (slant == 0) return 0;

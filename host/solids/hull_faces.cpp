@@ -75,7 +75,7 @@ struct Rim {
   }
 };
 
-std::vector<Rim> rims_of(const Mesh& hull) {
+std::vector<Rim> collect_rims(const Mesh& hull) {
   Grouping grouping(hull);
   std::vector<Rim> rims;
   for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
@@ -90,7 +90,7 @@ std::vector<Rim> rims_of(const Mesh& hull) {
 }
 
 /// The corners of each face in order.
-std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
+std::vector<Loop> collect_loops(const std::vector<Rim>& rims) {
   std::vector<Loop> loops;
   for (auto begin = rims.begin(); begin != rims.end();) {
     const auto end = std::find_if(begin, rims.end(), [&](const Rim& rim) { return rim.face != begin->face; });
@@ -107,7 +107,7 @@ std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
 
 /// Numbers the points at which at least three faces meet, in the order of their coordinates. Other points, inside a
 /// face or an edge, get `none`.
-std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
+std::vector<std::uint32_t> number_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
   std::vector<std::uint32_t> uses(hull.points.size());
   for (const Loop& loop : loops) {
     for (const std::uint32_t corner : loop) ++uses[corner];
@@ -132,9 +132,9 @@ std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vecto
 }  // namespace
 
 Mesh with_sorted_faces(const Mesh& hull) {
-  std::vector<Loop> loops = loops_of(rims_of(hull));
+  std::vector<Loop> loops = collect_loops(collect_rims(hull));
   Mesh made;
-  const std::vector<std::uint32_t> numbers = numbers_of_corners(hull, loops, made);
+  const std::vector<std::uint32_t> numbers = number_corners(hull, loops, made);
   for (Loop& loop : loops) {
     for (std::uint32_t& corner : loop) corner = numbers[corner];
     std::erase(loop, none);

@@ -66,7 +66,7 @@ bool is_straight(const LinearExtrude& extrusion) {
   return extrusion.twist == 0.0 && extrusion.scale.x == extrusion.scale.y;
 }
 
-Ends ends_of(const LinearExtrude& extrusion) {
+Ends make_ends(const LinearExtrude& extrusion) {
   const double low = extrusion.center ? -extrusion.height / 2.0 : 0.0;
   return {low, extrusion.center ? extrusion.height / 2.0 : extrusion.height, extrusion.scale.x};
 }
@@ -108,7 +108,7 @@ std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const Line
   if (!is_straight(*made)) return extrude_bent(area, *made, work);
   std::vector<model::Polyhedron> pieces;
   SideLines lines(area);
-  for (const flat::Outline& part : flat::convex_parts(area)) pieces.push_back(frustum(part, ends_of(*made), lines));
+  for (const flat::Outline& part : flat::convex_parts(area)) pieces.push_back(frustum(part, make_ends(*made), lines));
   return pieces;
 }
 
@@ -119,9 +119,9 @@ std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrud
   if (outlines.empty() || 2 * halfspaces_over(outlines) > halfspaces_over(flat::convex_parts(area)))
     return std::nullopt;
   SideLines lines(area);
-  HoledPrism prism{frustum(outlines.front(), ends_of(*made), lines), {}};
+  HoledPrism prism{frustum(outlines.front(), make_ends(*made), lines), {}};
   for (std::size_t i = 1; i < outlines.size(); ++i) {
-    prism.holes.push_back(frustum(outlines[i], ends_of(*made), lines));
+    prism.holes.push_back(frustum(outlines[i], make_ends(*made), lines));
   }
   return prism;
 }

@@ -16,7 +16,7 @@ namespace csgsim::solids {
 
 namespace {
 
-std::size_t corners_of(const Pieces& pieces) {
+std::size_t count_corners(const Pieces& pieces) {
   std::size_t count = 0;
   for (const model::Polyhedron& piece : pieces) count += piece.points.size();
   return count;
@@ -59,7 +59,7 @@ Pieces without_covered(Pieces pieces, const Work& work) {
 }
 
 Pieces sum(const Pieces& first, const Pieces& second, const Work& work) {
-  if (corners_of(first) > max_sums / std::max<std::size_t>(corners_of(second), 1)) {
+  if (count_corners(first) > max_sums / std::max<std::size_t>(count_corners(second), 1)) {
     throw InputError("the Minkowski sum needs more than " + std::to_string(max_sums) +
                      " sums of corners; use fewer facets ($fn)");
   }

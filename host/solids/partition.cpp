@@ -34,21 +34,21 @@ struct Cell {
   convex::Polytope space;
 };
 
-Side side_of(double height, double near) {
+Side classify(double height, double near) {
   return height > near ? Side::front : height < -near ? Side::back : Side::on;
 }
 
 /// The area of a convex polygon whose corners are `corner(i)`.
 template <class Corner>
-double area_of(std::size_t corners, const Corner& corner) {
+double compute_area(std::size_t corners, const Corner& corner) {
   glm::dvec3 sum(0);
   for (std::size_t i = 1; i + 1 < corners; ++i) sum += glm::cross(corner(i) - corner(0), corner(i + 1) - corner(0));
   return glm::length(sum) / 2;
 }
 
-double area_of(const Soup& soup, const Fragment& fragment) {
-  return area_of(fragment.end - fragment.begin,
-                 [&](std::size_t i) { return soup.points[soup.corners[fragment.begin + i].point]; });
+double compute_area(const Soup& soup, const Fragment& fragment) {
+  return compute_area(fragment.end - fragment.begin,
+                      [&](std::size_t i) { return soup.points[soup.corners[fragment.begin + i].point]; });
 }
 
 /// Whether the surface covers the faces of a piece that do not lie in a wall. The total areas are compared, because
@@ -64,9 +64,9 @@ bool is_covered(const convex::Polytope& piece, std::span<const facet::Halfspace>
     const auto corner = [&](std::size_t i) { return piece.vertices[face.corners[i % face.corners.size()]]; };
     double around = 0;
     for (std::size_t i = 0; i < face.corners.size(); ++i) around += glm::distance(corner(i), corner(i + 1));
-    missing += area_of(face.corners.size(), corner) - slivers * near * around;
+    missing += compute_area(face.corners.size(), corner) - slivers * near * around;
   }
-  for (const Fragment& fragment : surface.fragments) missing -= area_of(surface, fragment);
+  for (const Fragment& fragment : surface.fragments) missing -= compute_area(surface, fragment);
   return missing <= 0;
 }
 
@@ -108,7 +108,7 @@ class Cut {
         front(soup_.points) {
     for (const glm::dvec3& point : soup_.points) {
       heights_.push_back(plane_.height(point));
-      sides_.push_back(side_of(heights_.back(), near));
+      sides_.push_back(classify(heights_.back(), near));
     }
   }
 
@@ -137,8 +137,8 @@ class Cut {
 
   /// Accumulates the area of faces in the plane; its sign shows which side of the plane is solid.
   void accumulate(const Fragment& fragment) {
-    facing +=
-        area_of(soup_, fragment) * glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
+    facing += compute_area(soup_, fragment) *
+              glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
   }
 
   /// Adds the part of a fragment on one side to `half`.

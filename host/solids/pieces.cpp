@@ -27,17 +27,17 @@ namespace {
 /// Minimum number of reflex sides in a level; an edge has two sides.
 constexpr std::ptrdiff_t min_sides_in_level = 8;
 
-double tolerance_of(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
+double mesh_tolerance(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
   return std::min(limits.tolerance * largest_coordinate(mesh), max_tolerance * box.diagonal());
 }
 
 class Division {
  public:
   Division(const Mesh& mesh, const facet::Box& box, const Limits& limits)
-      : mesh_(with_flat_convex_faces(mesh, tolerance_of(mesh, box, limits))),
+      : mesh_(with_flat_convex_faces(mesh, mesh_tolerance(mesh, box, limits))),
         limits_(limits),
         neighbours_(find_neighbours(mesh_)),
-        regions_(find_regions(mesh_, neighbours_, tolerance_of(mesh, box, limits), limits.work)),
+        regions_(find_regions(mesh_, neighbours_, mesh_tolerance(mesh, box, limits), limits.work)),
         planes_(box.centre(), box.diagonal()),
         near_(2.0 * std::max(regions_.deviation, convex::tolerance(planes_))) {
     for (const facet::Plane& plane : regions_.planes) halfspaces_.push_back(planes_.add(plane));
@@ -71,7 +71,7 @@ class Division {
     Limits left = limits_;
     left.max_pieces -= std::min(left.max_pieces, pieces_.size());
     Soup soup = make_soup(solid);
-    const std::vector<Level> levels = levels_of(soup);
+    const std::vector<Level> levels = find_levels(soup);
     std::vector<convex::Polytope> polytopes =
         partition(std::move(soup), make_cell(solid), levels, planes_, near_, left);
     convex::merge(polytopes, planes_, limits_.work);
@@ -115,7 +115,7 @@ class Division {
   }
 
   /// Levels of the soup, sorted by axis and place.
-  std::vector<Level> levels_of(const Soup& soup) {
+  std::vector<Level> find_levels(const Soup& soup) {
     std::vector<Level> levels;
     for (int axis = 0; axis < 3; ++axis) {
       const std::vector<double> places = edges_across(soup, axis);

@@ -30,7 +30,7 @@ struct Slab {
 };
 
 /// The intervals in which solids begin and end, and the long ones between them, in ascending order.
-std::vector<Slab> slabs_of(const facet::Box& rest, std::span<const facet::Convex> solids) {
+std::vector<Slab> split_into_slabs(const facet::Box& rest, std::span<const facet::Convex> solids) {
   const double width = std::max(rest.high.x - rest.low.x, rest.high.y - rest.low.y);
   std::vector<double> ends{rest.low.z, rest.high.z};
   for (const facet::Convex& solid : solids) {
@@ -112,7 +112,7 @@ void add_term(std::vector<Points>& plan, const model::Tree& tree, const Work& wo
     return;
   }
   if (geometry.box.empty()) return;
-  const std::vector<Slab> slabs = slabs_of(geometry.box, geometry.solids);
+  const std::vector<Slab> slabs = split_into_slabs(geometry.box, geometry.solids);
   if (slabs.size() == 1 && !reaches_far(geometry)) {
     add_pieces(plan, geometry, tree, work);
     return;
@@ -126,7 +126,7 @@ struct Begin {
   std::uint32_t primitive = 0;
 };
 
-std::vector<Begin> begins_of(const model::Tree& tree) {
+std::vector<Begin> subtree_begins(const model::Tree& tree) {
   std::vector<Begin> begins(tree.nodes.size());
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
     const model::Node& node = tree.nodes[i];
@@ -156,7 +156,7 @@ std::vector<std::uint32_t> union_terms(const model::Tree& tree) {
 
 std::vector<Points> project_pieces(const model::Tree& tree, const Work& work) {
   std::vector<Points> plan;
-  const std::vector<Begin> begins = begins_of(tree);
+  const std::vector<Begin> begins = subtree_begins(tree);
   for (const std::uint32_t term : union_terms(tree))
     add_term(plan, model::subtree(tree, term, begins[term].node, begins[term].primitive), work);
   return plan;

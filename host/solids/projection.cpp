@@ -43,13 +43,13 @@ glm::dvec2 crossing(const glm::dvec3& one, const glm::dvec3& other) {
   return one + (other - one) * (one.z / (one.z - other.z));
 }
 
-flat::Outline hull_of(std::vector<glm::dvec2> points) {
+flat::Outline make_hull(std::vector<glm::dvec2> points) {
   const flat::Area made = flat::hull(std::array{flat::Area{{std::move(points)}}});
   return made.empty() ? flat::Outline{} : made.outlines.front();
 }
 
 /// The hull of a convex solid's corners in the x, y plane and of its edges' intersections with the plane.
-flat::Outline section_of(const facet::Convex& solid) {
+flat::Outline make_section(const facet::Convex& solid) {
   std::vector<glm::dvec2> points;
   std::vector<bool> is_in;
   for (const glm::dvec3& vertex : solid.vertices) {
@@ -60,7 +60,7 @@ flat::Outline section_of(const facet::Convex& solid) {
     const bool crosses = !is_in[from] && !is_in[to] && (solid.vertices[from].z < 0) != (solid.vertices[to].z < 0);
     if (crosses) points.push_back(crossing(solid.vertices[from], solid.vertices[to]));
   }
-  return hull_of(std::move(points));
+  return make_hull(std::move(points));
 }
 
 facet::Box box_of(const flat::Outline& outline) {
@@ -150,7 +150,7 @@ class Section {
     const facet::Geometry scene = facet::make_geometry(tree);
     for (const facet::Convex& solid : scene.solids) {
       work.charge(projected_corner_steps * solid.vertices.size(), "projecting solids");
-      leaves_.push_back(section_of(solid));
+      leaves_.push_back(make_section(solid));
     }
     find_boxes();
     terms_ = union_terms(tree);
@@ -164,7 +164,7 @@ class Section {
       const PlaneGrid grid(box_of(boxes, group));
       Paths paths;
       for (const std::uint32_t number : group) {
-        const Paths more = paths_of(terms_[number], grid);
+        const Paths more = make_paths(terms_[number], grid);
         paths.insert(paths.end(), more.begin(), more.end());
       }
       add_union(made, paths, grid, work_);
@@ -201,7 +201,7 @@ class Section {
     return found;
   }
 
-  Paths paths_of(std::uint32_t term, const PlaneGrid& grid) {
+  Paths make_paths(std::uint32_t term, const PlaneGrid& grid) {
     const std::vector<Wanted> nodes = nodes_below(term);
     for (auto one = nodes.rbegin(); one != nodes.rend(); ++one) {
       const model::Node& node = tree_.nodes[one->node];
@@ -233,7 +233,7 @@ Projection shadow(const model::Tree& tree, const Work& work) {
   std::vector<flat::Outline> outlines;
   std::vector<facet::Box> boxes;
   for (std::vector<glm::dvec2>& points : project_pieces(tree, work)) {
-    outlines.push_back(hull_of(std::move(points)));
+    outlines.push_back(make_hull(std::move(points)));
     boxes.push_back(box_of(outlines.back()));
   }
   Projection made;

@@ -40,7 +40,7 @@ class Growing {
   Growing(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work)
       : mesh_(mesh), neighbours_(neighbours), tolerance_(tolerance), work_(work) {
     regions_.of_face.assign(mesh.faces.size(), none);
-    for (const auto& face : mesh.faces) sums_.push_back(sums_of(face));
+    for (const auto& face : mesh.faces) sums_.push_back(face_sums(face));
   }
 
   Regions operator()() {
@@ -56,7 +56,7 @@ class Growing {
   }
 
  private:
-  [[nodiscard]] Sums sums_of(const std::vector<std::uint32_t>& face) const {
+  [[nodiscard]] Sums face_sums(const std::vector<std::uint32_t>& face) const {
     Sums sums;
     sums.vector = area_vector(mesh_, face);
     sums.area = glm::length(sums.vector);

@@ -32,7 +32,7 @@ struct Turn {
 };
 
 /// The range of x, including 0. Throws InputError with OpenSCAD's message if the area is on both sides of the axis.
-std::pair<double, double> range_of(const flat::Area& area) {
+std::pair<double, double> x_range(const flat::Area& area) {
   double least = 0;
   double greatest = 0;
   for (const flat::Outline& outline : area.outlines) {
@@ -235,7 +235,7 @@ class Lathe {
 
 std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& extrusion) {
   if (area.empty() || extrusion.angle == 0.0) return {};
-  const auto [least, greatest] = range_of(area);
+  const auto [least, greatest] = x_range(area);
   const double radius = greatest - least;
   const bool is_left = -least > greatest;
   Turn turn = make_turn(extrusion, radius, is_left);

@@ -12,7 +12,7 @@ namespace {
 
 /// Corner indices from the second corner around to the first: in libtess2, the first of equal candidates in this order
 /// wins.
-std::vector<std::uint32_t> order_of(std::span<const glm::vec3> outline) {
+std::vector<std::uint32_t> corner_order(std::span<const glm::vec3> outline) {
   std::vector<std::uint32_t> order(outline.size());
   std::iota(order.begin(), order.end(), 0U);
   std::rotate(order.begin(), order.begin() + 1, order.end());
@@ -21,8 +21,8 @@ std::vector<std::uint32_t> order_of(std::span<const glm::vec3> outline) {
 
 /// The normal of the largest triangle over the two corners that are farthest apart along an axis, with twice its area
 /// as length.
-glm::vec3 normal_of(std::span<const glm::vec3> outline) {
-  const std::vector<std::uint32_t> order = order_of(outline);
+glm::vec3 face_normal(std::span<const glm::vec3> outline) {
+  const std::vector<std::uint32_t> order = corner_order(outline);
   glm::length_t longest = 0;
   float length = -1;
   glm::vec3 low(0);
@@ -58,7 +58,7 @@ glm::length_t largest_axis(const glm::vec3& vector) {
   return axis;
 }
 
-float area_of(const std::vector<ProjectedPoint>& points) {
+float compute_area(const std::vector<ProjectedPoint>& points) {
   float area = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ProjectedPoint& next = points[(i + 1) % points.size()];
@@ -70,12 +70,12 @@ float area_of(const std::vector<ProjectedPoint>& points) {
 }  // namespace
 
 std::vector<ProjectedPoint> project_outline(std::span<const glm::vec3> outline) {
-  const glm::vec3 normal = normal_of(outline);
+  const glm::vec3 normal = face_normal(outline);
   const glm::length_t axis = largest_axis(normal);
   const float sign = normal[axis] > 0 ? 1.0F : -1.0F;
   std::vector<ProjectedPoint> points;
   for (const glm::vec3& corner : outline) points.push_back({corner[(axis + 1) % 3], sign * corner[(axis + 2) % 3]});
-  if (area_of(points) < 0) {
+  if (compute_area(points) < 0) {
     for (ProjectedPoint& point : points) point.t = -point.t;
   }
   return points;

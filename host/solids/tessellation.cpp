@@ -29,7 +29,7 @@ std::vector<std::uint32_t> first_at_place(std::span<const glm::vec3> outline) {
 }
 
 /// The sides of an outline, except those that it follows in both directions.
-std::vector<Link> sides_of(const std::vector<std::uint32_t>& corners) {
+std::vector<Link> collect_sides(const std::vector<std::uint32_t>& corners) {
   std::vector<Link> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Link side{corners[i], corners[(i + 1) % corners.size()]};
@@ -54,7 +54,7 @@ std::optional<std::vector<OutlineTriangle>> crossed(const std::vector<Link>& sid
 std::optional<std::vector<OutlineTriangle>> tessellate(std::span<const glm::vec3> outline) {
   if (outline.size() < 4 || outline.size() > max_outline_corners) return std::nullopt;
   const std::vector<ProjectedPoint> points = project_outline(outline);
-  const std::vector<Link> sides = sides_of(first_at_place(outline));
+  const std::vector<Link> sides = collect_sides(first_at_place(outline));
   if (sides.size() < 3 || !is_simple(points, sides)) return crossed(sides);
   TriangleNet net(points, sides, monotone_diagonals(points, sides));
   net.cut_parts();

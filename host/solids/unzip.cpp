@@ -44,7 +44,7 @@ class Archive {
   [[nodiscard]] std::string part(const std::string& wanted) const {
     for (std::uint64_t at = directory_at(); starts(at, directory_header);) {
       const Entry entry = entry_at(at);
-      if (wanted.empty() || entry.name == wanted) return unpacked(entry);
+      if (wanted.empty() || entry.name == wanted) return decompress_entry(entry);
     }
     fail(fmt::format("the archive has no {}", wanted.empty() ? "part" : printable(wanted)));
   }
@@ -117,7 +117,7 @@ class Archive {
     }
   }
 
-  [[nodiscard]] std::string unpacked(const Entry& entry) const {
+  [[nodiscard]] std::string decompress_entry(const Entry& entry) const {
     constexpr std::uint64_t encrypted = 1;
     if ((entry.flags & encrypted) != 0) fail("the zip archive is encrypted");
     if (!starts(entry.at, local_header)) fail_damaged();
@@ -128,7 +128,7 @@ class Archive {
     if (entry.method == 0) {
       part = packed;
     } else if (entry.method == Z_DEFLATED) {
-      part = inflated(packed);
+      part = inflate_data(packed);
     } else {
       fail("the zip archive uses an unknown compression method");
     }
@@ -143,7 +143,7 @@ class Archive {
   }
 
   /// Decompresses a member; does not rely on the size stated in the archive.
-  [[nodiscard]] std::string inflated(std::string_view packed) const {
+  [[nodiscard]] std::string inflate_data(std::string_view packed) const {
     z_stream stream{};
     if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw InputError("not enough memory to unzip a file");
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // NOLINT: zlib does not write there

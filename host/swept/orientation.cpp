@@ -37,7 +37,7 @@ glm::dvec3 carried(const glm::dvec3& vector, const glm::dvec3& from, const glm::
   return turned(vector, axis / sine, std::atan2(sine, glm::dot(from, to)));
 }
 
-[[noreturn]] void fail_standing(std::size_t segment) {
+[[noreturn]] void fail_stationary(std::size_t segment) {
   throw InputError(fmt::format("all points of segment {} of the trajectory coincide; remove points", segment + 1));
 }
 
@@ -49,7 +49,7 @@ glm::dvec3 Path::leaving(std::size_t segment) const {
     const glm::dvec3 step = one.coefficients[i] - one.first();
     if (const double length = glm::length(step); length > 0) return step / length;
   }
-  fail_standing(segment);
+  fail_stationary(segment);
 }
 
 glm::dvec3 Path::arriving(std::size_t segment) const {
@@ -58,7 +58,7 @@ glm::dvec3 Path::arriving(std::size_t segment) const {
     const glm::dvec3 step = one.last() - one.coefficients[i];
     if (const double length = glm::length(step); length > 0) return step / length;
   }
-  fail_standing(segment);
+  fail_stationary(segment);
 }
 
 glm::dvec3 Path::tangent(double place) const {
