@@ -50,7 +50,7 @@ class Carver {
   Polytope polytope_;  ///< includes vertices without faces, and faces without corners
   std::uint32_t faces_ = 0;
   std::vector<FacesAt> at_;        ///< faces at each vertex
-  std::vector<bool> is_alive_;     ///< for each vertex, whether a face uses it
+  std::vector<bool> is_alive_;     ///< a face uses the vertex
   std::vector<VertexSide> sides_;  ///< sides relative to the half-space; `in` except for found vertices
   VertexIndex index_;
   std::vector<std::uint32_t> found_;

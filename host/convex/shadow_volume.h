@@ -30,7 +30,7 @@ struct ShadowVolume {
 
   /// The volume is the convex hull of the corners, extended along nonnegative combinations of the directions.
   std::vector<glm::dvec3> corners;     ///< model space
-  std::vector<glm::dvec3> directions;  ///< of any length
+  std::vector<glm::dvec3> directions;  ///< arbitrary lengths
 
   /// Whether the light is inside the polytope, so that everything is in the shadow.
   [[nodiscard]] bool everything() const { return facing.empty() && edge_on.empty(); }

@@ -24,10 +24,10 @@ enum class QuadricKind : std::uint8_t {
 /// matrix is less accurate if the quadric is thin relative to its length.
 struct Quadric {
   QuadricKind kind = QuadricKind::ellipsoid;
-  /// Relative to QuadricTable::centre(): the centre, the point of the axis nearest to QuadricTable::centre(), or the
-  /// apex.
+  /// The centre, the point of the axis nearest to QuadricTable::centre(), or the apex. Relative to
+  /// QuadricTable::centre().
   glm::dvec3 origin{0};
-  /// Of cylinders and cones: of length 1, first nonzero component positive. Of a cone, the principal axis.
+  /// Unit axis of cylinders and cones; its first nonzero component is positive. A cone has its principal axis here.
   glm::dvec3 axis{0, 0, 1};
   /// xx, yy, zz, xy, xz, yz of a symmetric matrix; for a cone the largest magnitude is 1.
   std::array<double, 6> form{};
@@ -43,7 +43,7 @@ struct Quadric {
 /// A canonical quadric that bounds a solid. The solid is inside the quadric and between the planes of its half-spaces.
 struct QuadricSide {
   std::uint32_t quadric = 0;  ///< index into QuadricTable::quadrics()
-  bool along_axis = true;  ///< for a cone: whether the solid is on the nappe into which the axis points; otherwise true
+  bool along_axis = true;     ///< cones: the solid is on the nappe into which the axis points; otherwise true
 
   bool operator==(const QuadricSide&) const = default;
 };

@@ -33,7 +33,7 @@ struct Face {
 /// The curved surface of a solid, in model space.
 struct CurvedSurface {
   Quadric quadric;       ///< only kind, origin and to_unit are set
-  glm::dvec3 inward{0};  ///< for a cone: a direction from the apex into the solid's nappe
+  glm::dvec3 inward{0};  ///< cones: a direction from the apex into the solid's nappe
   glm::dvec3 low{1};     ///< bounding box of the solid
   glm::dvec3 high{0};
 };

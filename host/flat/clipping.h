@@ -32,7 +32,7 @@ class Clipping {
  private:
   ClipperLib::Clipper clipper_;
   ClipperLib::Paths paths_;
-  ClipperLib::PolyType type_ = ClipperLib::ptSubject;  ///< of the next paths added
+  ClipperLib::PolyType type_ = ClipperLib::ptSubject;  ///< role of the next paths added
 };
 
 /// The area of Clipper's result, without corners within 1.4 units of the line through their neighbours.

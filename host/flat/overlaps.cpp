@@ -145,7 +145,7 @@ class Joiner {
 
   std::vector<Start> at_;
   std::vector<bool> is_used_;
-  std::vector<std::size_t> next_;  ///< for the first part at each point: all parts before this index are used
+  std::vector<std::size_t> next_;  ///< index by the first part at each point; all parts before it are used
 };
 
 }  // namespace

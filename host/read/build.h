@@ -33,28 +33,28 @@ class TreeBuilder : public StatementVisitor {
   model::Tree finish();
 
  private:
-  /// A statement that has not ended; the first one represents the file. A solid counts as a union of itself.
+  /// A statement that has not ended; the first one represents the file. A solid is treated as a union with one operand.
   struct OpenNode {
     model::Operator op = model::Operator::unite;
     bool takes_children = true;
     std::uint32_t dimensions = 0;  ///< required of its operands; set by its node or its first operand with any
     std::size_t operands = 0;      ///< number of operands, including empty ones
     bool is_empty = false;         ///< empty whatever its other operands are
-    bool is_nothing = false;       ///< for a Boolean of solids: empty, and without dimensions
-    bool is_removed = false;       ///< for a matrix that is not finite: removes everything below it
+    bool is_nothing = false;       ///< a Boolean of solids is empty and has no dimensions
+    bool is_removed = false;       ///< a matrix that is not finite removes everything below it
     std::string_view name;
     std::uint32_t offset = 0;  ///< position of the statement in the text
     model::Location location;
-    glm::dmat4 transform{1};  ///< from its children's space to the model's, or to that of the enclosing made node
+    glm::dmat4 transform{1};  ///< maps its children's space to the model's, or to that of the enclosing made node
     solids::MeshPlacement mesh_placement;  ///< placement of its children's meshes
     std::optional<Colour> colour;
     std::size_t first_child = 0;      ///< index into children_ of its first child
     std::size_t first_node = 0;       ///< index into tree_.nodes
     std::size_t first_primitive = 0;  ///< index into tree_.primitives
     std::vector<flat::Area> areas;    ///< unless it takes solids: one per operand, empty if the operand has no area
-    Maker maker;                      ///< of a node that is made from its children
+    Maker maker;                      ///< makes the node from its children
     std::uint32_t made = 0;           ///< dimensions of the made result, or of a solid
-    glm::dmat4 outer{1};              ///< of a made node: from its own space to the enclosing one
+    glm::dmat4 outer{1};              ///< maps a made node's own space to the enclosing one
   };
 
   /// The result of a statement for the enclosing one. Its dimensions are 0 if there is no result, as for a group()

@@ -40,9 +40,9 @@ struct NodeType {
   std::span<const std::string_view> parameters;  ///< positional ones first, in order
   std::size_t positional = 0;                    ///< number of parameters that may be positional
   std::span<const std::string_view> harmless;    ///< accepted with any value, and ignored
-  SolidReader solid = nullptr;                   ///< for nodes of kind `solid`
-  MakerReader maker = nullptr;                   ///< for nodes of kind `made`
-  bool has_children = false;                     ///< for nodes of kind `made`
+  SolidReader solid = nullptr;                   ///< only if the kind is `solid`
+  MakerReader maker = nullptr;                   ///< only if the kind is `made`
+  bool has_children = false;                     ///< only if the kind is `made`
   std::uint32_t dimensions = 0;  ///< dimensions of its children; 0: those of the first child that is not empty
 };
 

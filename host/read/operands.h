@@ -17,7 +17,7 @@ namespace csgsim::read {
 struct Operands {
   std::vector<flat::Area> areas;    ///< if flat children count: one per child, empty if it does not count
   std::vector<model::Tree> solids;  ///< one per child that is not empty
-  std::uint32_t dimensions = 0;     ///< of the children that count; 0 if none has any
+  std::uint32_t dimensions = 0;     ///< dimensions of the children that count; 0 if none has any
   Work work{};                      ///< charged for making the node
 };
 
@@ -27,7 +27,7 @@ struct Made {
   flat::Area area{};
   std::vector<model::Polyhedron> holes{};  ///< subtracted from the only piece
   std::uint32_t dimensions = 0;            ///< kept even if empty; 0: no result, as for a group() without any
-  std::vector<std::string> warnings{};     ///< without a position
+  std::vector<std::string> warnings{};     ///< texts without a position
 };
 
 /// The union of the children that are areas.

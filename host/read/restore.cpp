@@ -99,7 +99,7 @@ std::optional<glm::dmat3> restored(const glm::dmat3& written, Order order) {
     return order == Order::scale_turn ? matrix * diagonal(by) : diagonal(by) * matrix;
   };
   const glm::dmat3 unit = scaled(written, 1.0 / scale);
-  if (!is_finite(unit)) return std::nullopt;  // for example, for a scale of 0
+  if (!is_finite(unit)) return std::nullopt;  // a scale is 0, for example
   const glm::dmat3 turn = rotation(euler_angles(unit));
   const glm::dmat3 whole = scaled(turn, scale);
   const double greatest = std::max({1.0, std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});

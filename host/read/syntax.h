@@ -15,7 +15,7 @@ enum class ValueKind : std::uint8_t { number, boolean, string, undefined, vector
 
 /// A value of a statement. A statement's values form one list in text order, so the elements of a vector follow it.
 struct Value {
-  double number = 0;         ///< of a number; for a boolean, 0 or 1; for a string, its length in bytes without quotes
+  double number = 0;         ///< number; for a boolean, 0 or 1; for a string, its length in bytes without quotes
   std::uint32_t offset = 0;  ///< position in the text
   ValueKind kind = ValueKind::undefined;
   std::uint32_t extent = 1;  ///< number of list entries that it occupies, including itself

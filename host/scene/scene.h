@@ -90,7 +90,7 @@ struct Background {
 /// Colours of faces to which neither the model nor a material assigns one; defaults are in host/lighting.
 struct Uncoloured {
   std::optional<glm::dvec3> face;
-  std::optional<glm::dvec3> cut_face;  ///< where a solid was subtracted
+  std::optional<glm::dvec3> cut_face;  ///< surface where a solid was subtracted
 
   bool operator==(const Uncoloured&) const = default;
 };
@@ -108,8 +108,8 @@ struct Scene {
   Uncoloured uncoloured;
   Ambient ambient;
   std::vector<Light> lights;            ///< if empty: the default light (host/lighting)
-  std::vector<MaterialRule> materials;  ///< in order
-  std::vector<CalledEffect> effects;    ///< in the order of their rows
+  std::vector<MaterialRule> materials;  ///< ordered; later rules win
+  std::vector<CalledEffect> effects;    ///< order of the effects' sections
 };
 
 }  // namespace csgsim::scene

@@ -22,7 +22,7 @@ namespace csgsim::scene {
 ///   void complete(Table& table), optional: completes the values read, and throws InputError, without a position, if
 ///   they are inconsistent.
 struct Section {
-  std::string_view name;  ///< as in `[camera]`, `[effects.shadows]`
+  std::string_view name;  ///< for example `camera`, `effects.shadows`
   std::string_view meaning;
   bool is_list = false;
   Values (*blank)() = nullptr;

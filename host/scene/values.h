@@ -33,7 +33,7 @@ struct Key {
   std::string_view name;
   ValueKind kind = ValueKind::boolean;
   std::string_view unit;  ///< empty if it has no unit
-  double least = 0;       ///< of an integer or number, or of each component of a vector
+  double least = 0;       ///< limit of an integer or number, or of each component of a vector
   double most = 0;
   std::string_view meaning;
   std::span<const std::string_view> names{};

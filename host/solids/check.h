@@ -61,7 +61,7 @@ void turn_shells(Mesh& mesh);
 
 /// The placement of a mesh where OpenSCAD cuts its faces into triangles.
 struct MeshPlacement {
-  glm::dmat4 transform{1};    ///< from the mesh to the space where it is shown alone or first combined with others
+  glm::dmat4 transform{1};    ///< maps the mesh to the space where it is shown alone or first combined with others
   bool is_reversed = false;   ///< faces run opposite to OpenSCAD's, as those of polyhedron()
   bool meets_others = false;  ///< part of a union, difference or intersection, where corners lie on a grid of 2^-20
 };

@@ -14,7 +14,7 @@ namespace csgsim::solids {
 
 /// Inputs to the choice of a cutting plane, in addition to the cell's surface.
 struct Choices {
-  std::span<const Level> levels;  ///< in order of axis and place
+  std::span<const Level> levels;  ///< sorted by axis and place
   const facet::PlaneTable& planes;
   double near = 0;  ///< points closer to a plane than this, in model units, count as on it
   const Work& work;

@@ -27,7 +27,7 @@ constexpr double max_dent_degrees = 0.1;
 struct Planes {
   double size = 0;  ///< diagonal of the bounding box
   std::vector<glm::dvec3> points;
-  std::vector<glm::dvec3> normals;  ///< of length 1, or 0 for a face without area
+  std::vector<glm::dvec3> normals;  ///< unit normals; 0 for a face without area
   std::vector<double> distances;    ///< normal · point on the plane
   std::vector<double> areas;
 

@@ -16,7 +16,7 @@ namespace csgsim::solids {
 /// Parameters of an extrusion along z.
 struct LinearExtrude {
   double height = 100;
-  bool center = false;       ///< from -height / 2 instead of 0
+  bool center = false;       ///< the extrusion starts at -height / 2 instead of 0
   double twist = 0;          ///< rotation of the upper end in degrees, clockwise as seen from above
   std::uint32_t slices = 0;  ///< 0: derived from `facets`
   glm::dvec2 scale{1};       ///< scale of the upper end, applied after the rotation; negative values count as 0

@@ -19,7 +19,7 @@ namespace {
 struct Heights {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  std::vector<double> values;  ///< row by row, along y = 0 first
+  std::vector<double> values;  ///< row by row, starting at y = 0
   double floor = 0;
 
   [[nodiscard]] double at(std::uint32_t row, std::uint32_t column) const {
@@ -27,7 +27,8 @@ struct Heights {
   }
 };
 
-/// The mesh has the corners of the grid, then the middles of its cells, then the corners of the floor along its rim.
+/// Builds the mesh of a height field. Its points are the corners of the grid, then the centres of the cells, then the
+/// corners of the floor along the rim.
 class SurfaceMaker {
  public:
   SurfaceMaker(const Heights& heights, bool center) : heights_(heights) {
@@ -70,7 +71,7 @@ class SurfaceMaker {
     for (std::size_t i = 0; i < 4; ++i) mesh_.faces.push_back({around[i], around[(i + 1) % 4], middle});
   }
 
-  /// Counter-clockwise seen from above.
+  /// The corners along the rim, counter-clockwise as seen from above.
   [[nodiscard]] std::vector<std::uint32_t> rim() const {
     const std::uint32_t last_row = heights_.rows - 1;
     const std::uint32_t last_column = heights_.columns - 1;
@@ -115,7 +116,7 @@ void require_few_heights(std::size_t heights, std::string_view name) {
   throw InputError(fmt::format("{}: more than {} heights; make the grid coarser", printable(name), max_heights));
 }
 
-/// Lines of numbers, each as long as it is.
+/// Reads rows of numbers, which may differ in length.
 std::vector<std::vector<double>> read_rows(std::string_view text, std::string_view name) {
   Words words(text, name);
   std::vector<std::vector<double>> rows;

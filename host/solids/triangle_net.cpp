@@ -95,11 +95,11 @@ TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iter
 }
 
 void TriangleNet::cut_part(std::list<Half>::iterator part) {
-  Half upper = *part;  // from the right end of the remaining part, along its upper side
+  Half upper = *part;  // runs from the right end of the remaining part along its upper side
   while (goes_left(upper)) upper = previous(upper);
   while (goes_right(upper)) upper = next(upper);
   *part = upper;
-  Half lower = previous(upper);  // to the right end, along its lower side
+  Half lower = previous(upper);  // runs to the right end along its lower side
   while (next(upper) != lower) {
     if (precedes(to(upper), from(lower))) {
       while (next(lower) != upper && (goes_left(next(lower)) || above(from(lower), to(lower), to(next(lower))) <= 0)) {

@@ -35,7 +35,7 @@ class TriangleNet {
     Half next = 0;  ///< next half around the part to its left
     Half previous = 0;
     bool is_inside = true;   ///< a part is to its left
-    bool is_queued = false;  ///< on the stack of flip_diagonals()
+    bool is_queued = false;  ///< waits on the stack of flip_diagonals()
   };
 
   static Half other(Half half) { return half ^ 1U; }

@@ -20,7 +20,8 @@ struct Curve {
   std::vector<glm::dvec3> points;
 };
 
-/// A polynomial piece of a curve in Bernstein form: degree + 1 coefficients, the first and last of which are its ends.
+/// A polynomial piece of a curve in Bernstein form: degree + 1 coefficients. The first and last coefficients are its
+/// ends.
 struct Segment {
   std::uint32_t degree = 0;
   std::array<glm::dvec3, 4> coefficients{};

@@ -43,7 +43,7 @@ struct Edge {
   std::uint32_t end = nothing;
   std::uint32_t element = nothing;  ///< element whose side it is
   std::uint32_t next = nothing;
-  const WireVertex* between = nullptr;  ///< with a wire frame: the first vertex after the start
+  const WireVertex* between = nullptr;  ///< the first vertex after the start; only with a wire frame
 
   [[nodiscard]] std::uint32_t size() const { return to - from; }
 };

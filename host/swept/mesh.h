@@ -20,8 +20,8 @@ enum class Repair : std::uint8_t { filter, quadtree };
 struct Patchwork {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> elements;
-  SubdivisionCounts wiring;       ///< for the edges between patches, if there are several
-  SubdivisionCounts subdivision;  ///< for the patches
+  SubdivisionCounts wiring;       ///< counts for the edges between patches, if there are several
+  SubdivisionCounts subdivision;  ///< counts for the patches
   RepairCounts repair;            ///< peak counts are those of a single patch
   std::uint64_t wire_vertices = 0;
 };
@@ -33,7 +33,7 @@ Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair
 /// A swept solid.
 struct SweptSolid {
   solids::Mesh mesh;    ///< closed, faces outwards; elements that are not flat are cut into triangles
-  Patchwork patchwork;  ///< without base and cap
+  Patchwork patchwork;  ///< excludes base and cap
 };
 
 /// Builds the solid of a valid sweep. Base and cap are one face each, bounded by the surface's edge vertices; they are

@@ -13,7 +13,7 @@ namespace csgsim::swept {
 
 /// The criterion for an element that needs no further subdivision.
 enum class Flatness : std::uint8_t {
-  plane,  ///< as in the thesis: the fourth corner and the midpoint are close to the plane of three corners
+  plane,  ///< the thesis's test: the fourth corner and the midpoint are close to the plane of three corners
   sides   ///< the sides are also close to the lines between the corners
 };
 

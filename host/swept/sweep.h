@@ -13,8 +13,8 @@ namespace csgsim::swept {
 /// A solid defined by the four design curves of the thesis (3.2): a contour in u (x) and v (y) moves along a
 /// trajectory, perpendicular to its tangent, and is scaled and rotated in its plane.
 struct Sweep {
-  Curve contour;                          ///< closed, of degree 1 to 3
-  Curve trajectory;                       ///< of degree 1 to 3
+  Curve contour;                          ///< closed; degree 1 to 3
+  Curve trajectory;                       ///< degree 1 to 3
   Curve rotation{0, false, {{0, 0, 0}}};  ///< x: degrees from u to v, over the fraction of the trajectory's length
   Curve scale{0, false, {{1, 1, 0}}};     ///< x: along u, y: along v, at least 0; over the same fraction
 };

@@ -88,7 +88,7 @@ void WireFrame::join(WireEdge& edge, const Marks& one, const Marks& other) {
   }
 }
 
-/// Numbers the corners, each of which ends up to four edges.
+/// Numbers the corners; each is the end of up to four edges.
 void WireFrame::number_corners(Output& output) {
   const auto set = [](WireVertex& end, std::uint32_t number, const glm::dvec3& point) {
     end.number = number;

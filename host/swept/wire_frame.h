@@ -62,7 +62,7 @@ class WireFrame {
   std::size_t columns_;
   std::size_t rows_;
   std::size_t u_joints_;  ///< number of parallel edges, from south to north
-  std::size_t v_joints_;  ///< from west to east
+  std::size_t v_joints_;  ///< same, from west to east
   std::vector<WireEdge> along_u_;
   std::vector<WireEdge> along_v_;
   std::uint64_t vertices_ = 0;

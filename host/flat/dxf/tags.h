@@ -11,7 +11,7 @@ namespace csgsim::flat::dxf {
 /// A group: a code and its value, on one line each.
 struct Tag {
   int code = 0;
-  std::string_view value;  ///< without leading and trailing white space
+  std::string_view value;  ///< excludes leading and trailing white space
   std::size_t line = 0;    ///< line of the value, from 1
 };
 

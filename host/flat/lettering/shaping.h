@@ -13,7 +13,7 @@ namespace csgsim::flat::lettering {
 
 struct Glyph {
   std::uint32_t index = 0;       ///< glyph index in the font
-  hb_glyph_position_t position;  ///< in the font's units at its size
+  hb_glyph_position_t position;  ///< uses the font's units at its size
 };
 
 /// Glyphs in typesetting order: from left to right or from top to bottom.

@@ -15,7 +15,7 @@ struct Arc {
   glm::dvec2 radii{0};  ///< enlarged if too small for the distance between the ends
   double turn = 0;      ///< rotation of the ellipse, degrees
   bool large = false;   ///< take the longer way
-  bool sweep = false;   ///< in the direction of increasing angles
+  bool sweep = false;   ///< the arc runs in the direction of increasing angles
 };
 
 /// Adds the arc's corners to the outline: sides of at most 18 degrees, plus four. Adds a line if a radius is 0, and
