@@ -65,7 +65,7 @@ Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
 }
 
 /// The hull of a mesh with several pieces, if OpenSCAD replaces the mesh by its hull.
-std::optional<model::Polyhedron> make_hull(const solids::Mesh& mesh, std::size_t pieces,
+std::optional<model::Polyhedron> replacement_hull(const solids::Mesh& mesh, std::size_t pieces,
                                            const solids::MeshPlacement& mesh_placement, const Work& work) {
   if (pieces < 2 || !mesh_placement.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
   return solids::hull_piece(mesh.points, work);
@@ -86,7 +86,7 @@ MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::M
   bool is_hull = false;
   if (divided.crossing) {
     made.remarks.push_back(*std::move(divided.crossing));
-  } else if (auto hull = make_hull(checked.mesh, made.pieces.size(), mesh_placement, work)) {
+  } else if (auto hull = replacement_hull(checked.mesh, made.pieces.size(), mesh_placement, work)) {
     made.pieces = {*std::move(hull)};
     is_hull = true;
   }
