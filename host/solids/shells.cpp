@@ -118,10 +118,10 @@ std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work) {
     boxes.push_back(box_of(mesh, shell));
   }
   std::vector<FaceList> solids;
-  std::vector<std::size_t> solid_of(shells.size(), 0);
+  std::vector<std::size_t> solid_index(shells.size(), 0);
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (volumes[i] < 0) continue;
-    solid_of[i] = solids.size();
+    solid_index[i] = solids.size();
     solids.push_back(shells[i]);
   }
   for (std::size_t i = 0; i < shells.size(); ++i) {
@@ -135,7 +135,7 @@ std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work) {
     }
     if (least == shells.size())
       throw InputError("a shell faces inwards and is inside no other shell; reverse its faces");
-    FaceList& solid = solids[solid_of[least]];
+    FaceList& solid = solids[solid_index[least]];
     solid.insert(solid.end(), shells[i].begin(), shells[i].end());
   }
   return solids;
