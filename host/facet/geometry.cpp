@@ -120,7 +120,7 @@ void reject_far(const Solid& solid) {
   const bool is_near = !solid.curved || (is_in_range(solid.curved->low) && is_in_range(solid.curved->high));
   if (is_near && std::all_of(solid.vertices.begin(), solid.vertices.end(), is_in_range)) return;
   throw InputError(
-      "it extends farther than 1e12 from the origin, where numbers are too coarse to draw it; move it "
+      "the solid extends farther than 1e12 from the origin, where numbers are too coarse to draw it; move it "
       "closer, or scale it down");
 }
 

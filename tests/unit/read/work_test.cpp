@@ -104,7 +104,8 @@ TEST_CASE("a solid beyond the numbers that it could be drawn with is refused wit
     return testing::error_of([&] { (void)facet::make_geometry(read::read_csg_text(text, "m.csg")); });
   };
   const std::string far =
-      " it extends farther than 1e12 from the origin, where numbers are too coarse to draw it; move it closer, or "
+      " the solid extends farther than 1e12 from the origin, where numbers are too coarse to draw it; move it closer, "
+      "or "
       "scale "
       "it down";
   const auto moved = [](const char* by) {
