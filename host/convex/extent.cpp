@@ -118,9 +118,9 @@ bool is_union(const csg::PositiveTree& tree) {
 enum class Known : std::uint8_t { out, maybe, in };
 
 /// Tests whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().
-class Corners {
+class CornerSearch {
  public:
-  Corners(const facet::Geometry& geometry, const csg::PositiveTree& tree)
+  CornerSearch(const facet::Geometry& geometry, const csg::PositiveTree& tree)
       : geometry_(geometry), tree_(tree), known_(tree.nodes.size()) {}
 
   /// Whether each side of geometry.box has such a corner.
@@ -213,7 +213,7 @@ facet::Box searched(const facet::Geometry& geometry, const csg::PositiveTree& tr
 
 facet::Box extent(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t max_cuts,
                   std::uint64_t max_steps) {
-  if (geometry.box.empty() || is_union(tree) || Corners(geometry, tree).reach_all_sides()) return geometry.box;
+  if (geometry.box.empty() || is_union(tree) || CornerSearch(geometry, tree).reach_all_sides()) return geometry.box;
   const facet::Box found = common(geometry.box, searched(geometry, tree, max_cuts, max_steps));
   if (found.empty()) return geometry.box;
   const double near = tolerance(geometry.planes);

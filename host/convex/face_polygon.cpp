@@ -51,9 +51,9 @@ bool clip_corners(std::vector<glm::dvec3>& corners, const facet::Plane& plane, d
 }
 
 /// A bounding box of corners, for a quick test that all of them are behind a plane.
-class Around {
+class CornerBounds {
  public:
-  explicit Around(const std::vector<glm::dvec3>& corners) {
+  explicit CornerBounds(const std::vector<glm::dvec3>& corners) {
     const auto [low, high] = facet::box_of(corners);
     middle_ = (low + high) / 2.0;
     half_ = (high - low) * 0.5000001;
@@ -97,13 +97,13 @@ std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t p
   // The square covers the intersection of the plane with the box, and extends beyond it by more than the margin.
   std::vector<glm::dvec3> corners = square(middle - height * own.normal, own.normal, 2.0 * (size + margin));
   std::vector<glm::dvec3> kept;
-  Around around(corners);
+  CornerBounds around(corners);
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     if (halfspace.plane == plane) continue;
     const facet::Plane outward = outward_plane(halfspace, planes);
     if (around.is_behind(outward, near) || !clip_corners(corners, outward, near, kept)) continue;
     if (corners.empty()) return {};
-    around = Around(corners);
+    around = CornerBounds(corners);
   }
   const auto is_beyond = [&](const glm::dvec3& corner) {
     return glm::any(glm::greaterThan(glm::abs(corner - middle), (solid.box.high - solid.box.low) / 2.0 + margin));

@@ -29,9 +29,9 @@ struct Entry {
   }
 };
 
-class Merging {
+class PolytopeMerger {
  public:
-  Merging(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work)
+  PolytopeMerger(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work)
       : polytopes_(polytopes), planes_(planes), work_(work) {}
 
   void operator()() {
@@ -113,7 +113,7 @@ class Merging {
 }  // namespace
 
 void merge(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work) {
-  Merging(polytopes, planes, work)();
+  PolytopeMerger(polytopes, planes, work)();
 }
 
 }  // namespace csgsim::convex

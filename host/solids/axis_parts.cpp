@@ -50,9 +50,9 @@ void extend(Chain& chain, const AreaSide& side, double high) {
   chain.last = side;
 }
 
-class Stacking {
+class TrapezoidStacker {
  public:
-  explicit Stacking(const flat::Area& area) {
+  explicit TrapezoidStacker(const flat::Area& area) {
     for (const flat::Outline& outline : area.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) add(outline[i], outline[(i + 1) % outline.size()]);
     }
@@ -128,6 +128,6 @@ class Stacking {
 
 }  // namespace
 
-std::vector<flat::Outline> axis_parts(const flat::Area& area) { return Stacking(area)(); }
+std::vector<flat::Outline> axis_parts(const flat::Area& area) { return TrapezoidStacker(area)(); }
 
 }  // namespace csgsim::solids

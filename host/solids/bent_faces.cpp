@@ -17,9 +17,9 @@ using Face = std::vector<std::uint32_t>;
 /// Grid step of corners, in model units, when solids are combined; OpenSCAD truncates coordinates to it.
 constexpr double point_grid = 0x1p-20;
 
-class Cutting {
+class FaceCutter {
  public:
-  Cutting(const Mesh& mesh, const MeshPlacement& placement)
+  FaceCutter(const Mesh& mesh, const MeshPlacement& placement)
       : mesh_(mesh),
         placement_(placement),
         is_reversed_((glm::determinant(placement.transform) < 0) != placement.is_reversed) {}
@@ -53,7 +53,7 @@ class Cutting {
 
 BentFaces cut_bent_faces(NumberedMesh& numbered, double tolerance, const MeshPlacement& placement) {
   BentFaces bent;
-  const Cutting cutting(numbered.mesh, placement);
+  const FaceCutter cutting(numbered.mesh, placement);
   std::vector<Face> faces;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < numbered.mesh.faces.size(); ++i) {

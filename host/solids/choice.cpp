@@ -34,9 +34,9 @@ std::size_t coprime_stride(std::size_t count) {
   return stride;
 }
 
-class Choice {
+class PlaneChooser {
  public:
-  Choice(const Soup& soup, const Choices& from) : soup_(soup), from_(from), sides_(soup.points.size()) {
+  PlaneChooser(const Soup& soup, const Choices& from) : soup_(soup), from_(from), sides_(soup.points.size()) {
     for (const Fragment& fragment : soup_.fragments) {
       for (std::uint32_t i = fragment.begin; i < fragment.end; ++i) {
         if (soup_.corners[i].reflex) reflex_edges_.push_back({corner(i), corner(next(fragment, i))});
@@ -188,7 +188,7 @@ void sort_unique(std::vector<facet::Halfspace>& halfspaces) {
 }
 
 std::optional<facet::Halfspace> choose_plane(const Soup& soup, const Choices& choices) {
-  return Choice(soup, choices)();
+  return PlaneChooser(soup, choices)();
 }
 
 }  // namespace csgsim::solids

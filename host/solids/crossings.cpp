@@ -59,9 +59,9 @@ struct Interval {
   }
 };
 
-class Crossings {
+class CrossingFinder {
  public:
-  Crossings(const Mesh& mesh, double tolerance)
+  CrossingFinder(const Mesh& mesh, double tolerance)
       : mesh_(mesh), tolerance_(tolerance), triangles_(make_triangles(mesh, tolerance)) {}
 
   /// The pairs of faces that cross, with the depth of each crossing.
@@ -155,7 +155,7 @@ class Crossings {
 }  // namespace
 
 std::optional<Crossing> find_crossing(const NumberedMesh& numbered, double tolerance) {
-  const std::map<FacePair, double> found = Crossings(numbered.mesh, tolerance).find();
+  const std::map<FacePair, double> found = CrossingFinder(numbered.mesh, tolerance).find();
   if (found.empty()) return std::nullopt;
   const auto deepest = std::ranges::max_element(found, {}, &std::pair<const FacePair, double>::second);
   const auto [one, other] =

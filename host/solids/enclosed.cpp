@@ -34,9 +34,9 @@ struct SheetCell {
   std::vector<Sheet> sheets;
 };
 
-class Enclosing {
+class EnclosedDivision {
  public:
-  Enclosing(const Soup& soup, const facet::PlaneTable& planes, double near, const Limits& limits)
+  EnclosedDivision(const Soup& soup, const facet::PlaneTable& planes, double near, const Limits& limits)
       : soup_(soup), planes_(planes), limits_(limits), near_(near) {}
 
   std::vector<convex::Polytope> operator()(convex::Polytope space) {
@@ -153,7 +153,7 @@ class Enclosing {
 
 std::vector<convex::Polytope> enclosed(const Soup& soup, convex::Polytope cell, const facet::PlaneTable& planes,
                                        double near, const Limits& limits) {
-  return Enclosing(soup, planes, near, limits)(std::move(cell));
+  return EnclosedDivision(soup, planes, near, limits)(std::move(cell));
 }
 
 }  // namespace csgsim::solids

@@ -59,9 +59,9 @@ bool holds(const std::array<FlatPoint, 3>& triangle, const FlatPoint& point) {
 }
 
 /// Triangulates a face by ear clipping. Holes may be joined to the outline by edges that it follows in both directions.
-class Ears {
+class EarClipper {
  public:
-  Ears(const Face& face, const std::vector<FlatPoint>& points) : face_(face), points_(points) {
+  EarClipper(const Face& face, const std::vector<FlatPoint>& points) : face_(face), points_(points) {
     for (std::size_t i = 0; i < face.size(); ++i) left_.push_back(i);
   }
 
@@ -157,7 +157,7 @@ std::vector<Face> flat_convex_parts(const Mesh& mesh, const Face& face, double t
   if (glm::length(vector) == 0) return fan(mesh, face);
   const std::vector<FlatPoint> points = projection(mesh, face, vector);
   if (max_plane_distance(mesh, face) <= tolerance && is_convex(points)) return {face};
-  return Ears(face, points)();
+  return EarClipper(face, points)();
 }
 
 Mesh with_flat_convex_faces(const Mesh& mesh, double tolerance) {

@@ -14,13 +14,13 @@ namespace csgsim::solids {
 namespace {
 
 /// The predecessor and successor of each point along the sides.
-struct Around {
+struct PathNeighbours {
   std::vector<std::uint32_t> previous;
   std::vector<std::uint32_t> next;
 };
 
-Around around(std::size_t points, std::span<const Link> sides) {
-  Around made{std::vector<std::uint32_t>(points, none), std::vector<std::uint32_t>(points, none)};
+PathNeighbours link_path(std::size_t points, std::span<const Link> sides) {
+  PathNeighbours made{std::vector<std::uint32_t>(points, none), std::vector<std::uint32_t>(points, none)};
   for (const auto& [from, to] : sides) {
     made.next[from] = to;
     made.previous[to] = from;
@@ -74,7 +74,7 @@ struct Region {
 class OutlineSweep {
  public:
   OutlineSweep(std::span<const ProjectedPoint> points, std::span<const Link> sides)
-      : points_(points), around_(around(points.size(), sides)) {
+      : points_(points), around_(link_path(points.size(), sides)) {
     for (const Link& side : sides) order_.push_back(side.first);
     std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::tie(points[a].s, points[a].t) < std::tie(points[b].s, points[b].t);
@@ -152,7 +152,7 @@ class OutlineSweep {
   }
 
   std::span<const ProjectedPoint> points_;
-  Around around_;
+  PathNeighbours around_;
   std::vector<std::uint32_t> order_;
   std::vector<Region> regions_;
   std::vector<Link> diagonals_;

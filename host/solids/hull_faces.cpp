@@ -29,9 +29,10 @@ bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
 
 /// Finds, for each triangle, the first triangle of its face. A face is a maximal set of adjacent triangles in one
 /// plane.
-class Grouping {
+class CoplanarGroups {
  public:
-  explicit Grouping(const Mesh& hull) : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
+  explicit CoplanarGroups(const Mesh& hull)
+      : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (std::uint32_t face = 0; face < parent_.size(); ++face) {
       for (std::uint32_t side = 0; side < 3; ++side) join(face, beyond(face, side));
@@ -76,7 +77,7 @@ struct Rim {
 };
 
 std::vector<Rim> collect_rims(const Mesh& hull) {
-  Grouping grouping(hull);
+  CoplanarGroups grouping(hull);
   std::vector<Rim> rims;
   for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
     for (std::uint32_t side = 0; side < 3; ++side) {

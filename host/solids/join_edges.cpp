@@ -84,9 +84,9 @@ class Nearest {
   std::map<Cell, std::vector<std::uint32_t>> cells_;  ///< added points, in ascending order
 };
 
-class Joining {
+class EdgeJoiner {
  public:
-  Joining(Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance), open_(unjoined_edges(mesh)) {}
+  EdgeJoiner(Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance), open_(unjoined_edges(mesh)) {}
 
   void operator()() {
     if (open_.empty()) return;
@@ -154,6 +154,6 @@ void join_near_points(NumberedMesh& numbered, double tolerance) {
   numbered = std::move(joined);
 }
 
-void join_edges(NumberedMesh& numbered, double tolerance) { Joining(numbered.mesh, tolerance)(); }
+void join_edges(NumberedMesh& numbered, double tolerance) { EdgeJoiner(numbered.mesh, tolerance)(); }
 
 }  // namespace csgsim::solids

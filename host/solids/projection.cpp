@@ -144,9 +144,9 @@ facet::Box box_of(std::span<const facet::Box> boxes, std::span<const std::uint32
 }
 
 /// Computes the section of a tree.
-class Section {
+class SectionBuilder {
  public:
-  Section(const model::Tree& tree, const Work& work) : tree_(tree), work_(work) {
+  SectionBuilder(const model::Tree& tree, const Work& work) : tree_(tree), work_(work) {
     const facet::Geometry scene = facet::make_geometry(tree);
     for (const facet::Convex& solid : scene.solids) {
       work.charge(projected_corner_steps * solid.vertices.size(), "projecting solids");
@@ -248,7 +248,7 @@ Projection shadow(const model::Tree& tree, const Work& work) {
 
 Projection section(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
-  return Section(tree, work).make();
+  return SectionBuilder(tree, work).make();
 }
 
 }  // namespace csgsim::solids

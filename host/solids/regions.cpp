@@ -35,9 +35,9 @@ struct Sums {
   }
 };
 
-class Growing {
+class RegionGrower {
  public:
-  Growing(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work)
+  RegionGrower(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work)
       : mesh_(mesh), neighbours_(neighbours), tolerance_(tolerance), work_(work) {
     regions_.of_face.assign(mesh.faces.size(), none);
     for (const auto& face : mesh.faces) sums_.push_back(face_sums(face));
@@ -139,7 +139,7 @@ class Growing {
 }  // namespace
 
 Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work) {
-  return Growing(mesh, neighbours, tolerance, work)();
+  return RegionGrower(mesh, neighbours, tolerance, work)();
 }
 
 }  // namespace csgsim::solids

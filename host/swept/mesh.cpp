@@ -70,9 +70,9 @@ Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair
 using Face = std::vector<std::uint32_t>;
 
 /// Collects the faces of a swept solid; a base or cap of size 0 becomes one vertex.
-class Closing {
+class SolidBuilder {
  public:
-  Closing(const Patchwork& patchwork, bool is_clockwise)
+  SolidBuilder(const Patchwork& patchwork, bool is_clockwise)
       : points_(patchwork.points), is_clockwise_(is_clockwise), same_(points_.size()) {
     for (std::uint32_t i = 0; i < same_.size(); ++i) same_[i] = i;
   }
@@ -181,7 +181,7 @@ SweptSolid solid_of(const Sweep& sweep, const Accuracy& accuracy, Repair repair)
   std::optional<WireFrame> frame;
   SweptSolid solid;
   solid.patchwork = patchwork_of(*surface, accuracy, repair, frame);
-  Closing closing(solid.patchwork, twice_signed_area(sweep.contour) < 0);
+  SolidBuilder closing(solid.patchwork, twice_signed_area(sweep.contour) < 0);
   if (!surface->wraps_rows()) {
     const Spine spine(sweep);
     for (const std::size_t joint : {std::size_t{0}, surface->rows()}) {
