@@ -66,7 +66,7 @@ Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
 
 /// The hull of a mesh with several pieces, if OpenSCAD replaces the mesh by its hull.
 std::optional<model::Polyhedron> replacement_hull(const solids::Mesh& mesh, std::size_t pieces,
-                                           const solids::MeshPlacement& mesh_placement, const Work& work) {
+                                                  const solids::MeshPlacement& mesh_placement, const Work& work) {
   if (pieces < 2 || !mesh_placement.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
   return solids::hull_piece(mesh.points, work);
 }
