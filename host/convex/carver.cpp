@@ -26,7 +26,7 @@ void Carver::add_vertex(const glm::dvec3& place, const glm::dvec3& normal) {
   sides_.push_back(VertexSide::in);
 }
 
-std::uint64_t Carver::steps() const { return clip_steps(looked_at_); }
+std::uint64_t Carver::steps() const { return clip_steps(visited_); }
 
 bool Carver::has_depth(const facet::Plane& plane, double near) {
   const auto is_deep = [&](std::uint32_t vertex) {
@@ -35,7 +35,7 @@ bool Carver::has_depth(const facet::Plane& plane, double near) {
   if (is_deep(deep_)) return true;
   while (first_alive_ < at_.size() && !is_alive_[first_alive_]) ++first_alive_;
   for (deep_ = first_alive_; deep_ < at_.size(); ++deep_) {
-    ++looked_at_;
+    ++visited_;
     if (is_deep(deep_)) return true;
   }
   deep_ = 0;
@@ -45,7 +45,7 @@ bool Carver::has_depth(const facet::Plane& plane, double near) {
 bool Carver::find_sides(const facet::Plane& plane, double near) {
   for (const std::uint32_t vertex : found_) sides_[vertex] = VertexSide::in;
   found_.clear();
-  looked_at_ += index_.find(plane, near, found_);
+  visited_ += index_.find(plane, near, found_);
   bool is_one_out = false;
   for (const std::uint32_t vertex : found_) {
     const bool is_out = plane.height(polytope_.vertices[vertex]) > near;
@@ -62,16 +62,16 @@ std::vector<std::uint32_t> Carver::faces_found() {
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   std::uint64_t corners = 0;
   for (const std::uint32_t face : faces) corners += polytope_.faces[face].corners.size();
-  // A vertex is a corner of three faces or more.
-  looked_at_ = std::max(looked_at_, corners / 3);
+  // Each vertex is a corner of at least three faces.
+  visited_ = std::max(visited_, corners / 3);
   return faces;
 }
 
 void Carver::clip(facet::Halfspace halfspace) {
   if (empty()) return;
-  looked_at_ = 0;
+  visited_ = 0;
   const facet::Plane plane = outward_plane(halfspace, planes_);
-  // The loop ends: no vertex is in once the tolerance is beyond all distances.
+  // Terminates: once the tolerance exceeds all distances, no vertex is inside.
   for (double times = 1.0;; times = next_tolerance(times)) {
     const double near = times * tolerance(planes_);
     if (!has_depth(plane, near)) return clear();

@@ -1,3 +1,5 @@
+// Repeated clipping of one polytope with an index of its vertices.
+// Used by polytope.cpp.
 #pragma once
 
 #include <boost/container/small_vector.hpp>
@@ -11,50 +13,50 @@
 
 namespace csgsim::convex {
 
-/// Clips one polytope by one half-space after another, as clip() does, to the same bits, but without a look at the
-/// vertices and faces that a plane is far from. Each cut goes over all corners of the faces that it meets: solids whose
-/// faces all share a corner, or a face, still take the square of their half-spaces. Keeps references.
+/// Clips one polytope by a sequence of half-spaces, with results bit-identical to clip(), but without visiting vertices
+/// and faces far from each plane. A cut visits all corners of the faces that it meets, so solids whose faces all share
+/// a corner or a face still take time quadratic in their half-spaces. Keeps references to its arguments.
 class Carver {
  public:
   Carver(Polytope polytope, const facet::PlaneTable& planes);
 
   void clip(facet::Halfspace halfspace);
   [[nodiscard]] bool empty() const { return faces_ == 0; }
-  /// Steps of work (hw/base/work.h) that the last clip() took, about.
+  /// Approximate cost of the last clip(), in steps of work (hw/base/work.h).
   [[nodiscard]] std::uint64_t steps() const;
-  /// What is left. Nothing can be clipped after that.
+  /// Returns the remaining polytope; the Carver cannot be used afterwards.
   Polytope take();
 
  private:
-  /// Whether a vertex is farther in than that.
+  /// Whether some vertex is farther behind the plane than `near`.
   bool has_depth(const facet::Plane& plane, double near);
-  /// Finds the vertices that are not in, and notes their sides. Returns whether one is out.
+  /// Finds the vertices that are not inside, and stores their sides. Returns whether any is outside.
   bool find_sides(const facet::Plane& plane, double near);
-  /// The faces at the vertices that were found, ascending.
+  /// The faces at the vertices found, in ascending order.
   std::vector<std::uint32_t> faces_found();
   void apply(Cut made, facet::Halfspace halfspace);
-  /// On a face with that normal.
+  /// Adds a vertex on a face with that normal.
   void add_vertex(const glm::dvec3& place, const glm::dvec3& normal);
-  /// Takes out vertices that only two faces are left at, whose edges there become one, and faces without area.
+  /// Removes vertices with only two faces left, which merges their edges there, and faces without area.
   void drop_flat(std::vector<std::uint32_t> doubtful);
   void drop_vertex(std::uint32_t vertex);
-  /// Takes out a face, whose corners are doubtful then.
+  /// Removes a face; its corners become doubtful.
   void drop_face(std::uint32_t face, std::vector<std::uint32_t>& doubtful);
   void clear();
 
   using FacesAt = boost::container::small_vector<std::uint32_t, 4>;
 
   const facet::PlaneTable& planes_;
-  Polytope polytope_;  ///< with vertices that no face has, and faces without corners
+  Polytope polytope_;  ///< includes vertices without faces, and faces without corners
   std::uint32_t faces_ = 0;
-  std::vector<FacesAt> at_;        ///< of each vertex the faces that have it
-  std::vector<bool> is_alive_;     ///< of each vertex, whether a face has it
-  std::vector<VertexSide> sides_;  ///< of the half-space; in, but of those found
+  std::vector<FacesAt> at_;        ///< faces at each vertex
+  std::vector<bool> is_alive_;     ///< a face uses the vertex
+  std::vector<VertexSide> sides_;  ///< sides relative to the half-space; `in` except for found vertices
   VertexIndex index_;
   std::vector<std::uint32_t> found_;
-  std::uint32_t deep_ = 0;         ///< a vertex that was in last
-  std::uint32_t first_alive_ = 0;  ///< no vertex before it is
-  std::uint64_t looked_at_ = 0;
+  std::uint32_t deep_ = 0;         ///< the last vertex known to be inside
+  std::uint32_t first_alive_ = 0;  ///< no vertex before this one is alive
+  std::uint64_t visited_ = 0;
 };
 
 }  // namespace csgsim::convex

@@ -11,7 +11,7 @@ namespace csgsim::convex {
 
 namespace {
 
-/// Takes out vertices that only two faces are left at, whose edges there become one, and faces without area.
+/// Removes vertices with only two faces left, which merges their edges there, and faces without area.
 void drop_flat_corners(Polytope& polytope) {
   for (bool changed = true; changed;) {
     changed = false;
@@ -36,7 +36,7 @@ Polytope apply(Polytope polytope, Cut cut, facet::Halfspace halfspace) {
   return polytope;
 }
 
-std::vector<VertexSide> sides_of(const std::vector<double>& distances, double near) {
+std::vector<VertexSide> classify_vertices(const std::vector<double>& distances, double near) {
   std::vector<VertexSide> sides;
   sides.reserve(distances.size());
   for (const double distance : distances) {
@@ -71,12 +71,12 @@ Polytope clip(Polytope polytope, facet::Halfspace halfspace, const facet::PlaneT
   const auto [deepest, farthest] = std::minmax_element(distances.begin(), distances.end());
   std::vector<std::uint32_t> faces(polytope.faces.size());
   std::iota(faces.begin(), faces.end(), 0U);
-  // The loop ends: no vertex is in once the tolerance is beyond all distances, or where a distance is not a number.
+  // Terminates: no vertex is inside once the tolerance exceeds all distances, or if a distance is not a number.
   for (double times = 1.0;; times = next_tolerance(times)) {
     const double near = times * tolerance(planes);
     if (!(*deepest < -near)) return {};
     if (*farthest <= near) return polytope;
-    if (std::optional<Cut> made = cut_faces(polytope, faces, plane, sides_of(distances, near)))
+    if (std::optional<Cut> made = cut_faces(polytope, faces, plane, classify_vertices(distances, near)))
       return apply(std::move(polytope), std::move(*made), halfspace);
   }
 }

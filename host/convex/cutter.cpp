@@ -30,7 +30,7 @@ class Cutter {
     return vertex < sides_.size() ? sides_[vertex] : VertexSide::on;
   }
 
-  /// The vertex where an edge crosses the plane, the same for both faces.
+  /// The vertex at which an edge crosses the plane; both of its faces share it.
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
     const auto [low, high] = std::minmax(a, b);
     const auto next = static_cast<std::uint32_t>(polytope_.vertices.size() + cut_.added.size());
@@ -43,7 +43,7 @@ class Cutter {
     return entry->second;
   }
 
-  /// False if the face leaves the half-space more than once.
+  /// Returns false if the face leaves the half-space more than once.
   bool cut_face(std::uint32_t face) {
     const FaceCorners& corners = polytope_.faces[face].corners;
     const auto inside = std::count_if(corners.begin(), corners.end(),
@@ -70,7 +70,7 @@ class Cutter {
     return leaves <= 1;
   }
 
-  /// The cap runs against the edges that have lost the face on their other side.
+  /// Builds the cap, which runs opposite to the edges that lost the face on their other side.
   bool close() {
     std::sort(on_plane_.begin(), on_plane_.end());
     if (std::adjacent_find(on_plane_.begin(), on_plane_.end()) != on_plane_.end()) return false;
@@ -95,7 +95,7 @@ class Cutter {
   const std::vector<VertexSide>& sides_;
   Cut cut_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> crossings_;
-  std::vector<DirectedEdge> on_plane_;  ///< of what is left of faces
+  std::vector<DirectedEdge> on_plane_;  ///< edges of the remaining faces in the plane
 };
 
 }  // namespace

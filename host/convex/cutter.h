@@ -1,3 +1,5 @@
+// The cut of a polytope's faces by a plane.
+// Used by carver.h and clip.cpp.
 #pragma once
 
 #include <cstddef>
@@ -12,33 +14,34 @@
 
 namespace csgsim::convex {
 
-/// Of a vertex and a half-space.
+/// The position of a vertex relative to a half-space.
 enum class VertexSide : std::uint8_t { in, on, out };
 
 using FaceCorners = std::vector<std::uint32_t>;
 
-/// The tolerances that cuts are tried with: 1, parts of it down to where rounding begins, multiples of it.
+/// The next tolerance with which a cut is tried: starts at 1, continues with fractions down to the level of rounding,
+/// then with multiples.
 double next_tolerance(double times);
 
-/// What is left of a face that is not wholly in; without corners if that is nothing.
+/// The remaining part of a face that is not entirely inside; no corners if nothing remains.
 struct CutFace {
   std::uint32_t face = 0;
   FaceCorners corners;
 };
 
-/// How a plane cuts a polytope: what faces become, and the polygon that closes it.
+/// The result of cutting a polytope by a plane: the changed faces and the polygon that closes the cut.
 struct Cut {
   std::vector<CutFace> faces;
-  std::vector<glm::dvec3> added;  ///< vertices, numbered after those of the polytope
+  std::vector<glm::dvec3> added;  ///< new vertices, numbered after those of the polytope
   FaceCorners cap;
 };
 
-/// Cuts the faces of a polytope of these numbers, ascending, among which are all with a vertex that is not in. `sides`
-/// are those of the vertices. Nothing if the cut is not one polygon.
+/// Cuts the faces with these indices, in ascending order; they have to include every face with a vertex that is not
+/// inside. `sides` are those of the vertices. Nothing if the cut is not a single polygon.
 std::optional<Cut> cut_faces(const Polytope& polytope, std::span<const std::uint32_t> faces, const facet::Plane& plane,
                              const std::vector<VertexSide>& sides);
 
-/// Takes out vertices that no face has.
+/// Removes vertices that no face uses.
 void drop_unused_vertices(Polytope& polytope);
 
 }  // namespace csgsim::convex

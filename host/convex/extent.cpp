@@ -26,33 +26,33 @@ facet::Box moved(const facet::Box& box, const glm::dvec3& by) {
 
 constexpr std::string_view searching = "searching for the extent";
 
-/// A convex part of a product, and what has yet to be taken away from it; the last one goes first.
+/// A convex part of a product, and the primitives still to be subtracted from it, the last one first.
 struct Rest {
   Polytope polytope;
-  std::vector<std::uint32_t> taken_away;
+  std::vector<std::uint32_t> subtracted;
 };
 
-/// Boxes are relative to PlaneTable::centre().
+/// Searches for the box of all parts. Boxes are relative to PlaneTable::centre().
 class BoxSearch {
  public:
-  BoxSearch(const facet::Geometry& geometry, std::size_t most, const Work& work)
-      : geometry_(geometry), most_(most), work_(work) {
+  BoxSearch(const facet::Geometry& geometry, std::size_t max_cuts, const Work& work)
+      : geometry_(geometry), max_cuts_(max_cuts), work_(work) {
     for (const facet::Convex& solid : geometry.solids) boxes_.push_back(moved(solid.box, -geometry.planes.centre()));
   }
 
   void add(SolidProduct product) {
-    Rest part{std::move(product.whole), std::move(product.taken_away)};
+    Rest part{std::move(product.whole), std::move(product.subtracted)};
     find_corners(part);
     if (!is_found(part)) open_.push_back(std::move(part));
   }
 
-  /// The box of all that was added.
+  /// The box of everything added.
   facet::Box find() {
     while (!open_.empty()) {
       const Rest part = std::move(open_.back());
       open_.pop_back();
       if (is_found(part)) continue;
-      if (part.taken_away.empty() || cuts_ >= most_) {
+      if (part.subtracted.empty() || cuts_ >= max_cuts_) {
         found_ = hull(found_, box_of(part.polytope));
       } else {
         cut(part);
@@ -64,13 +64,13 @@ class BoxSearch {
  private:
   [[nodiscard]] bool is_found(const Rest& part) const { return hull(found_, box_of(part.polytope)) == found_; }
 
-  /// Corners that are off everything that is taken away are corners of the model.
+  /// Adds corners that no subtracted primitive touches: they are corners of the model.
   void find_corners(const Rest& part) {
     for (const glm::dvec3& corner : part.polytope.vertices) {
       const facet::Box more = hull(found_, corner);
       if (more == found_) continue;
-      work_.charge(part.taken_away.size(), searching);
-      const bool stays = std::none_of(part.taken_away.begin(), part.taken_away.end(),
+      work_.charge(part.subtracted.size(), searching);
+      const bool stays = std::none_of(part.subtracted.begin(), part.subtracted.end(),
                                       [&](std::uint32_t primitive) { return touches(primitive, corner); });
       if (stays) found_ = more;
     }
@@ -86,12 +86,12 @@ class BoxSearch {
 
   void cut(const Rest& part) {
     ++cuts_;
-    const std::uint32_t taken = part.taken_away.back();
+    const std::uint32_t taken = part.subtracted.back();
     for (Polytope& polytope : outside(part.polytope, geometry_.solids[taken], geometry_.planes, work_)) {
-      work_.charge(polytope.vertices.size() + part.taken_away.size(), searching);
+      work_.charge(polytope.vertices.size() + part.subtracted.size(), searching);
       const facet::Box box = box_of(polytope);
       Rest rest{std::move(polytope), {}};
-      std::copy_if(part.taken_away.begin(), std::prev(part.taken_away.end()), std::back_inserter(rest.taken_away),
+      std::copy_if(part.subtracted.begin(), std::prev(part.subtracted.end()), std::back_inserter(rest.subtracted),
                    [&](std::uint32_t primitive) { return !common(boxes_[primitive], box).empty(); });
       find_corners(rest);
       if (!is_found(rest)) open_.push_back(std::move(rest));
@@ -99,31 +99,31 @@ class BoxSearch {
   }
 
   const facet::Geometry& geometry_;
-  std::size_t most_;
+  std::size_t max_cuts_;
   const Work& work_;
   std::size_t cuts_ = 0;
-  std::vector<facet::Box> boxes_;  ///< of the primitives
+  std::vector<facet::Box> boxes_;  ///< boxes of the primitives
   std::vector<Rest> open_;
   facet::Box found_;
 };
 
-/// Whether the folded boxes are the model's already.
+/// Whether the folded boxes are already those of the model.
 bool is_union(const csg::PositiveTree& tree) {
   return std::all_of(tree.nodes.begin(), tree.nodes.end(), [](const csg::PositiveNode& node) {
     return node.is_leaf ? !node.complemented : node.op == csg::PositiveOperator::unite;
   });
 }
 
-/// What is known of a point: that all near it is in, that nothing is, or neither.
+/// Knowledge about the neighbourhood of a point: entirely outside, undecided, or entirely inside.
 enum class Known : std::uint8_t { out, maybe, in };
 
-/// Whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().
-class Corners {
+/// Tests whether corners of primitives are corners of the model. Points are relative to PlaneTable::centre().
+class CornerSearch {
  public:
-  Corners(const facet::Geometry& geometry, const csg::PositiveTree& tree)
+  CornerSearch(const facet::Geometry& geometry, const csg::PositiveTree& tree)
       : geometry_(geometry), tree_(tree), known_(tree.nodes.size()) {}
 
-  /// Whether a corner on each side of geometry.box is one.
+  /// Whether each side of geometry.box has such a corner.
   bool reach_all_sides() {
     for (int axis = 0; axis < 3; ++axis) {
       if (!reach(axis, -1.0, geometry_.box.low[axis]) || !reach(axis, 1.0, geometry_.box.high[axis])) return false;
@@ -132,11 +132,12 @@ class Corners {
   }
 
  private:
-  /// Corners looked at before a side counts as open: where a flush cut leaves many undecided, others tell no more.
-  static constexpr int most_corners = 64;
+  /// Maximum number of corners tested per side before it counts as undecided: after a flush cut leaves many undecided,
+  /// more tests rarely help.
+  static constexpr int max_tested_corners = 64;
 
   bool reach(int axis, double sign, double side) {
-    int looked_at = 0;
+    int visited = 0;
     for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) {
       const facet::Box& box = geometry_.solids[i].box;
       const double farthest = sign > 0.0 ? box.high[axis] : box.low[axis];
@@ -145,21 +146,21 @@ class Corners {
       for (const glm::dvec3& corner : geometry_.solids[i].vertices) {
         if (sign * corner[axis] < sign * side - tolerance(geometry_.planes)) continue;
         if (is_corner(i, corner - geometry_.planes.centre())) return true;
-        if (++looked_at == most_corners) return false;
+        if (++visited == max_tested_corners) return false;
       }
     }
     return false;
   }
 
-  /// Next to a corner the primitive is in and out, and all that is known is the same all around it: if the tree is in
-  /// where the primitive is, the corner is on the model.
+  /// Near its corner the primitive is both inside and outside, and everything else known holds all around the corner.
+  /// If the tree is inside wherever the primitive is, the corner is on the model.
   bool is_corner(std::uint32_t primitive, const glm::dvec3& corner) {
-    if (of_primitive(primitive, corner) == Known::out) return false;
+    if (primitive_at(primitive, corner) == Known::out) return false;
     for (std::size_t i = 0; i < tree_.nodes.size(); ++i) {
       const csg::PositiveNode& node = tree_.nodes[i];
       if (node.is_leaf) {
-        const Known in = node.primitive == primitive ? Known::in : of_primitive(node.primitive, corner);
-        known_[i] = node.complemented ? opposite_of(in) : in;
+        const Known in = node.primitive == primitive ? Known::in : primitive_at(node.primitive, corner);
+        known_[i] = node.complemented ? complement(in) : in;
         continue;
       }
       const bool unites = node.op == csg::PositiveOperator::unite;
@@ -170,11 +171,11 @@ class Corners {
     return known_[tree_.root] == Known::in;
   }
 
-  static Known opposite_of(Known known) {
+  static Known complement(Known known) {
     return known == Known::in ? Known::out : known == Known::out ? Known::in : Known::maybe;
   }
 
-  [[nodiscard]] Known of_primitive(std::uint32_t primitive, const glm::dvec3& point) const {
+  [[nodiscard]] Known primitive_at(std::uint32_t primitive, const glm::dvec3& point) const {
     const double near = tolerance(geometry_.planes);
     const facet::Convex& solid = geometry_.solids[primitive];
     const glm::dvec3 place = point + geometry_.planes.centre();
@@ -192,28 +193,28 @@ class Corners {
 
   const facet::Geometry& geometry_;
   const csg::PositiveTree& tree_;
-  std::vector<Known> known_;  ///< of each node
+  std::vector<Known> known_;  ///< knowledge about each node
 };
 
-facet::Box searched(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most,
-                    std::uint64_t most_steps) {
-  const Work work(most_steps);
-  BoxSearch search(geometry, most, work);
+facet::Box searched(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t max_cuts,
+                    std::uint64_t max_steps) {
+  const Work work(max_steps);
+  BoxSearch search(geometry, max_cuts, work);
   try {
     for_each_product(
-        geometry, tree, [&](SolidProduct product) { search.add(std::move(product)); }, most, work);
+        geometry, tree, [&](SolidProduct product) { search.add(std::move(product)); }, max_cuts, work);
     return moved(search.find(), geometry.planes.centre());
   } catch (const InputError&) {
-    return geometry.box;  // more choices or steps than that
+    return geometry.box;  // the number of choices or steps reached its limit
   }
 }
 
 }  // namespace
 
-facet::Box extent(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most,
-                  std::uint64_t most_steps) {
-  if (geometry.box.empty() || is_union(tree) || Corners(geometry, tree).reach_all_sides()) return geometry.box;
-  const facet::Box found = common(geometry.box, searched(geometry, tree, most, most_steps));
+facet::Box extent(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t max_cuts,
+                  std::uint64_t max_steps) {
+  if (geometry.box.empty() || is_union(tree) || CornerSearch(geometry, tree).reach_all_sides()) return geometry.box;
+  const facet::Box found = common(geometry.box, searched(geometry, tree, max_cuts, max_steps));
   if (found.empty()) return geometry.box;
   const double near = tolerance(geometry.planes);
   facet::Box box = geometry.box;

@@ -1,3 +1,5 @@
+// Bounding box of a model after its Boolean operations.
+// Used by sim/session and sim/software.
 #pragma once
 
 #include <cstddef>
@@ -8,19 +10,19 @@
 
 namespace csgsim::convex {
 
-/// Cuts of one convex part by one primitive, and operands of unions chosen, before what is left is taken as it is.
-inline constexpr std::size_t most_extent_cuts = 2'000;
+/// Maximum number of cuts of a convex part by a primitive plus choices of a union's operand; beyond it the result may
+/// be loose.
+inline constexpr std::size_t max_extent_cuts = 2'000;
 
-/// Steps of work (hw/base/work.h) before it is enough.
-inline constexpr std::uint64_t most_extent_steps = 500'000'000;
+/// Maximum cost in steps of work (hw/base/work.h).
+inline constexpr std::uint64_t max_extent_steps = 500'000'000;
 
-/// The box of what the tree leaves of its primitives, within geometry.box. That is geometry.box where a corner of a
-/// primitive on each of its sides is one of the model; else the box of the products' convex parts. A part that is
-/// within the box of what is found already is not cut any further, and most are found by a corner that nothing takes
-/// away. Loose, but never too small, where that takes more than `most` cuts or choices, and geometry.box past
-/// `most_steps`. Sides that are geometry.box's within the tolerance of clip() are geometry.box's; the box of a model of
-/// which nothing is left is.
-facet::Box extent(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most = most_extent_cuts,
-                  std::uint64_t most_steps = most_extent_steps);
+/// The bounding box of the model, within geometry.box. It is geometry.box if each side of that has a primitive's corner
+/// that belongs to the model, otherwise the box of the products' convex parts. A part inside the current box is not cut
+/// any further, and most parts are settled by a corner that no primitive removes. The box is never too small, but may
+/// be loose after more than `max_cuts` cuts or choices; after `max_steps` it is geometry.box. Sides within the
+/// tolerance of clip() of geometry.box are set to those of geometry.box. The box of an empty model is geometry.box.
+facet::Box extent(const facet::Geometry& geometry, const csg::PositiveTree& tree,
+                  std::size_t max_cuts = max_extent_cuts, std::uint64_t max_steps = max_extent_steps);
 
 }  // namespace csgsim::convex

@@ -14,14 +14,14 @@ namespace csgsim::convex {
 
 namespace {
 
-/// A square in a plane around a point of it, `reach` long each way.
+/// A square in a plane, centred at a point, that extends `reach` to each side.
 std::vector<glm::dvec3> square(const glm::dvec3& around, const glm::dvec3& normal, double reach) {
-  const auto [right, up] = axes_in(normal);
+  const auto [right, up] = plane_axes(normal);
   return {around - reach * (right + up), around + reach * (right - up), around + reach * (right + up),
           around - reach * (right - up)};
 }
 
-/// As clipped(), with room for another polygon. True if the corners are others than they were.
+/// The same as clipped(), with a buffer for the second polygon. Returns whether the corners changed.
 bool clip_corners(std::vector<glm::dvec3>& corners, const facet::Plane& plane, double near,
                   std::vector<glm::dvec3>& kept) {
   double deepest = 0;
@@ -50,16 +50,16 @@ bool clip_corners(std::vector<glm::dvec3>& corners, const facet::Plane& plane, d
   return true;
 }
 
-/// A box around corners, to see that they are behind a plane without a look at each.
-class Around {
+/// A bounding box of corners, for a quick test that all of them are behind a plane.
+class CornerBounds {
  public:
-  explicit Around(const std::vector<glm::dvec3>& corners) {
+  explicit CornerBounds(const std::vector<glm::dvec3>& corners) {
     const auto [low, high] = facet::box_of(corners);
     middle_ = (low + high) / 2.0;
     half_ = (high - low) * 0.5000001;
   }
 
-  /// Whether all of it is surely farther behind the plane than that.
+  /// Whether the whole box is certainly farther behind the plane than `near`.
   [[nodiscard]] bool is_behind(const facet::Plane& plane, double near) const {
     const glm::dvec3& n = plane.normal;
     const double reach = std::abs(n.x) * half_.x + std::abs(n.y) * half_.y + std::abs(n.z) * half_.z;
@@ -73,7 +73,7 @@ class Around {
 
 }  // namespace
 
-std::array<glm::dvec3, 2> axes_in(const glm::dvec3& normal) {
+std::array<glm::dvec3, 2> plane_axes(const glm::dvec3& normal) {
   const glm::dvec3 least = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 right = glm::normalize(glm::cross(normal, least));
   return {right, glm::cross(normal, right)};
@@ -94,16 +94,16 @@ std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t p
   const double height = own.height(middle);
   if (!(std::abs(height) <= size + near)) return {};
   const double margin = 0.1 * size + 10.0 * near;
-  // From its middle the square reaches past all of the box that is in the plane, and more than the margin farther.
+  // The square covers the intersection of the plane with the box, and extends beyond it by more than the margin.
   std::vector<glm::dvec3> corners = square(middle - height * own.normal, own.normal, 2.0 * (size + margin));
   std::vector<glm::dvec3> kept;
-  Around around(corners);
+  CornerBounds around(corners);
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     if (halfspace.plane == plane) continue;
     const facet::Plane outward = outward_plane(halfspace, planes);
     if (around.is_behind(outward, near) || !clip_corners(corners, outward, near, kept)) continue;
     if (corners.empty()) return {};
-    around = Around(corners);
+    around = CornerBounds(corners);
   }
   const auto is_beyond = [&](const glm::dvec3& corner) {
     return glm::any(glm::greaterThan(glm::abs(corner - middle), (solid.box.high - solid.box.low) / 2.0 + margin));

@@ -1,3 +1,5 @@
+// Polygon of one face of a primitive.
+// Used by near_faces.cpp and host/solids.
 #pragma once
 
 #include <array>
@@ -10,17 +12,17 @@
 
 namespace csgsim::convex {
 
-/// Two directions in a plane, of length 1 and across each other.
-std::array<glm::dvec3, 2> axes_in(const glm::dvec3& normal);
+/// Two orthogonal unit vectors in a plane.
+std::array<glm::dvec3, 2> plane_axes(const glm::dvec3& normal);
 
-/// What of a convex polygon is behind a plane; corners within `near` of it stay where they are. Nothing where none is
+/// The part of a convex polygon behind a plane; corners within `near` of the plane do not move. Empty if no corner is
 /// farther behind it.
 std::vector<glm::dvec3> clipped(std::vector<glm::dvec3> corners, const facet::Plane& plane, double near);
 
-/// The corners of the face that a primitive has in a plane, in turn around it, relative to PlaneTable::centre(): what
-/// its other half-spaces leave of that plane, which takes a step for each of them, where make_polytope() makes all
-/// faces. None if the primitive has only an edge or a corner there, or a sliver no wider than the tolerance of
-/// clip(), or if the half-spaces leave the face without an end.
+/// The corners of a primitive's face in a plane, in order around it, relative to PlaneTable::centre(). The face is the
+/// part of the plane inside the other half-spaces, so it takes one step per half-space, while make_polytope() makes all
+/// faces. Empty if the primitive has only an edge or a corner in the plane, if the face is no wider than the tolerance
+/// of clip(), or if the half-spaces leave it unbounded.
 std::vector<glm::dvec3> face_polygon(const facet::Convex& solid, std::uint32_t plane, const facet::PlaneTable& planes);
 
 }  // namespace csgsim::convex

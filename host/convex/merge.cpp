@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::string_view merging = "merging convex pieces";
 
-/// The cost of two polytopes whose boxes are compared.
+/// Cost of comparing the boxes of two polytopes.
 constexpr std::uint64_t pair_steps = 4;
 
-/// A polytope's place in the list by one of its planes.
+/// A polytope's entry under one of its planes.
 struct Entry {
   std::uint32_t plane = 0;
   bool negative = false;
@@ -29,9 +29,9 @@ struct Entry {
   }
 };
 
-class Merging {
+class PolytopeMerger {
  public:
-  Merging(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work)
+  PolytopeMerger(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work)
       : polytopes_(polytopes), planes_(planes), work_(work) {}
 
   void operator()() {
@@ -39,7 +39,7 @@ class Merging {
   }
 
  private:
-  /// Looks at every plane once. Returns whether anything was joined.
+  /// Visits every plane once. Returns whether anything was merged.
   bool pass() {
     boxes_.clear();
     std::vector<Entry> entries;
@@ -63,7 +63,7 @@ class Merging {
     return joined;
   }
 
-  /// Joins two polytopes in the place of the first if they are convex together.
+  /// Merges two polytopes into the first if they are convex together.
   bool join(std::uint32_t one, std::uint32_t other, std::uint32_t plane) {
     Polytope& first = polytopes_[one];
     Polytope& second = polytopes_[other];
@@ -71,7 +71,8 @@ class Merging {
     work_.charge(first.faces.size() * second.vertices.size() + second.faces.size() * first.vertices.size(), merging);
     if (!has_face(first, {plane, true}) || !has_face(second, {plane, false})) return false;
     if (!holds(first, second, plane) || !holds(second, first, plane)) return false;
-    // Where all other half-spaces of both hold both, each of them is the intersection of all on its side of the plane.
+    // All other half-spaces contain both polytopes, so each polytope is the intersection of these half-spaces with its
+    // side of the plane.
     std::vector<facet::Halfspace> halfspaces;
     for (const Polytope* part : {&first, &second}) {
       for (const Face& face : part->faces) {
@@ -93,7 +94,7 @@ class Merging {
                        [&](const Face& face) { return face.halfspace == halfspace; });
   }
 
-  /// Whether the half-spaces of one, except those of the plane, hold the other.
+  /// Whether the half-spaces of one polytope, except those of the plane, contain the other.
   [[nodiscard]] bool holds(const Polytope& one, const Polytope& other, std::uint32_t plane) const {
     return std::all_of(one.faces.begin(), one.faces.end(), [&](const Face& face) {
       if (face.halfspace.plane == plane) return true;
@@ -106,13 +107,13 @@ class Merging {
   std::vector<Polytope>& polytopes_;
   const facet::PlaneTable& planes_;
   const Work& work_;
-  std::vector<facet::Box> boxes_;  ///< of the polytopes
+  std::vector<facet::Box> boxes_;  ///< boxes of the polytopes
 };
 
 }  // namespace
 
 void merge(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work) {
-  Merging(polytopes, planes, work)();
+  PolytopeMerger(polytopes, planes, work)();
 }
 
 }  // namespace csgsim::convex

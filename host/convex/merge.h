@@ -1,3 +1,5 @@
+// Merging of adjacent convex polytopes.
+// Used by pieces.cpp and host/solids.
 #pragma once
 
 #include <vector>
@@ -8,9 +10,9 @@
 
 namespace csgsim::convex {
 
-/// Joins polytopes that do not overlap, two at a time, for as long as two of them lie on either side of a plane that
-/// both have a face on, and are convex together within the tolerance of clip(). Greedy: not the fewest that there are.
-/// Throws WorkError past the limit on work.
+/// Merges pairs of polytopes as long as two of them lie on opposite sides of a plane that holds a face of both, and are
+/// convex together within the tolerance of clip(). The polytopes must not overlap. Greedy, so the result is not
+/// minimal. Throws WorkError past the limit on work.
 void merge(std::vector<Polytope>& polytopes, const facet::PlaneTable& planes, const Work& work = {});
 
 }  // namespace csgsim::convex

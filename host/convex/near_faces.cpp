@@ -17,11 +17,11 @@ namespace csgsim::convex {
 
 namespace {
 
-/// A direction in which planes are sorted: of no symmetry that models have.
+/// A direction by which planes are sorted, without any symmetry that models have.
 constexpr glm::dvec3 sorting{0.4142, 0.5918, 0.6914};
 constexpr double sorting_offset = 0.7321;
 
-/// How much the places of near planes differ at most.
+/// Maximum difference of the sort positions of near planes.
 constexpr double window = near_normals * (sorting.x + sorting.y + sorting.z) + near_offsets * sorting_offset;
 
 /// A plane in one of its two orientations.
@@ -30,14 +30,14 @@ struct Oriented {
   std::uint32_t plane = 0;
   bool is_reversed = false;
 
-  /// By place; where that is the same, a plane after the one before it, and after its own other orientation.
+  /// Orders by position, then by plane, with the reversed orientation last.
   bool operator<(const Oriented& other) const {
     if (place != other.place) return place < other.place;
     return plane != other.plane ? plane < other.plane : !is_reversed && other.is_reversed;
   }
 };
 
-/// Planes in one orientation in the order of their places, turned over: in the order that they have then.
+/// Reverses the orientation of sorted planes, and returns them in sorted order.
 std::vector<Oriented> reversed(const std::vector<Oriented>& planes) {
   std::vector<Oriented> all;
   all.reserve(planes.size());
@@ -65,22 +65,23 @@ std::vector<Oriented> sorted(const facet::PlaneTable& planes) {
   return all;
 }
 
-/// A second direction, along which normals are told apart in numbers that many fit a vector of; and how far near ones
-/// are apart along it at most, rounding included.
-constexpr glm::dvec3 telling{0.7333, -0.5477, 0.4019};
-constexpr float telling_window = static_cast<float>(near_normals * (telling.x - telling.y + telling.z)) + 4e-7F;
+/// A second direction whose values distinguish normals in single precision, so that several fit a vector register, and
+/// the maximum difference for near normals, including rounding.
+constexpr glm::dvec3 discriminator{0.7333, -0.5477, 0.4019};
+constexpr float discriminator_window =
+    static_cast<float>(near_normals * (discriminator.x - discriminator.y + discriminator.z)) + 4e-7F;
 
-std::vector<float> told(const std::vector<Oriented>& all, const facet::PlaneTable& planes) {
+std::vector<float> discriminating_values(const std::vector<Oriented>& all, const facet::PlaneTable& planes) {
   std::vector<float> values;
   values.reserve(all.size());
   for (const Oriented& one : all) {
-    const auto value = static_cast<float>(glm::dot(planes.planes()[one.plane].normal, telling));
+    const auto value = static_cast<float>(glm::dot(planes.planes()[one.plane].normal, discriminator));
     values.push_back(one.is_reversed ? -value : value);
   }
   return values;
 }
 
-/// Calls visit(j) for each j from `begin` on, but without `end`, whose value is as near as those of near planes.
+/// Calls visit(j) for each j in [begin, end) whose value is within the window of near planes.
 template <class Visit>
 void for_near_values(const std::vector<float>& values, float value, std::size_t begin, std::size_t end,
                      const Visit& visit) {
@@ -89,14 +90,15 @@ void for_near_values(const std::vector<float>& values, float value, std::size_t 
     const std::size_t stop = std::min(i + at_once, end);
     if (stop - i == at_once) {
       unsigned any = 0;
-      for (std::size_t k = 0; k < at_once; ++k) any |= std::abs(values[i + k] - value) <= telling_window ? 1U : 0U;
+      for (std::size_t k = 0; k < at_once; ++k)
+        any |= std::abs(values[i + k] - value) <= discriminator_window ? 1U : 0U;
       if (any == 0) {
         i = stop;
         continue;
       }
     }
     for (; i < stop; ++i) {
-      if (std::abs(values[i] - value) <= telling_window) visit(i);
+      if (std::abs(values[i] - value) <= discriminator_window) visit(i);
     }
   }
 }
@@ -122,7 +124,7 @@ class Users {
   }
 
  private:
-  std::vector<std::uint32_t> begins_;  ///< in users_, by plane
+  std::vector<std::uint32_t> begins_;  ///< first index into users_ for each plane
   std::vector<std::uint32_t> users_;
 };
 
@@ -135,7 +137,7 @@ bool are_near(const facet::Plane& one, const facet::Plane& other, double sign, d
 }
 
 /// The number of each primitive's node in the file.
-std::vector<std::uint32_t> nodes_of(const model::Tree& tree) {
+std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;
   for (const model::Primitive& primitive : tree.primitives) {
@@ -147,7 +149,7 @@ std::vector<std::uint32_t> nodes_of(const model::Tree& tree) {
 
 using Outline = std::vector<glm::dvec2>;
 
-/// Whether no direction across an edge of the first outline shows them apart, or overlapping by no more than `least`.
+/// Whether every direction perpendicular to an edge of the first outline shows an overlap of more than `least`.
 bool overlap_across(const Outline& one, const Outline& other, double least) {
   for (std::size_t i = 0; i < one.size(); ++i) {
     const glm::dvec2 edge = one[(i + 1) % one.size()] - one[i];
@@ -172,20 +174,20 @@ bool overlap_across(const Outline& one, const Outline& other, double least) {
 class PairSearch {
  public:
   PairSearch(const model::Tree& tree, const facet::Geometry& geometry)
-      : tree_(tree), geometry_(geometry), users_(geometry), nodes_(nodes_of(tree)) {}
+      : tree_(tree), geometry_(geometry), users_(geometry), nodes_(node_numbers(tree)) {}
 
   NearFaces find() {
     const std::vector<Oriented> planes = sorted(geometry_.planes);
-    const std::vector<float> values = told(planes, geometry_.planes);
-    std::uint64_t left = most_near_faces + 16 * planes.size();
+    const std::vector<float> values = discriminating_values(planes, geometry_.planes);
+    std::uint64_t left = max_near_faces + 16 * planes.size();
     std::size_t end = 0;
     for (std::size_t i = 0; i < planes.size() && !found_.are_more; ++i) {
       end = std::max(end, i + 1);
       while (end < planes.size() && planes[end].place - planes[i].place <= window) ++end;
       const std::size_t last = i + 1 + std::min<std::uint64_t>(left, end - (i + 1));
       for_near_values(values, values[i], i + 1, last, [&](std::size_t j) {
-        // The mirror image of two that are not reversed is as near.
-        if (!found_.are_more && !(planes[i].is_reversed && planes[j].is_reversed)) look_at(planes[i], planes[j]);
+        // Pairs of two reversed planes mirror pairs that are tested already.
+        if (!found_.are_more && !(planes[i].is_reversed && planes[j].is_reversed)) test_pair(planes[i], planes[j]);
       });
       left -= last - (i + 1);
       if (last < end) found_.are_more = true;
@@ -199,14 +201,14 @@ class PairSearch {
     return found_;
   }
 
-  void look_at(const Oriented& one, const Oriented& other) {
+  void test_pair(const Oriented& one, const Oriented& other) {
     const std::vector<facet::Plane>& planes = geometry_.planes.planes();
     if (one.plane == other.plane) return;
     const double sign = one.is_reversed == other.is_reversed ? 1.0 : -1.0;
     if (!are_near(planes[one.plane], planes[other.plane], sign, geometry_.planes.diagonal())) return;
     for (const std::uint32_t first : users_[one.plane]) {
       for (const std::uint32_t second : users_[other.plane]) {
-        if (++faces_looked_at_ > most_near_faces) found_.are_more = true;
+        if (++faces_tested_ > max_near_faces) found_.are_more = true;
         if (found_.are_more) return;
         const auto [low, high] = std::minmax(first, second);
         if (nodes_[low] == nodes_[high] || !may_meet(low, high) || pairs_.contains({nodes_[low], nodes_[high]}))
@@ -223,7 +225,7 @@ class PairSearch {
 
   [[nodiscard]] double slack() const { return 2.0 * near_offsets * geometry_.planes.diagonal(); }
 
-  /// Solids of the file whose boxes are not apart.
+  /// Whether both primitives are solids of the file with overlapping boxes.
   [[nodiscard]] bool may_meet(std::uint32_t one, std::uint32_t other) const {
     const facet::Box& box = geometry_.solids[one].box;
     const bool are_of_file = tree_.primitives[one].section == model::no_index &&  //
@@ -232,15 +234,15 @@ class PairSearch {
   }
 
   bool faces_overlap(std::uint32_t one, std::uint32_t in, std::uint32_t other, std::uint32_t in_other) {
-    const auto [right, up] = axes_in(geometry_.planes.planes()[in].normal);
+    const auto [right, up] = plane_axes(geometry_.planes.planes()[in].normal);
     const Outline a = outline(one, in, right, up);
     const Outline b = outline(other, in_other, right, up);
     if (a.empty() || b.empty()) return false;
-    // Faces side by side, or smaller than what rounding moves, do not overlap.
+    // Adjacent faces, or faces smaller than the rounding error, do not overlap.
     return overlap_across(a, b, slack()) && overlap_across(b, a, slack());
   }
 
-  /// The outline of a primitive's face in a plane; it has no corners if the primitive only touches the plane.
+  /// The outline of a primitive's face in a plane; empty if the primitive only touches the plane.
   Outline outline(std::uint32_t primitive, std::uint32_t plane, const glm::dvec3& right, const glm::dvec3& up) {
     const auto [found, is_new] = polygons_.try_emplace(std::uint64_t{primitive} << 32U | plane);
     if (is_new) found->second = face_polygon(geometry_.solids[primitive], plane, geometry_.planes);
@@ -254,9 +256,9 @@ class PairSearch {
   const facet::Geometry& geometry_;
   Users users_;
   std::vector<std::uint32_t> nodes_;
-  std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> polygons_;  ///< of faces, by primitive and plane
+  std::unordered_map<std::uint64_t, std::vector<glm::dvec3>> polygons_;  ///< polygons of faces, by primitive and plane
   std::set<std::pair<std::uint32_t, std::uint32_t>> pairs_;
-  std::uint64_t faces_looked_at_ = 0;
+  std::uint64_t faces_tested_ = 0;
   NearFaces found_;
 };
 

@@ -1,3 +1,5 @@
+// Detection of overlapping faces in nearly equal planes.
+// Used by sim/session.
 #pragma once
 
 #include <array>
@@ -8,26 +10,27 @@
 
 namespace csgsim::convex {
 
-/// Components of normals closer than this are surely meant to be equal: six digits of a rotation are off by 5e-7 in
-/// each entry, so that a chain of ten matrices turns a normal by no more.
+/// Normals whose components differ by less than this are certainly meant to be equal: six printed digits of a rotation
+/// cause errors of 5e-7 per entry, so a chain of ten matrices turns a normal by less.
 inline constexpr double near_normals = 1e-5;
 
-/// Offsets relative to the model's diagonal. Of tilted planes as for normals. Planes that are parallel may be apart on
-/// purpose (an overlap of 0.001 on 300); closer than two steps of 20 bits of depth an overlap would do nothing.
+/// Limits of differences in offset, relative to the model's diagonal. For tilted planes the limit is that of normals.
+/// Parallel planes may be apart on purpose (an overlap of 0.001 in 300), but an overlap below two steps of 20-bit depth
+/// would have no effect.
 inline constexpr double near_offsets = 1e-5;
 inline constexpr double near_parallel_offsets = 2e-6;
 
-/// Nodes of the file that have a face each, which overlap, in planes that are near but not the same.
+/// Pairs of nodes of the file with overlapping faces in nearly equal planes.
 struct NearFaces {
-  std::uint64_t pairs = 0;               ///< of nodes
-  bool are_more = false;                 ///< not all were looked at
-  std::array<std::uint32_t, 2> first{};  ///< primitives of the first pair in the order of the file, if there is one
+  std::uint64_t pairs = 0;               ///< number of pairs of nodes
+  bool are_more = false;                 ///< the limit was reached before all pairs were tested
+  std::array<std::uint32_t, 2> first{};  ///< primitives of the first pair in file order, if any
 };
 
-/// Pairs of faces that are looked at before it is enough.
-inline constexpr std::uint64_t most_near_faces = 1'000'000;
+/// Maximum number of pairs of faces to be tested.
+inline constexpr std::uint64_t max_near_faces = 1'000'000;
 
-/// Takes n log n of the planes, and the pairs of faces in near planes, of each at most most_near_faces.
+/// Takes n log n time in the number of planes, plus the pairs of faces in near planes, at most max_near_faces of them.
 NearFaces near_faces(const model::Tree& tree, const facet::Geometry& geometry);
 
 }  // namespace csgsim::convex

@@ -11,9 +11,9 @@ namespace csgsim::convex {
 
 namespace {
 
-constexpr std::string_view taking_away = "taking solids away from convex pieces";
+constexpr std::string_view taking_away = "subtracting solids from convex pieces";
 
-/// Whether the plane is between the common part, which has a face on it, and some of the rest.
+/// Whether the plane bounds the common part with a face and separates it from some of the rest.
 bool is_wall(facet::Halfspace halfspace, const Polytope& both, const Polytope& rest, const facet::PlaneTable& planes) {
   const bool has_face =
       std::any_of(both.faces.begin(), both.faces.end(), [&](const Face& face) { return face.halfspace == halfspace; });

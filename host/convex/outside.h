@@ -1,3 +1,5 @@
+// Difference of a polytope and a convex primitive.
+// Used by extent.cpp and pieces.cpp.
 #pragma once
 
 #include <vector>
@@ -6,9 +8,9 @@
 
 namespace csgsim::convex {
 
-/// What of a polytope is outside of a primitive, in convex parts that do not overlap; the polytope itself if they have
-/// nothing in common. Only half-spaces that the common part has a face on take part. Each cut may lose what clip()
-/// loses. Throws WorkError past the limit on work.
+/// The part of a polytope outside a primitive, as convex parts that do not overlap; the polytope itself if the two are
+/// disjoint. Cuts only by half-spaces that bound the common part. Each cut may lose as much as clip() loses. Throws
+/// WorkError past the limit on work.
 std::vector<Polytope> outside(Polytope polytope, const facet::Convex& solid, const facet::PlaneTable& planes,
                               const Work& work = {});
 

@@ -14,16 +14,16 @@ namespace csgsim::convex {
 
 namespace {
 
-/// A convex part of a product, and what has yet to be taken away from it.
+/// A convex part of a product, and the primitives still to be subtracted from it.
 struct Part {
   Polytope polytope;
-  std::vector<std::uint32_t> taken_away;  ///< their boxes meet the part's; the last one goes first
+  std::vector<std::uint32_t> subtracted;  ///< primitives whose boxes meet the part's; the last one is subtracted first
 };
 
 class Division {
  public:
-  Division(const facet::Geometry& geometry, std::size_t most, const Work& work)
-      : geometry_(geometry), most_(most), work_(work) {
+  Division(const facet::Geometry& geometry, std::size_t max_count, const Work& work)
+      : geometry_(geometry), max_count_(max_count), work_(work) {
     for (const facet::Convex& solid : geometry.solids) {
       boxes_.push_back({solid.box.low - geometry.planes.centre(), solid.box.high - geometry.planes.centre()});
     }
@@ -32,15 +32,15 @@ class Division {
   /// Divides the next product.
   void add(SolidProduct product) {
     std::vector<Polytope> done;
-    std::reverse(product.taken_away.begin(), product.taken_away.end());
-    open_.push_back({std::move(product.whole), std::move(product.taken_away)});
+    std::reverse(product.subtracted.begin(), product.subtracted.end());
+    open_.push_back({std::move(product.whole), std::move(product.subtracted)});
     while (!open_.empty()) {
       Part part = std::move(open_.back());
       open_.pop_back();
-      if (part.taken_away.empty()) {
+      if (part.subtracted.empty()) {
         done.push_back(std::move(part.polytope));
       } else {
-        take_away(std::move(part));
+        subtract(std::move(part));
       }
       require_few(pieces_.size() + done.size() + open_.size());
     }
@@ -53,33 +53,33 @@ class Division {
 
  private:
   void require_few(std::size_t count) const {
-    if (count > most_) {
-      throw InputError("the model falls into more than " + std::to_string(most_) +
-                       " convex pieces; give what is subtracted fewer facets ($fn), or subtract less");
+    if (count > max_count_) {
+      throw InputError("the model needs more than " + std::to_string(max_count_) +
+                       " convex pieces; give the subtracted solids fewer facets ($fn), or subtract less");
     }
   }
 
-  /// Takes the last of its primitives away from a part.
-  void take_away(Part part) {
-    const facet::Convex& solid = geometry_.solids[part.taken_away.back()];
-    part.taken_away.pop_back();
+  /// Subtracts the last of its primitives from a part.
+  void subtract(Part part) {
+    const facet::Convex& solid = geometry_.solids[part.subtracted.back()];
+    part.subtracted.pop_back();
     for (Polytope& polytope : outside(std::move(part.polytope), solid, geometry_.planes, work_))
-      open(std::move(polytope), part.taken_away);
+      open(std::move(polytope), part.subtracted);
   }
 
-  void open(Polytope polytope, const std::vector<std::uint32_t>& taken_away) {
-    work_.charge(polytope.vertices.size() + 4 * taken_away.size(), "taking solids away from convex pieces");
+  void open(Polytope polytope, const std::vector<std::uint32_t>& subtracted) {
+    work_.charge(polytope.vertices.size() + 4 * subtracted.size(), "subtracting solids from convex pieces");
     const facet::Box box = box_of(polytope);
     Part part{std::move(polytope), {}};
-    std::copy_if(taken_away.begin(), taken_away.end(), std::back_inserter(part.taken_away),
+    std::copy_if(subtracted.begin(), subtracted.end(), std::back_inserter(part.subtracted),
                  [&](std::uint32_t primitive) { return !common(boxes_[primitive], box).empty(); });
     open_.push_back(std::move(part));
   }
 
   const facet::Geometry& geometry_;
-  std::size_t most_;
+  std::size_t max_count_;
   const Work& work_;
-  std::vector<facet::Box> boxes_;  ///< of the primitives, relative to PlaneTable::centre()
+  std::vector<facet::Box> boxes_;  ///< boxes of the primitives, relative to PlaneTable::centre()
   std::vector<Part> open_;
   std::vector<Piece> pieces_;
   std::uint32_t product_ = 0;
@@ -87,11 +87,11 @@ class Division {
 
 }  // namespace
 
-std::vector<Piece> pieces(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t most,
+std::vector<Piece> pieces(const facet::Geometry& geometry, const csg::PositiveTree& tree, std::size_t max_count,
                           const Work& work) {
-  Division division(geometry, most, work);
+  Division division(geometry, max_count, work);
   for_each_product(
-      geometry, tree, [&](SolidProduct product) { division.add(std::move(product)); }, most_operands, work);
+      geometry, tree, [&](SolidProduct product) { division.add(std::move(product)); }, max_operands, work);
   return division.take();
 }
 

@@ -1,3 +1,5 @@
+// Division of a model into convex pieces.
+// Used by host/effects and host/solids.
 #pragma once
 
 #include <cstddef>
@@ -14,18 +16,18 @@ namespace csgsim::convex {
 /// A convex part of a model.
 struct Piece {
   Polytope polytope;            ///< never empty
-  std::uint32_t primitive = 0;  ///< the part is of this one: the product's first uncomplemented one in tree order
-  std::uint32_t product = 0;    ///< pieces of one product do not overlap; ascending from 0
+  std::uint32_t primitive = 0;  ///< primitive of the piece: the product's first uncomplemented one in tree order
+  std::uint32_t product = 0;    ///< product of the piece, ascending from 0; pieces of one product do not overlap
 };
 
 inline constexpr std::size_t most_pieces = 100'000;
 
-/// The model as a union of convex pieces: each of its products (for_each_product) is cut by what is taken away from it.
-/// A - B is the union over B's half-spaces of A, outside of the i-th one and inside of those before it; only
-/// half-spaces that the common part of A and B has a face on take part. What of a product is left in the end is merged
-/// where it can be. Each cut may lose what clip() loses. Throws InputError if there are more than `most` before that,
-/// and WorkError past the limit on work.
+/// The model as a union of convex pieces: the subtracted primitives are cut from each of its products
+/// (for_each_product). A - B is the union, over the half-spaces of B, of the part of A outside the i-th one and inside
+/// those before it; only half-spaces that bound the common part of A and B are used. The parts of a product are then
+/// merged where possible. Each cut may lose as much as clip() loses. Throws InputError if there are more than
+/// `max_count` parts before merging, and WorkError past the limit on work.
 std::vector<Piece> pieces(const facet::Geometry& geometry, const csg::PositiveTree& tree,
-                          std::size_t most = most_pieces, const Work& work = {});
+                          std::size_t max_count = most_pieces, const Work& work = {});
 
 }  // namespace csgsim::convex

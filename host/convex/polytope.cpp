@@ -13,7 +13,7 @@ namespace csgsim::convex {
 
 namespace {
 
-/// Stands for the plane of a face of the box that clipping begins with.
+/// Marks the faces of the initial box.
 constexpr std::uint32_t no_plane = std::numeric_limits<std::uint32_t>::max();
 
 Polytope cuboid(const glm::dvec3& low, const glm::dvec3& high) {
@@ -28,27 +28,26 @@ Polytope cuboid(const glm::dvec3& low, const glm::dvec3& high) {
   return polytope;
 }
 
-/// More half-spaces than this are not clipped by in their own order: face after face around a round solid, each cut
-/// would make as many vertices as a ring has faces, which the next one takes away again. In no order at all it makes
-/// few.
-constexpr std::size_t most_in_order = 10'000;
+/// Above this number, half-spaces are not clipped in their given order. Around a round solid, each cut would add as
+/// many vertices as a ring has faces, and the next cut would remove them again; a scattered order adds few.
+constexpr std::size_t max_in_order = 10'000;
 
-/// Scatters numbers, no two to one place.
+/// A bijective hash of numbers.
 constexpr std::uint32_t scattered(std::uint32_t number) {
   number = (number ^ (number >> 16U)) * 0x7feb352dU;
   number = (number ^ (number >> 15U)) * 0x846ca68bU;
   return number ^ (number >> 16U);
 }
 
-/// The order to clip by so many half-spaces in.
+/// The order in which `count` half-spaces are clipped.
 std::vector<std::uint32_t> clipping_order(std::size_t count) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
-  if (count > most_in_order) std::ranges::sort(order, {}, scattered);
+  if (count > max_in_order) std::ranges::sort(order, {}, scattered);
   return order;
 }
 
-/// Puts the faces, which are in the order of clipping, into that of the half-spaces.
+/// Sorts the faces from clipping order into the order of the half-spaces.
 void sort_faces(std::vector<Face>& faces, std::span<const facet::Halfspace> halfspaces,
                 const std::vector<std::uint32_t>& order) {
   std::vector<Face> sorted(halfspaces.size());
@@ -63,9 +62,9 @@ void sort_faces(std::vector<Face>& faces, std::span<const facet::Halfspace> half
 
 std::vector<Edge> edges(const Polytope& polytope) {
   struct Side {
-    std::array<std::uint32_t, 2> ends;  ///< the lower index first
+    std::array<std::uint32_t, 2> ends;  ///< lower index first
     std::uint32_t face;
-    bool forward;  ///< the face runs from the lower index to the higher
+    bool forward;  ///< the face runs from the lower index to the higher one
   };
   std::vector<Side> sides;
   for (std::size_t face = 0; face < polytope.faces.size(); ++face) {
@@ -104,7 +103,7 @@ double volume(const Polytope& polytope) {
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
                       const facet::PlaneTable& planes, const Work& work) {
   if (box.empty()) return {};
-  // Wide enough for none of the box's faces to be left.
+  // Wide enough that none of the box's faces remains.
   const glm::dvec3 margin(0.1 * box.diagonal() + 10.0 * tolerance(planes));
   Carver carver(cuboid(box.low - margin, box.high + margin), planes);
   const std::vector<std::uint32_t> order = clipping_order(halfspaces.size());
@@ -114,7 +113,7 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
     if (carver.empty()) return {};
   }
   Polytope polytope = carver.take();
-  // Half-spaces bound their solid, unless planes have become one that differ by less than the tolerance.
+  // The half-spaces bound the solid, unless planes that differ by less than the tolerance were merged.
   const bool unbounded = std::any_of(polytope.faces.begin(), polytope.faces.end(),
                                      [](const Face& face) { return face.halfspace.plane == no_plane; });
   if (unbounded) return {};
@@ -122,7 +121,7 @@ Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> h
   return polytope;
 }
 
-std::vector<facet::Halfspace> walls_of(const facet::Box& box, facet::PlaneTable& planes) {
+std::vector<facet::Halfspace> box_walls(const facet::Box& box, facet::PlaneTable& planes) {
   std::vector<facet::Halfspace> walls;
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 normal(0);

@@ -1,3 +1,5 @@
+// Bounded convex polyhedra.
+// Used throughout host/convex and by host/solids and sim/software.
 #pragma once
 
 #include <array>
@@ -14,7 +16,7 @@ namespace csgsim::convex {
 
 /// A face of a polytope.
 struct Face {
-  facet::Halfspace halfspace;          ///< holds the polytope; its plane is the face's
+  facet::Halfspace halfspace;          ///< contains the polytope; its plane is the face's
   std::vector<std::uint32_t> corners;  ///< indices into Polytope::vertices, counter-clockwise as seen from outside
 };
 
@@ -27,32 +29,32 @@ struct Polytope {
   [[nodiscard]] bool empty() const { return faces.empty(); }
 };
 
-/// An edge, from one vertex to another along `left`; `right` runs the other way.
+/// An edge from one vertex to another in the direction of the face `left`; the face `right` runs the other way.
 struct Edge {
   std::array<std::uint32_t, 2> vertices{};
   std::uint32_t left = 0;   ///< index into Polytope::faces
   std::uint32_t right = 0;  ///< index into Polytope::faces
 };
 
-/// Each edge once.
+/// All edges, each of them once.
 std::vector<Edge> edges(const Polytope& polytope);
 
-/// Relative to PlaneTable::centre().
+/// The bounding box, relative to PlaneTable::centre().
 facet::Box box_of(const Polytope& polytope);
 
-/// In cubic model units, by the divergence theorem.
+/// The volume in cubic model units, by the divergence theorem.
 double volume(const Polytope& polytope);
 
-/// The intersection of half-spaces, found by clipping a box. Its faces are in the order of the half-spaces. The box has
-/// to hold it, and is relative to PlaneTable::centre(). Empty if it is thinner than the tolerance of clip(). Throws
-/// WorkError past the limit on work.
+/// The intersection of half-spaces, computed by clipping a box. Its faces are in the order of the half-spaces. The box
+/// has to contain the intersection, and is relative to PlaneTable::centre(). Empty if the result is thinner than the
+/// tolerance of clip(). Throws WorkError past the limit on work.
 Polytope intersection(const facet::Box& box, std::span<const facet::Halfspace> halfspaces,
                       const facet::PlaneTable& planes, const Work& work = {});
 
 /// The half-spaces of a box in model space.
-std::vector<facet::Halfspace> walls_of(const facet::Box& box, facet::PlaneTable& planes);
+std::vector<facet::Halfspace> box_walls(const facet::Box& box, facet::PlaneTable& planes);
 
-/// A primitive, as the intersection of its half-spaces.
+/// A primitive as the intersection of its half-spaces.
 Polytope make_polytope(const facet::Convex& solid, const facet::PlaneTable& planes, const Work& work = {});
 
 }  // namespace csgsim::convex

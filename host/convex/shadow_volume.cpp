@@ -13,14 +13,14 @@ namespace {
 
 enum class Attitude : std::uint8_t { facing, edge_on, averted };
 
-/// A face as the light sees it.
+/// A face and its attitude towards the light.
 struct LitFace {
   facet::Plane plane;
-  double height = 0;  ///< of the light above the plane; a cosine for a directional light
+  double height = 0;  ///< height of the light above the plane; a cosine for a directional light
   Attitude attitude = Attitude::averted;
 };
 
-/// A light relative to PlaneTable::centre(), and what counts as on a plane.
+/// A light relative to PlaneTable::centre(), and the tolerance within which it counts as on a plane.
 struct CentredLight {
   glm::dvec3 place;
   double weight = 0;
@@ -51,7 +51,7 @@ void add_once(std::vector<facet::Halfspace>& list, facet::Halfspace halfspace) {
   if (std::find(list.begin(), list.end(), halfspace) == list.end()) list.push_back(halfspace);
 }
 
-/// Edges in one plane with the light give one silhouette plane.
+/// Adds a silhouette plane unless an equal one exists: edges in one plane with the light share it.
 void add_once(std::vector<facet::Plane>& list, const facet::Plane& plane, double diagonal) {
   const bool known = std::any_of(list.begin(), list.end(), [&](const facet::Plane& other) {
     const glm::dvec3 turned = glm::abs(plane.normal - other.normal);
@@ -61,14 +61,14 @@ void add_once(std::vector<facet::Plane>& list, const facet::Plane& plane, double
   if (!known) list.push_back(plane);
 }
 
-/// The volume of a polytope that has the light inside or on its faces.
-void surround(ShadowVolume& volume, const Polytope& polytope, const std::vector<LitFace>& lit) {
+/// The volume of a polytope with the light inside it or on its faces.
+void bound_inside(ShadowVolume& volume, const Polytope& polytope, const std::vector<LitFace>& lit) {
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (lit[i].attitude == Attitude::edge_on) add_once(volume.edge_on, polytope.faces[i].halfspace);
   }
 }
 
-/// Half-spaces of the faces that face the light, and of what is behind their outline.
+/// Adds the half-spaces of the faces that face the light, and those behind their outline.
 void cast(ShadowVolume& volume, const Polytope& polytope, const std::vector<LitFace>& lit, double diagonal) {
   for (std::size_t i = 0; i < lit.size(); ++i) {
     if (lit[i].attitude == Attitude::facing) add_once(volume.facing, polytope.faces[i].halfspace);
@@ -87,7 +87,7 @@ void cast(ShadowVolume& volume, const Polytope& polytope, const std::vector<LitF
   }
 }
 
-/// The corners that the light reaches, or all if it reaches none.
+/// The corners of the faces that face the light, or all corners if there are none.
 std::vector<glm::dvec3> lit_corners(const Polytope& polytope, const std::vector<LitFace>& lit, bool any_facing) {
   std::vector<bool> used(polytope.vertices.size(), !any_facing);
   for (std::size_t i = 0; i < lit.size(); ++i) {
@@ -112,7 +112,7 @@ ShadowVolume shadow_volume(const Polytope& polytope, const Light& light, const f
   ShadowVolume volume;
   cast(volume, polytope, lit, planes.diagonal());
   const bool any_facing = !volume.facing.empty();
-  if (!any_facing) surround(volume, polytope, lit);
+  if (!any_facing) bound_inside(volume, polytope, lit);
 
   volume.corners = lit_corners(polytope, lit, any_facing);
   if (from.weight == 0.0) volume.directions.push_back(-from.place);

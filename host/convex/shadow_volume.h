@@ -1,3 +1,5 @@
+// Shadow volumes of polytopes.
+// Used by host/effects.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,33 +12,34 @@
 
 namespace csgsim::convex {
 
-/// A light in homogeneous coordinates, model space.
+/// A light in homogeneous coordinates of model space.
 struct Light {
-  glm::dvec4 place{0, 0, 1, 0};  ///< (x, y, z, 0): far away in that direction; (x, y, z, 1): at that point
+  glm::dvec4 place{0, 0, 1, 0};  ///< (x, y, z, 0): infinitely far in that direction; (x, y, z, 1): at that point
 };
 
-/// Where a polytope takes the light away (F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977): the
-/// points from which the open segment to the light meets it; its own points are among them. The volume is the
-/// intersection of the half-spaces of all three lists, none of which is redundant.
+/// The region shadowed by a polytope (F. Crow, "Shadow algorithms for computer graphics", SIGGRAPH 1977): the points
+/// whose open segment to the light intersects the polytope, including the polytope's own points. It is the intersection
+/// of the half-spaces in all three lists, none of them redundant.
 ///
-/// A face whose plane the light is on, within facet::coincidence_tolerance of the model's diagonal or of its own
-/// distance, does not face it.
+/// A face does not face the light if the light is on its plane, within facet::coincidence_tolerance of the model's
+/// diagonal or of the light's distance.
 struct ShadowVolume {
-  std::vector<facet::Halfspace> facing;   ///< of the faces that face the light
-  std::vector<facet::Halfspace> edge_on;  ///< of faces whose planes the light is on and that bound the volume
-  std::vector<facet::Plane> silhouette;   ///< through silhouette edges and the light; as in PlaneTable::planes()
+  std::vector<facet::Halfspace> facing;   ///< half-spaces of the faces that face the light
+  std::vector<facet::Halfspace> edge_on;  ///< half-spaces of bounding faces whose planes contain the light
+  std::vector<facet::Plane> silhouette;   ///< planes through silhouette edges and the light, as in PlaneTable::planes()
 
-  /// The volume is their hull, and from there whatever sum of `directions` leads on: multiples of at least 0.
+  /// The volume is the convex hull of the corners, extended along nonnegative combinations of the directions.
   std::vector<glm::dvec3> corners;     ///< model space
-  std::vector<glm::dvec3> directions;  ///< of any length
+  std::vector<glm::dvec3> directions;  ///< arbitrary lengths
 
-  /// The light is inside of the polytope: everything is in the shadow.
+  /// Whether the light is inside the polytope, so that everything is in the shadow.
   [[nodiscard]] bool everything() const { return facing.empty() && edge_on.empty(); }
 };
 
-/// A silhouette plane is the combination of its edge's two face planes, with weights of at least 0, that the light is
-/// on: it takes nothing from the vertices, so that pieces which share both planes share the silhouette plane exactly.
-/// With the light on a face of the polytope the volume is bounded by the faces that it is on alone.
+/// Computes the shadow volume. A silhouette plane is the combination, with nonnegative weights, of its edge's two face
+/// planes that contains the light. It does not depend on the vertices, so pieces that share both planes share the
+/// silhouette plane exactly. If the light is on a face of the polytope, only the faces that contain it bound the
+/// volume.
 ShadowVolume shadow_volume(const Polytope& polytope, const Light& light, const facet::PlaneTable& planes);
 
 }  // namespace csgsim::convex

@@ -18,19 +18,20 @@ using csg::PositiveNode;
 using csg::PositiveOperator;
 using csg::PositiveTree;
 
-constexpr std::string_view multiplying_out = "multiplying the model out to products";
+constexpr std::string_view multiplying_out = "expanding the model into products";
 
-/// The cost of a node that is looked at.
+/// Cost of visiting a node.
 constexpr std::uint64_t visit_steps = 16;
 
-/// Outside its box a subtree is all or nothing.
+/// The region outside which a subtree is entirely inside or entirely outside.
 struct Reach {
   bool in_elsewhere = false;
   facet::Box box;  ///< relative to PlaneTable::centre()
 };
 
-/// Where one operand decides alone outside its box, only the common part of such operands' boxes is undecided.
-Reach reach_of(const PositiveNode& node, const std::vector<Reach>& below) {
+/// Bounds of a node. If single operands decide the result outside their boxes, only the intersection of these boxes is
+/// undecided.
+Reach node_reach(const PositiveNode& node, const std::vector<Reach>& below) {
   const bool decisive = node.op == PositiveOperator::unite;
   std::optional<facet::Box> decided;
   facet::Box all;
@@ -47,7 +48,7 @@ std::vector<Reach> reaches(const facet::Geometry& geometry, const PositiveTree& 
   for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
     const PositiveNode& node = tree.nodes[i];
     if (!node.is_leaf) {
-      found[i] = reach_of(node, found);
+      found[i] = node_reach(node, found);
       continue;
     }
     const facet::Box& box = geometry.solids[node.primitive].box;
@@ -57,16 +58,16 @@ std::vector<Reach> reaches(const facet::Geometry& geometry, const PositiveTree& 
   return found;
 }
 
-/// A product as far as it has been chosen.
+/// A partially chosen product.
 struct Partial {
-  std::optional<Polytope> whole;  ///< everything if there is none yet
-  facet::Box box;                 ///< of the whole
-  std::vector<std::uint32_t> taken_away;
-  std::vector<std::uint32_t> unions;  ///< nodes of which an operand has yet to be chosen
+  std::optional<Polytope> whole;  ///< nothing until the first primitive: all of space
+  facet::Box box;                 ///< box of `whole`
+  std::vector<std::uint32_t> subtracted;
+  std::vector<std::uint32_t> unions;  ///< union nodes with an operand still to be chosen
   std::uint32_t primitive = model::no_index;
 };
 
-/// An operand of a union to go on with.
+/// An operand of a union with which to continue.
 struct Branch {
   std::shared_ptr<const Partial> parent;
   std::uint32_t node;
@@ -75,8 +76,13 @@ struct Branch {
 class Enumeration {
  public:
   Enumeration(const facet::Geometry& geometry, const PositiveTree& tree, const std::function<void(SolidProduct)>& use,
-              std::uint64_t most, const Work& work)
-      : geometry_(geometry), tree_(tree), use_(use), most_(most), work_(work), reaches_(reaches(geometry, tree)) {}
+              std::uint64_t max_choices, const Work& work)
+      : geometry_(geometry),
+        tree_(tree),
+        use_(use),
+        max_choices_(max_choices),
+        work_(work),
+        reaches_(reaches(geometry, tree)) {}
 
   void operator()() {
     branches_.push_back({std::make_shared<const Partial>(), tree_.root});
@@ -84,13 +90,13 @@ class Enumeration {
       const Branch branch = std::move(branches_.back());
       branches_.pop_back();
       Partial partial = *branch.parent;
-      work_.charge(partial.taken_away.size() + partial.unions.size(), multiplying_out);
+      work_.charge(partial.subtracted.size() + partial.unions.size(), multiplying_out);
       if (absorb(partial, branch.node)) choose(std::move(partial));
     }
   }
 
  private:
-  /// What is known of a subtree where the partial product is.
+  /// Knowledge about a subtree inside the partial product.
   enum class Known : std::uint8_t { out, in, depends };
   [[nodiscard]] Known known(std::uint32_t node, const Partial& partial) const {
     const Reach& reach = reaches_[node];
@@ -99,7 +105,7 @@ class Enumeration {
     return reach.in_elsewhere ? Known::in : Known::out;
   }
 
-  /// Intersects with a primitive; false if nothing is left.
+  /// Intersects with a primitive; returns false if nothing is left.
   bool narrow(Partial& partial, std::uint32_t primitive) const {
     const facet::Convex& solid = geometry_.solids[primitive];
     if (!partial.whole) {
@@ -114,7 +120,7 @@ class Enumeration {
     return !partial.whole->empty();
   }
 
-  /// Intersects with a subtree, and puts off its unions; false if nothing is left.
+  /// Intersects with a subtree, and defers its unions; returns false if nothing is left.
   bool absorb(Partial& partial, std::uint32_t root) const {
     std::vector<std::uint32_t> open{root};
     while (!open.empty()) {
@@ -128,12 +134,12 @@ class Enumeration {
       if (!node.is_leaf && node.op == PositiveOperator::unite) {
         partial.unions.push_back(at);
       } else if (!node.is_leaf) {
-        // The bounded ones come out first.
+        // Bounded operands are popped first.
         open.insert(open.end(), node.children.rbegin(), node.children.rend());
         std::stable_partition(open.end() - static_cast<std::ptrdiff_t>(node.children.size()), open.end(),
                               [&](std::uint32_t child) { return reaches_[child].in_elsewhere; });
       } else if (node.complemented) {
-        partial.taken_away.push_back(node.primitive);
+        partial.subtracted.push_back(node.primitive);
       } else {
         partial.primitive = std::min(partial.primitive, node.primitive);
         if (!narrow(partial, node.primitive)) return false;
@@ -142,7 +148,7 @@ class Enumeration {
     return true;
   }
 
-  /// Goes on with every operand of one of the unions, or with the product if there is none left.
+  /// Continues with every operand of one of the unions, or emits the product if none is left.
   void choose(Partial partial) {
     std::erase_if(partial.unions, [&](std::uint32_t node) { return known(node, partial) == Known::in; });
     if (partial.unions.empty()) {
@@ -165,7 +171,7 @@ class Enumeration {
     branches_.insert(branches_.end(), found.rbegin(), found.rend());
   }
 
-  /// Branches off with each complemented primitive, and goes on with what is in it; false if that is nothing.
+  /// Branches off with each complemented primitive and continues inside it; returns false if nothing is left there.
   bool branch_complements(Partial& partial, std::uint32_t at, std::vector<Branch>& found) {
     for (const std::uint32_t child : tree_.nodes[at].children) {
       if (!is_complement(child)) continue;
@@ -180,25 +186,25 @@ class Enumeration {
   }
 
   void add(std::vector<Branch>& found, Branch branch) {
-    if (++operands_ > most_) {
-      throw InputError("multiplying the model out to products takes more than " + std::to_string(most_) +
-                       " choices of an operand of a union; intersect or subtract fewer unions of solids that overlap");
+    if (++operands_ > max_choices_) {
+      throw InputError("expanding the model into products needs more than " + std::to_string(max_choices_) +
+                       " choices of a union's operand; intersect or subtract fewer unions of solids that overlap");
     }
     found.push_back(std::move(branch));
   }
 
   void finish(Partial partial) {
     if (!partial.whole) return;
-    std::erase_if(partial.taken_away,
+    std::erase_if(partial.subtracted,
                   [&](std::uint32_t primitive) { return known(tree_.leaf_of[primitive], partial) != Known::depends; });
-    std::sort(partial.taken_away.begin(), partial.taken_away.end());
-    use_({std::move(*partial.whole), std::move(partial.taken_away), partial.primitive});
+    std::sort(partial.subtracted.begin(), partial.subtracted.end());
+    use_({std::move(*partial.whole), std::move(partial.subtracted), partial.primitive});
   }
 
   const facet::Geometry& geometry_;
   const PositiveTree& tree_;
   const std::function<void(SolidProduct)>& use_;
-  std::uint64_t most_;
+  std::uint64_t max_choices_;
   const Work& work_;
   std::vector<Reach> reaches_;
   std::vector<Branch> branches_;
@@ -208,8 +214,8 @@ class Enumeration {
 }  // namespace
 
 void for_each_product(const facet::Geometry& geometry, const PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use, std::uint64_t most, const Work& work) {
-  if (tree.root != model::no_index) Enumeration(geometry, tree, use, most, work)();
+                      const std::function<void(SolidProduct)>& use, std::uint64_t max_choices, const Work& work) {
+  if (tree.root != model::no_index) Enumeration(geometry, tree, use, max_choices, work)();
 }
 
 }  // namespace csgsim::convex

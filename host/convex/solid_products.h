@@ -1,3 +1,5 @@
+// Enumeration of the nonempty products of a CSG tree.
+// Used by extent.cpp and pieces.cpp.
 #pragma once
 
 #include <cstdint>
@@ -11,25 +13,24 @@
 
 namespace csgsim::convex {
 
-/// A product of the sum that a tree multiplies out to (thesis 6.3): what primitives that are taken away leave of a
-/// convex solid.
+/// A product in the sum of products of a tree (thesis 6.3): a convex solid minus the subtracted primitives.
 struct SolidProduct {
   Polytope whole;                         ///< the intersection of the uncomplemented primitives; never empty
-  std::vector<std::uint32_t> taken_away;  ///< the complemented primitives whose boxes meet it, ascending
-  std::uint32_t primitive = 0;            ///< the first uncomplemented one in tree order
+  std::vector<std::uint32_t> subtracted;  ///< complemented primitives whose boxes meet `whole`, ascending
+  std::uint32_t primitive = 0;            ///< first uncomplemented primitive in tree order
 };
 
-/// Operands of unions chosen before it is an error.
-inline constexpr std::uint64_t most_operands = 1'000'000;
+/// Maximum number of chosen operands of unions.
+inline constexpr std::uint64_t max_operands = 1'000'000;
 
-/// Calls `use` with every product that is not empty. A branch of the tree is left as soon as what its
-/// uncomplemented primitives have in common is empty, so that products of disjoint solids are never made.
+/// Calls `use` with every nonempty product. A branch of the tree is abandoned as soon as the intersection of its
+/// uncomplemented primitives is empty, so products of disjoint solids are never built.
 ///
-/// A union of complements, from A - (B * C), is worked out without overlap, A - B and A * B - C: intersections of many
-/// of them then have many empty products. Other unions overlap as their operands do. Throws InputError past
-/// `most` operands chosen, and WorkError past the limit on work.
+/// A union of complements, as in A - (B * C), is expanded without overlap into A - B and A * B - C: intersections of
+/// many such unions then have many empty products. Other unions overlap as their operands do. Throws InputError for
+/// more than `max_choices` chosen operands, and WorkError past the limit on work.
 void for_each_product(const facet::Geometry& geometry, const csg::PositiveTree& tree,
-                      const std::function<void(SolidProduct)>& use, std::uint64_t most = most_operands,
+                      const std::function<void(SolidProduct)>& use, std::uint64_t max_choices = max_operands,
                       const Work& work = {});
 
 }  // namespace csgsim::convex

@@ -10,8 +10,8 @@ namespace csgsim::convex {
 
 namespace {
 
-constexpr std::size_t most_vertices = 16;  ///< of a cell that is not cut
-constexpr unsigned most_depth = 64;
+constexpr std::size_t max_cell_vertices = 16;  ///< maximum number of vertices in an undivided cell
+constexpr unsigned max_cell_depth = 64;
 
 }  // namespace
 
@@ -39,8 +39,8 @@ bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height
   const glm::dvec3 reach = glm::max(glm::abs(box.low), glm::abs(box.high));
   const glm::dvec3 ones(1.0);
   const double doubt = 1e-13 * (glm::dot(ones, reach) + std::abs(plane.offset));
-  // Along the cell's own normal all are below `highest`; what of the plane's normal is left over is small where the
-  // plane is nearly a face there.
+  // Along the cell's own normal all vertices are below `highest`. The remainder of the plane's normal is small if the
+  // plane nearly contains a face there.
   const double along = glm::dot(plane.normal, normal);
   if (along > 0.0) {
     const glm::dvec3 rest = plane.normal - along * normal;
@@ -53,9 +53,9 @@ bool VertexIndex::Cell::is_surely_below(const facet::Plane& plane, double height
 void VertexIndex::insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal) {
   const Held held{vertex, place, normal};
   std::uint32_t cell = 0;
-  for (; cells_[cell].below != 0; cell = cells_[cell].half_of(place)) cells_[cell].put(held);
+  for (; cells_[cell].below != 0; cell = cells_[cell].half_at(place)) cells_[cell].put(held);
   cells_[cell].put(held);
-  if (cells_[cell].count > most_vertices && cells_[cell].depth < most_depth) divide(cell);
+  if (cells_[cell].count > max_cell_vertices && cells_[cell].depth < max_cell_depth) divide(cell);
 }
 
 void VertexIndex::divide(std::uint32_t cell) {
@@ -72,13 +72,13 @@ void VertexIndex::divide(std::uint32_t cell) {
   }
   cells_[below].whole.high[cut.axis] = cut.middle();
   cells_[below + 1].whole.low[cut.axis] = cut.middle();
-  for (const Held& one : cut.held) cells_[cut.half_of(one.place)].put(one);
+  for (const Held& one : cut.held) cells_[cut.half_at(one.place)].put(one);
   cut.held = {};
 }
 
 void VertexIndex::remove(std::uint32_t vertex, const glm::dvec3& place) {
   std::uint32_t cell = 0;
-  for (; cells_[cell].below != 0; cell = cells_[cell].half_of(place)) --cells_[cell].count;
+  for (; cells_[cell].below != 0; cell = cells_[cell].half_at(place)) --cells_[cell].count;
   --cells_[cell].count;
   std::vector<Held>& held = cells_[cell].held;
   *std::ranges::find(held, vertex, &Held::vertex) = held.back();
@@ -86,7 +86,7 @@ void VertexIndex::remove(std::uint32_t vertex, const glm::dvec3& place) {
 }
 
 std::uint64_t VertexIndex::find(const facet::Plane& plane, double near, std::vector<std::uint32_t>& found) const {
-  std::uint64_t looked_at = 0;
+  std::uint64_t visited = 0;
   std::vector<std::uint32_t> left{0};
   while (!left.empty()) {
     const Cell& cell = cells_[left.back()];
@@ -96,11 +96,11 @@ std::uint64_t VertexIndex::find(const facet::Plane& plane, double near, std::vec
       left.insert(left.end(), {cell.below, cell.below + 1});
       continue;
     }
-    looked_at += cell.count;
+    visited += cell.count;
     for (const Held& one : cell.held)
       if (!(plane.height(one.place) < -near)) found.push_back(one.vertex);
   }
-  return looked_at;
+  return visited;
 }
 
 }  // namespace csgsim::convex

@@ -1,3 +1,5 @@
+// Spatial index of a polytope's vertices.
+// Used by carver.h.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +11,19 @@
 
 namespace csgsim::convex {
 
-/// Vertices in a tree of cells, each cut in half across its longer side, to find those that a plane leaves in front.
+/// Vertices in a tree of cells, each halved across its longer side, for queries of the vertices in front of a plane.
 class VertexIndex {
  public:
-  /// Vertices outside of the box are found too, though not as fast.
+  /// Vertices outside the box are found too, but more slowly.
   explicit VertexIndex(const facet::Box& box);
 
-  /// `normal` is that of a face at the vertex, or 0: planes like that face are told apart from it fastest.
+  /// `normal` is that of a face at the vertex, or 0; queries with planes close to that face are the fastest.
   void insert(std::uint32_t vertex, const glm::dvec3& place, const glm::dvec3& normal);
-  /// One that is there, at its place.
+  /// Removes an existing vertex, given its position.
   void remove(std::uint32_t vertex, const glm::dvec3& place);
 
-  /// Finds those whose height above the plane is not below -near, in no order, and exactly as Plane::height() has it.
-  /// Returns how many it looked at.
+  /// Finds the vertices whose Plane::height() is not below -near, exactly and in no particular order. Returns the
+  /// number of vertices visited.
   std::uint64_t find(const facet::Plane& plane, double near, std::vector<std::uint32_t>& found) const;
 
  private:
@@ -31,23 +33,23 @@ class VertexIndex {
     glm::dvec3 normal{};
   };
   struct Cell {
-    facet::Box whole;         ///< what is cut in half
-    facet::Box box;           ///< holds all vertices that were put in since it was empty
-    glm::dvec3 normal{};      ///< of the first of these
-    double highest = 0;       ///< and the most of normal . place of any
-    std::uint32_t count = 0;  ///< of vertices
-    std::uint32_t below = 0;  ///< the half below the middle, and after it the other one; 0: not cut
+    facet::Box whole;         ///< region that is halved
+    facet::Box box;           ///< contains all vertices added since the cell was last empty
+    glm::dvec3 normal{};      ///< normal of the first of these vertices
+    double highest = 0;       ///< maximum of normal . place over these vertices
+    std::uint32_t count = 0;  ///< number of vertices
+    std::uint32_t below = 0;  ///< index of the lower half, followed by the upper half; 0: not divided
     unsigned depth = 0;
-    int axis = 0;            ///< that it is cut across
-    std::vector<Held> held;  ///< if it is not cut
+    int axis = 0;            ///< axis across which it is divided
+    std::vector<Held> held;  ///< vertices, if it is not divided
 
     [[nodiscard]] double middle() const { return whole.low[axis] + (whole.high[axis] - whole.low[axis]) / 2.0; }
-    /// The half that has a place.
-    [[nodiscard]] std::uint32_t half_of(const glm::dvec3& place) const {
+    /// The half that contains a position.
+    [[nodiscard]] std::uint32_t half_at(const glm::dvec3& place) const {
       return below + (place[axis] < middle() ? 0U : 1U);
     }
     void put(const Held& one);
-    /// Whether none is as high above the plane as that, rounding included.
+    /// Whether no vertex is as high above the plane as `height`, including rounding errors.
     [[nodiscard]] bool is_surely_below(const facet::Plane& plane, double height) const;
   };
 

@@ -1,3 +1,5 @@
+// Tolerance and hashing that identify coincident surfaces.
+// Used by planes.h, quadric_table.h and sim/software.
 #pragma once
 
 #include <array>
@@ -9,11 +11,12 @@
 
 namespace csgsim::facet {
 
-/// Surfaces closer than this to each other are one surface: components of normals and axes, and lengths relative to the
-/// model's diagonal. Chains of transforms in double precision err by some 1e-15; walls thinner than this vanish.
+/// Surfaces closer to each other than this count as one surface. Applies to components of normals and axes, and to
+/// lengths relative to the model's diagonal. Chains of transforms in double precision have errors of about 1e-15; walls
+/// thinner than this vanish.
 inline constexpr double coincidence_tolerance = 1e-11;
 
-/// Whether the first component that is not 0 is negative.
+/// Whether the first nonzero component is negative.
 inline bool points_backward(const glm::dvec3& direction) {
   constexpr double zero_component = 4.0 * coincidence_tolerance;
   for (int axis = 0; axis < 3; ++axis) {
@@ -22,13 +25,13 @@ inline bool points_backward(const glm::dvec3& direction) {
   return false;
 }
 
-/// What a surface is known by: surfaces whose keys differ by no more than the tolerance in any component coincide.
+/// The key of a surface: surfaces coincide if no component of their keys differs by more than the tolerance.
 template <std::size_t size>
 using Key = std::array<double, size>;
 
-/// The number of the cell of a grid in which a component is. Cells are wide against the tolerance, so that what is near
-/// a surface is seldom in another cell than the surface. A power of two to the unit, and cells are centred on its
-/// multiples: components such as 0, 1/2 and 1 are far from their sides.
+/// The grid cell of a component. Cells are wide compared with the tolerance, so surfaces that coincide rarely fall into
+/// different cells. There is a power of two of cells per unit, and cells are centred on multiples of their width, so
+/// common components such as 0, 1/2 and 1 are far from cell boundaries.
 inline double cell_at(double component) {
   constexpr double cells_per_unit = 0x1p31;
   return std::floor(component * cells_per_unit + 0.5);
@@ -45,7 +48,7 @@ template <std::size_t size>
 std::uint64_t hash_of(const Key<size>& cell) {
   std::uint64_t sum = 0;
   for (const double one : cell) {
-    // Past 2^53 cells are as wide as doubles are apart, and their numbers only have to differ.
+    // Beyond 2^53, cells are as wide as the spacing of doubles; their numbers only have to differ.
     sum = (sum ^ std::bit_cast<std::uint64_t>(one + 0.0)) * 0x9e3779b97f4a7c15U;
     sum ^= sum >> 32U;
   }
@@ -61,12 +64,12 @@ bool are_near(const Key<size>& one, const Key<size>& other) {
   return true;
 }
 
-/// Calls visit(cell) for each cell that what is near the key may be in.
+/// Calls visit(cell) for each cell that may hold a surface coincident with the key.
 template <std::size_t size, class Visit>
 void for_cells_near(const Key<size>& key, const Visit& visit) {
   Key<size> cell;
   std::array<std::size_t, size> split;  // components that may be in either of two cells
-  std::array<double, size> others;      // of these
+  std::array<double, size> others;      // the second cell of each of these
   std::size_t splits = 0;
   for (std::size_t i = 0; i < size; ++i) {
     cell[i] = cell_at(key[i] - coincidence_tolerance);

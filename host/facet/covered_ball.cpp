@@ -16,14 +16,14 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr std::uint64_t max_planes = 4'000'000;
 
-/// A band of latitude between two polar angles, divided into equal cells around the axis. Angles in radians.
+/// A band of latitude between two polar angles, divided into equal cells around the axis. Angles are in radians.
 struct Row {
   double middle = 0;
-  std::uint64_t cells = 0;  ///< 0 if no number of cells is small enough
+  std::uint64_t cells = 0;  ///< 0 if no number of cells suffices
 };
 
-/// Cells of a row whose corners are within theta of their centre: the cosine rule on the sphere for the widest
-/// half-cell.
+/// The number of cells of a row whose corners are within theta of their centre, by the cosine rule on the sphere for
+/// the widest half-cell.
 Row make_row(double first, double last, double theta) {
   const double middle = (first + last) / 2.0;
   double widest = pi;
@@ -35,7 +35,7 @@ Row make_row(double first, double last, double theta) {
   return {middle, std::max<std::uint64_t>(3, static_cast<std::uint64_t>(std::ceil(pi / widest * (1.0 - 1e-12))))};
 }
 
-/// Rows between two polar caps of radius theta; empty if that many rows are too few.
+/// Rows between two polar caps of radius theta; empty if `count` rows are too few.
 std::vector<Row> make_rows(std::uint64_t count, double theta) {
   std::vector<Row> rows;
   const double height = (pi - 2.0 * theta) / static_cast<double>(count);
@@ -47,29 +47,29 @@ std::vector<Row> make_rows(std::uint64_t count, double theta) {
   return rows;
 }
 
-std::uint64_t cells_of(const std::vector<Row>& rows) {
+std::uint64_t count_cells(const std::vector<Row>& rows) {
   std::uint64_t cells = 0;
   for (const Row& row : rows) cells += row.cells;
   return rows.empty() ? std::numeric_limits<std::uint64_t>::max() : cells;
 }
 
-/// The division into rows with the fewest cells. Rows of height 2 theta would have no width to give; the fewest cells
-/// come at about sqrt(2) theta, and never with more than twice as many rows.
+/// The division into rows with the fewest cells. Rows of height 2 theta would have cells of no width. The minimum is at
+/// a row height of about sqrt(2) theta, and never at more than double the number of rows.
 std::vector<Row> fewest_cells(double theta) {
   const auto least = std::max<std::uint64_t>(1, static_cast<std::uint64_t>((pi - 2.0 * theta) / (2.0 * theta)));
   std::vector<Row> best;
   for (std::uint64_t count = least; count <= 2 * least + 2; ++count) {
     std::vector<Row> rows = make_rows(count, theta);
-    if (cells_of(rows) < cells_of(best)) best = std::move(rows);
+    if (count_cells(rows) < count_cells(best)) best = std::move(rows);
   }
   return best;
 }
 
-/// Meridians and parallels of a hull that holds a ball of that radius.
+/// Adds meridians and parallels of a hull that contains a ball of that radius.
 void add_hull(Solid& solid, double radius) {
   constexpr std::uint32_t meridians = 48;
   constexpr std::uint32_t parallels = 24;
-  // Half a mesh both ways: the hull's faces are no nearer to the centre than the radius.
+  // Offset by half a mesh in both directions, so that no face of the hull is closer to the centre than the radius.
   const double outer = radius / (model::cos_degrees(180.0 / meridians) * model::cos_degrees(90.0 / parallels));
   for (std::uint32_t row = 0; row <= parallels; ++row) {
     const double polar = 180.0 * row / parallels;

@@ -1,14 +1,17 @@
+// Faceting of a ball within a tolerance by few half-spaces.
+// Used by solid.cpp.
 #pragma once
 
 #include "host/facet/solid.h"
 
 namespace csgsim::facet {
 
-/// A ball about the origin as few half-spaces that stay within `tolerance` of it, inwards: planes at the distance
-/// h = radius - tolerance, whose normals cover the sphere by caps of angular radius acos(h / radius). No corner can be
-/// farther out than the radius then. The caps are centres of cells in rows of latitude, in each row as few as reach
-/// around, so there are some 2 pi / theta^2 of them, theta^2 = 2 tolerance / radius, against pi^2 / theta^2 of a mesh
-/// of meridians. The vertices and edges are those of a hull that holds the ball, not of the half-spaces.
+/// A ball about the origin as few half-spaces, within `tolerance` inside the true surface. The planes are at the
+/// distance h = radius - tolerance, and caps of angular radius acos(h / radius) around their normals cover the sphere,
+/// so no corner is farther out than the radius. The normals are centres of cells in rows of latitude, with the minimum
+/// number of cells in each row. This takes about 2 pi / theta^2 planes, with theta^2 = 2 tolerance / radius, compared
+/// with pi^2 / theta^2 for a mesh of meridians. Vertices and edges are those of a hull that contains the ball, not of
+/// the half-spaces.
 Solid covered_ball(double radius, double tolerance);
 
 }  // namespace csgsim::facet

@@ -17,7 +17,7 @@ namespace {
 using Real = long double;
 using Vec = glm::vec<3, Real>;
 
-/// Sizes of the hulls: sides of the prism around a cylinder, and meridians and parallels of the mesh around a ball.
+/// Sizes of the hulls: sides of the prism around a cylinder; meridians and parallels of the mesh around a ball.
 constexpr std::uint32_t hull_sides = 24;
 constexpr std::uint32_t hull_meridians = 16;
 constexpr std::uint32_t hull_parallels = 8;
@@ -25,10 +25,10 @@ constexpr std::uint32_t hull_parallels = 8;
 double low_end(const model::Cylinder& cylinder) { return cylinder.center ? -cylinder.height / 2.0 : 0.0; }
 
 bool is_cone(const model::Cylinder& cylinder) {
-  return std::abs(cylinder.r1 - cylinder.r2) >= least_taper * std::max(cylinder.r1, cylinder.r2);
+  return std::abs(cylinder.r1 - cylinder.r2) >= min_taper * std::max(cylinder.r1, cylinder.r2);
 }
 
-/// Rows of the inverse of a transform's linear part, and its columns.
+/// The columns of a transform's linear part, and the rows of its inverse.
 struct Inverse {
   std::array<Vec, 3> columns;
   std::array<Vec, 3> rows;
@@ -42,14 +42,14 @@ struct Inverse {
   }
 };
 
-/// Half the size, along each axis, of the image of a disc (two columns) or ball (three) of that radius.
+/// Half the extent along each axis of the image of a disc (two columns) or ball (three columns) of that radius.
 glm::dvec3 half_size(const Inverse& matrix, std::size_t columns, double radius) {
   Vec squares(0);
   for (std::size_t i = 0; i < columns; ++i) squares += matrix.columns[i] * matrix.columns[i];
   return glm::dvec3(std::sqrt(squares.x), std::sqrt(squares.y), std::sqrt(squares.z)) * radius;
 }
 
-CurvedSurface surface_of(const model::Sphere& sphere, const glm::dmat4& transform) {
+CurvedSurface make_surface(const model::Sphere& sphere, const glm::dmat4& transform) {
   const Inverse matrix(transform);
   CurvedSurface surface;
   surface.quadric.origin = glm::dvec3(transform[3]);
@@ -60,7 +60,7 @@ CurvedSurface surface_of(const model::Sphere& sphere, const glm::dmat4& transfor
   return surface;
 }
 
-CurvedSurface surface_of(const model::Cylinder& cylinder, const glm::dmat4& transform) {
+CurvedSurface make_surface(const model::Cylinder& cylinder, const glm::dmat4& transform) {
   const Inverse matrix(transform);
   const Vec shift(transform[3]);
   const Real low = low_end(cylinder);
@@ -101,7 +101,7 @@ void add_edges(Solid& solid, const std::vector<std::uint32_t>& ring) {
 
 namespace {
 
-std::vector<glm::dvec2> directions_worked_out(std::uint32_t sides, double turn) {
+std::vector<glm::dvec2> compute_directions(std::uint32_t sides, double turn) {
   std::vector<glm::dvec2> all;
   all.reserve(sides);
   for (std::uint32_t i = 0; i < sides; ++i) {
@@ -111,15 +111,15 @@ std::vector<glm::dvec2> directions_worked_out(std::uint32_t sides, double turn) 
   return all;
 }
 
-/// Directions that were asked for last: most models have many solids of as many sides.
-class LastDirections {
+/// Cache of the most recent directions: most models have many solids with the same number of sides.
+class DirectionCache {
  public:
   const std::vector<glm::dvec2>& find(std::uint32_t sides, double turn) {
     const auto is_it = [&](const Known& one) { return one.around.size() == sides && one.turn == turn; };
     if (const auto found = std::ranges::find_if(known_, is_it); found != known_.end()) return found->around;
     Known& oldest = known_[next_];
     next_ = (next_ + 1) % known_.size();
-    oldest = {turn, directions_worked_out(sides, turn)};
+    oldest = {turn, compute_directions(sides, turn)};
     return oldest.around;
   }
 
@@ -133,14 +133,15 @@ class LastDirections {
   std::size_t next_ = 0;
 };
 
-/// Of more sides, working out directions is little beside what else a solid takes, and they would fill memory.
-constexpr std::uint32_t most_sides_known = 4096;
+/// Directions with more sides are not cached: computing them is cheap relative to the rest of the solid, and they would
+/// take too much memory.
+constexpr std::uint32_t max_cached_sides = 4096;
 
 }  // namespace
 
 std::vector<glm::dvec2> directions(std::uint32_t sides, double turn) {
-  if (sides > most_sides_known) return directions_worked_out(sides, turn);
-  thread_local LastDirections last;
+  if (sides > max_cached_sides) return compute_directions(sides, turn);
+  thread_local DirectionCache last;
   return last.find(sides, turn);
 }
 
@@ -180,7 +181,7 @@ bool stays_curved(const model::Primitive& primitive, const Faceting& faceting) {
 
 Solid curved_hull(const model::Sphere& sphere) {
   Solid solid;
-  // Half a mesh both ways: the hull's faces are no nearer to the centre than the radius.
+  // Offset by half a mesh in both directions, so that no face of the hull is closer to the centre than the radius.
   const double outer =
       sphere.radius / (model::cos_degrees(180.0 / hull_meridians) * model::cos_degrees(90.0 / hull_parallels));
   const std::vector<glm::dvec2> around = directions(hull_meridians, 0.5);
@@ -212,8 +213,8 @@ Solid curved_hull(const model::Cylinder& cylinder) {
 
 CurvedSurface curved_surface(const model::Primitive& primitive) {
   if (const auto* sphere = std::get_if<model::Sphere>(&primitive.shape))
-    return surface_of(*sphere, primitive.transform);
-  return surface_of(std::get<model::Cylinder>(primitive.shape), primitive.transform);
+    return make_surface(*sphere, primitive.transform);
+  return make_surface(std::get<model::Cylinder>(primitive.shape), primitive.transform);
 }
 
 }  // namespace csgsim::facet

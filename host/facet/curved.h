@@ -1,3 +1,5 @@
+// Hulls and quadrics of curved primitives.
+// Used by solid.cpp, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +14,15 @@
 
 namespace csgsim::facet {
 
-/// A cone whose radius changes by less than this part of the greater one is the cylinder of its mean radius, half that
-/// part of it away at most: its apex, as a place in double precision, would be known no better.
-inline constexpr double least_taper = 0x1p-26;
+/// A cone whose radii differ by less than this fraction of the larger one is treated as the cylinder of its mean
+/// radius, which is off by at most half that fraction: double precision could not locate its apex any better.
+inline constexpr double min_taper = 0x1p-26;
 
-/// How much longer or more askew a ball may become, as a part of its size, and still count as one: what the six digits
-/// that OpenSCAD writes leave of a rotation.
+/// Maximum relative stretch or skew of a ball that still counts as a ball: the error that OpenSCAD's six printed digits
+/// leave in a rotation.
 inline constexpr double ball_tolerance = 1e-5;
 
-/// Whether a matrix is a rotation or reflection, a uniform scale and a shift.
+/// Whether a matrix consists of a rotation or reflection, a uniform scale and a translation.
 bool keeps_balls(const glm::dmat4& transform);
 
 /// Whether the shape stays a curved surface.
@@ -32,19 +34,19 @@ struct Ring {
   double z = 0;
 };
 
-/// Cosine and sine of as many directions around the z axis, the first of them `turn` parts of a side on from the x
-/// axis.
+/// Cosine and sine of `sides` directions around the z axis; the first is rotated from the x axis by `turn` sides.
 std::vector<glm::dvec2> directions(std::uint32_t sides, double turn);
 
-/// Adds its vertices, one a direction. Returns their numbers, one a direction.
+/// Adds the vertices of a ring, one per direction. Returns their indices, one per direction.
 std::vector<std::uint32_t> add_ring(Solid& solid, const Ring& ring, std::span<const glm::dvec2> around);
 
-/// The planes and a hull of a curved solid in its own space. The faces are its flat ends; a cone that ends in its tip
-/// has a plane through that, which parts it from the other nappe. Vertices and edges are those of a polytope around it.
+/// The planes and a hull of a curved solid in its own space. The faces are its flat ends; for a cone with an apex, one
+/// plane passes through the apex and separates the two nappes. Vertices and edges are those of a polytope around the
+/// solid.
 Solid curved_hull(const model::Sphere& sphere);
 Solid curved_hull(const model::Cylinder& cylinder);
 
-/// Its curved surface in model space.
+/// The curved surface of a primitive, in model space.
 CurvedSurface curved_surface(const model::Primitive& primitive);
 
 }  // namespace csgsim::facet

@@ -1,3 +1,5 @@
+// Options of faceting.
+// Used by curved.h, solid.h, solid_at.h and sim.
 #pragma once
 
 #include <cstdint>
@@ -6,27 +8,28 @@
 
 namespace csgsim::facet {
 
-/// How curved solids become half-spaces: as OpenSCAD facets them, or as the caller says. Or whether they stay curved.
+/// How curved solids are represented: faceted as in OpenSCAD or as the caller requests, or as exact curves.
 struct Faceting {
-  /// Facets stay within this distance of the true surface, model units, with as few half-spaces as that allows.
+  /// Maximum distance of facets from the true surface, in model units; uses as few half-spaces as possible.
   std::optional<double> tolerance{};
-  /// OpenSCAD's $fn for every curved solid, whatever the model says. Ignored where there is a tolerance.
+  /// Replaces OpenSCAD's $fn for every curved solid. Ignored if there is a tolerance.
   std::optional<double> fragments{};
-  /// Spheres and cylinders stay curved surfaces: quadrics. The other two hold for what is faceted still.
+  /// Keeps spheres and cylinders as curved surfaces (quadrics). The other two options apply to solids that are still
+  /// faceted.
   bool exact_curves = false;
-  /// With exact curves: only spheres that are seen as circles stay curved, and are drawn as fast spheres
-  /// (host/view/fast_sphere.h); the rest is faceted.
+  /// Only with exact curves: spheres that appear as circles stay curved and are drawn as fast spheres
+  /// (host/view/fast_sphere.h); all other solids are faceted.
   bool fast_spheres = false;
-  /// With exact curves: solids whose own $fn is above 0 and less than this are meant as polygons, and are faceted.
+  /// Only with exact curves: a solid whose own $fn is above 0 and below this is meant as a polygon, and is faceted.
   double fewest_round = 13;
-  /// With exact curves: by primitive, those that are faceted all the same; none if empty.
+  /// Only with exact curves: marks primitives that are faceted nevertheless; none if empty.
   std::vector<bool> faceted{};
 
   bool operator==(const Faceting&) const = default;
 };
 
-/// Corners of a regular polygon inside a circle whose sides stay within `tolerance` of it (the sagitta): the least n
-/// with radius (1 - cos(180 / n)) <= tolerance, at least 3. Throws InputError past max_fragments.
+/// Number of corners of a regular polygon inscribed in a circle whose sides stay within `tolerance` of it (the
+/// sagitta): the smallest n >= 3 with radius (1 - cos(180 / n)) <= tolerance. Throws InputError beyond max_fragments.
 std::uint32_t fragments_within(double radius, double tolerance);
 
 }  // namespace csgsim::facet

@@ -19,7 +19,7 @@ namespace {
 
 using Edges = std::vector<std::array<std::uint32_t, 2>>;
 
-/// Calls visit(low, high) for each edge of each face, and for those that no face gives.
+/// Calls visit(low, high) for each edge of each face, and for the edges that belong to no face.
 template <class Visit>
 void for_each_edge(const Solid& solid, const Visit& visit) {
   for (const auto& [low, high] : solid.edges) visit(low, high);
@@ -32,8 +32,8 @@ void for_each_edge(const Solid& solid, const Visit& visit) {
   }
 }
 
-/// Each edge once, in order: sorted by their first vertices at once, as these are few.
-Edges edges_of(const Solid& solid) {
+/// All edges without duplicates, in order. Grouping by the first vertex leaves short lists to sort.
+Edges collect_edges(const Solid& solid) {
   std::vector<std::size_t> begins(solid.vertices.size() + 1);
   for_each_edge(solid, [&](std::uint32_t low, std::uint32_t /*high*/) { ++begins[low]; });
   std::exclusive_scan(begins.begin(), begins.end(), begins.begin(), std::size_t{0});
@@ -57,27 +57,28 @@ Box box_of(const Solid& solid) {
   return solid.curved ? Box{solid.curved->low, solid.curved->high} : facet::box_of(solid.vertices);
 }
 
-/// What is kept of a solid until the size of the model is known: not the corners of its faces, which take most.
+/// The parts of a solid kept until the size of the model is known. The corners of its faces, which take the most
+/// memory, are dropped.
 struct Draft {
-  std::vector<Plane> planes;  ///< of the faces
+  std::vector<Plane> planes;  ///< planes of the faces
   std::vector<glm::dvec3> vertices;
   Edges edges;
   Box box;
   std::optional<CurvedSurface> curved;
 };
 
-Draft draft_of(Solid solid) {
+Draft make_draft(Solid solid) {
   Draft draft;
   draft.planes.reserve(solid.faces.size());
   for (const Face& face : solid.faces) draft.planes.push_back(face.plane);
-  draft.edges = edges_of(solid);
+  draft.edges = collect_edges(solid);
   draft.box = box_of(solid);
   draft.vertices = std::move(solid.vertices);
   draft.curved = solid.curved;
   return draft;
 }
 
-/// Turns solids into convexes one after another.
+/// Converts solids into Convex, one after another.
 class GeometryMaker {
  public:
   GeometryMaker(PlaneTable& planes, QuadricTable& quadrics) : planes_(planes), quadrics_(quadrics) {}
@@ -99,28 +100,28 @@ class GeometryMaker {
 
  private:
   bool is_new(const Halfspace& halfspace) {
-    if (planes_.planes().size() > last_of_.size()) last_of_.resize(2 * planes_.planes().size());
-    return std::exchange(last_of_[halfspace.plane][halfspace.positive ? 1 : 0], count_) != count_;
+    if (planes_.planes().size() > last_user_.size()) last_user_.resize(2 * planes_.planes().size());
+    return std::exchange(last_user_[halfspace.plane][halfspace.positive ? 1 : 0], count_) != count_;
   }
 
   PlaneTable& planes_;
   QuadricTable& quadrics_;
-  std::uint32_t count_ = 0;                            ///< solids so far
-  std::vector<std::array<std::uint32_t, 2>> last_of_;  ///< by plane and side: the number of the last solid that has it
+  std::uint32_t count_ = 0;                              ///< number of solids made
+  std::vector<std::array<std::uint32_t, 2>> last_user_;  ///< last solid that uses each plane and side
 };
 
-/// Whether each coordinate is a number that is not too large.
-bool is_at_hand(const glm::dvec3& point) {
+/// Whether each coordinate is a number within the supported range.
+bool is_in_range(const glm::dvec3& point) {
   return std::abs(point.x) <= model::most_coordinate && std::abs(point.y) <= model::most_coordinate &&
          std::abs(point.z) <= model::most_coordinate;
 }
 
-void refuse_far(const Solid& solid) {
-  const bool is_near = !solid.curved || (is_at_hand(solid.curved->low) && is_at_hand(solid.curved->high));
-  if (is_near && std::all_of(solid.vertices.begin(), solid.vertices.end(), is_at_hand)) return;
+void reject_far(const Solid& solid) {
+  const bool is_near = !solid.curved || (is_in_range(solid.curved->low) && is_in_range(solid.curved->high));
+  if (is_near && std::all_of(solid.vertices.begin(), solid.vertices.end(), is_in_range)) return;
   throw InputError(
-      "it reaches farther than 1e12 from the origin, where numbers are too coarse to draw it; move it "
-      "nearer, or scale it down");
+      "the solid extends farther than 1e12 from the origin, where numbers are too coarse to draw it; move it "
+      "closer, or scale it down");
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ void refuse_far(const Solid& solid) {
 Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Faceting& faceting) {
   try {
     Solid solid = make_solid(tree.primitives[primitive], faceting);
-    refuse_far(solid);
+    reject_far(solid);
     return solid;
   } catch (const InputError& error) {
     throw InputError(model::place_of(tree, primitive) + ": " + error.what());
@@ -152,7 +153,7 @@ Box box_of(std::span<const glm::dvec3> points) {
   if (points.empty()) return {};
   Box box{points.front(), points.front()};
   for (const glm::dvec3& point : points) {
-    // Like glm::min() and glm::max(), which take several times as many instructions.
+    // Equivalent to glm::min() and glm::max(), which take several times the instructions.
     for (int axis = 0; axis < 3; ++axis) {
       box.low[axis] = point[axis] < box.low[axis] ? point[axis] : box.low[axis];
       box.high[axis] = point[axis] > box.high[axis] ? point[axis] : box.high[axis];
@@ -195,10 +196,10 @@ std::uint64_t Geometry::halfspaces() const {
 
 Geometry make_geometry(const model::Tree& tree, const Faceting& faceting) {
   if (faceting.tolerance && !(*faceting.tolerance > 0.0 && std::isfinite(*faceting.tolerance))) {
-    throw InputError("the faceting tolerance has to be a finite length above 0");
+    throw InputError("the faceting tolerance must be a finite length above 0");
   }
-  Faceting in_all_facets = faceting;
-  in_all_facets.exact_curves = false;
+  Faceting all_faceted = faceting;
+  all_faceted.exact_curves = false;
   std::vector<Draft> drafts;
   std::vector<Box> boxes;
   Box all;
@@ -206,7 +207,7 @@ Geometry make_geometry(const model::Tree& tree, const Faceting& faceting) {
   boxes.reserve(tree.primitives.size());
   for (std::uint32_t i = 0; i < tree.primitives.size(); ++i) {
     const bool is_faceted = i < faceting.faceted.size() && faceting.faceted[i];
-    drafts.push_back(draft_of(make_solid_at(tree, i, is_faceted ? in_all_facets : faceting)));
+    drafts.push_back(make_draft(make_solid_at(tree, i, is_faceted ? all_faceted : faceting)));
     boxes.push_back(drafts.back().box);
     all = hull(all, boxes.back());
   }

@@ -1,3 +1,5 @@
+// A model as half-spaces and quadrics, with bounding boxes.
+// Used by host/convex, host/csg, host/effects, host/emit, host/read, host/solids, host/view and sim.
 #pragma once
 
 #include <array>
@@ -14,7 +16,7 @@
 
 namespace csgsim::facet {
 
-/// An axis-aligned box; empty if a low is above its high.
+/// An axis-aligned box; empty if any component of `low` exceeds that of `high`.
 struct Box {
   glm::dvec3 low{1};
   glm::dvec3 high{0};
@@ -30,34 +32,36 @@ Box hull(const Box& box, const glm::dvec3& point);
 Box common(const Box& a, const Box& b);
 Box box_of(std::span<const glm::dvec3> points);
 
-/// A primitive as an intersection of canonical half-spaces, and of a quadric if it is curved.
+/// A primitive as an intersection of canonical half-spaces and, if it is curved, a quadric.
 struct Convex {
-  std::vector<Halfspace> halfspaces;                ///< in the order of the faces, none twice
-  std::vector<glm::dvec3> vertices;                 ///< model space; of a curved solid, of a polytope that holds it
+  std::vector<Halfspace> halfspaces;  ///< follow the order of the faces, without duplicates
+  std::vector<glm::dvec3> vertices;   ///< model space; for a curved solid, those of a polytope that contains it
   std::vector<std::array<std::uint32_t, 2>> edges;  ///< pairs of vertices, each edge once
-  Box box;                                          ///< of the vertices; of a curved solid, its own
+  Box box;                                          ///< bounds of the vertices; for a curved solid, its own bounds
   std::vector<QuadricSide> quadrics;
 };
 
-/// A model ready for any view.
+/// A model prepared for any view.
 struct Geometry {
-  std::vector<Convex> solids;  ///< one a primitive of the tree
+  std::vector<Convex> solids;  ///< one per primitive of the tree
   PlaneTable planes;
-  Box box;  ///< holds what the tree leaves of its primitives
+  Box box;  ///< contains the result of the tree
   QuadricTable quadrics{};
   bool fast_spheres = false;  ///< the quadrics are spheres, to be drawn as fast spheres (host/view/fast_sphere.h)
 
-  /// Of all primitives, those that share a plane each for itself; a quadric counts as one.
+  /// Total number of half-spaces of all primitives, with shared planes counted for each of them; a quadric counts as
+  /// one.
   [[nodiscard]] std::uint64_t halfspaces() const;
   /// Whether no primitive stays curved.
   [[nodiscard]] bool is_faceted() const;
 };
 
-/// Facets every primitive that does not stay curved. Throws InputError, naming the primitive's place in the file,
-/// where one cannot be faceted.
+/// Facets every primitive that does not stay curved. Throws InputError, with the primitive's position in the file, if
+/// one cannot be faceted.
 Geometry make_geometry(const model::Tree& tree, const Faceting& faceting = {});
 
-/// Folds boxes of the primitives over the tree: unions span, intersections clip, differences keep their first operand.
+/// Folds the boxes of the primitives over the tree: unions span, intersections clip, differences keep their first
+/// operand.
 Box fold_boxes(const model::Tree& tree, const std::vector<Box>& boxes);
 
 }  // namespace csgsim::facet

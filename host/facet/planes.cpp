@@ -9,25 +9,25 @@ namespace csgsim::facet {
 namespace {
 
 constexpr std::uint32_t free_slot = 0xffffffffU;
-constexpr std::size_t fewest_slots = 64;
+constexpr std::size_t min_slots = 64;
 
-Key<4> key_of(const Plane& plane, double diagonal) {
+Key<4> make_key(const Plane& plane, double diagonal) {
   return {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset / diagonal};
 }
 
 }  // namespace
 
 PlaneTable::PlaneTable(const glm::dvec3& centre, double diagonal)
-    : centre_(centre), diagonal_(diagonal > 0.0 ? diagonal : 1.0), slots_(fewest_slots, free_slot) {}
+    : centre_(centre), diagonal_(diagonal > 0.0 ? diagonal : 1.0), slots_(min_slots, free_slot) {}
 
-/// The first of the planes that coincide with that one.
+/// The first plane that coincides with the given one.
 std::optional<std::uint32_t> PlaneTable::find(const Plane& canonical) const {
-  const Key<4> key = key_of(canonical, diagonal_);
+  const Key<4> key = make_key(canonical, diagonal_);
   const std::size_t last = slots_.size() - 1;
   std::uint32_t first = free_slot;
   for_cells_near(key, [&](const Key<4>& cell) {
     for (std::size_t at = hash_of(cell) & last; slots_[at] != free_slot; at = (at + 1) & last) {
-      if (are_near(key, key_of(planes_[slots_[at]], diagonal_))) first = std::min(first, slots_[at]);
+      if (are_near(key, make_key(planes_[slots_[at]], diagonal_))) first = std::min(first, slots_[at]);
     }
   });
   if (first == free_slot) return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<std::uint32_t> PlaneTable::find(const Plane& canonical) const {
 }
 
 void PlaneTable::enter(std::uint32_t plane) {
-  const Key<4> key = key_of(planes_[plane], diagonal_);
+  const Key<4> key = make_key(planes_[plane], diagonal_);
   const std::size_t last = slots_.size() - 1;
   std::size_t at = hash_of(cell_of(key)) & last;
   while (slots_[at] != free_slot) at = (at + 1) & last;

@@ -1,3 +1,5 @@
+// Table of a model's distinct planes.
+// Used by geometry.h, host/convex, host/solids and sim/software.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::facet {
 
-/// One side of a canonical plane: normal . p + offset <= 0 if `positive`, >= 0 if not.
+/// One side of a canonical plane: normal . p + offset <= 0 if `positive`, >= 0 otherwise.
 struct Halfspace {
   std::uint32_t plane = 0;  ///< index into PlaneTable::planes()
   bool positive = true;
@@ -17,19 +19,19 @@ struct Halfspace {
   bool operator==(const Halfspace&) const = default;
 };
 
-/// The planes of a model without repetition: planes that coincide share an entry, whichever primitive or orientation
-/// they come from, so that whatever is computed from them is equal exactly. The first plane seen of a kind stands for
+/// The planes of a model without duplicates: planes that coincide share an entry, whatever their primitive or
+/// orientation, so values computed from them are exactly equal. The first of several coincident planes represents them
 /// all.
 class PlaneTable {
  public:
   /// Offsets are compared relative to `diagonal`, the size of the model, about `centre`, so that a model far from the
-  /// origin loses nothing.
+  /// origin loses no precision.
   PlaneTable(const glm::dvec3& centre, double diagonal);
 
-  /// The canonical half-space of a plane in model space.
+  /// Adds a plane in model space. Returns its canonical half-space.
   Halfspace add(const Plane& plane);
 
-  /// Canonical planes: normals whose first component that is not 0 is positive, offsets relative to `centre()`.
+  /// Canonical planes: the first nonzero component of the normal is positive, and offsets are relative to `centre()`.
   [[nodiscard]] const std::vector<Plane>& planes() const { return planes_; }
   [[nodiscard]] const glm::dvec3& centre() const { return centre_; }
   [[nodiscard]] double diagonal() const { return diagonal_; }
@@ -41,8 +43,8 @@ class PlaneTable {
   glm::dvec3 centre_;
   double diagonal_;
   std::vector<Plane> planes_;
-  /// A hash table of planes by the cell of a grid that they are in, with open addressing: its size is a power of
-  /// two, and half empty at least.
+  /// A hash table of planes by grid cell, with open addressing: its size is a power of two, and it is at least half
+  /// empty.
   std::vector<std::uint32_t> slots_;
 };
 

@@ -15,14 +15,14 @@ using Real = long double;
 using Vec = glm::vec<3, Real>;
 using Symmetric = std::array<Real, 6>;  // xx, yy, zz, xy, xz, yz
 
-constexpr int most_sweeps = 60;
+constexpr int max_sweeps = 60;
 
-/// Rows that are orthogonal, and rotated from three others: Hestenes' one-sided Jacobi method, which keeps what is
-/// small as exact, relative to its size, as what is large.
+/// Rotates three rows until they are orthogonal: Hestenes' one-sided Jacobi method, whose relative accuracy is the same
+/// for small and large rows.
 std::array<Vec, 3> orthogonal_rows(const std::array<glm::dvec3, 3>& rows) {
   std::array<Vec, 3> turned{Vec(rows[0]), Vec(rows[1]), Vec(rows[2])};
   bool is_done = false;
-  for (int sweep = 0; sweep < most_sweeps && !is_done; ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps && !is_done; ++sweep) {
     is_done = true;
     for (const auto& [i, j] : {std::pair{0U, 1U}, {0U, 2U}, {1U, 2U}}) {
       Vec& a = turned[i];
@@ -51,7 +51,7 @@ void add_to(Symmetric& sum, const Symmetric& other) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += other[i];
 }
 
-/// The matrix whose eigenvectors are the rows' directions; `of` gives the eigenvalues from their lengths.
+/// The matrix whose eigenvectors are the directions of the rows; `of` maps their lengths to the eigenvalues.
 template <class Of>
 Symmetric with_lengths(const std::array<Vec, 3>& rows, const Of& of) {
   Symmetric sum{};
@@ -62,7 +62,7 @@ Symmetric with_lengths(const std::array<Vec, 3>& rows, const Of& of) {
   return sum;
 }
 
-Symmetric form_of(const Quadric& quadric) {
+Symmetric make_form(const Quadric& quadric) {
   Symmetric form{};
   for (std::size_t i = 0; i < 3; ++i) {
     add_to(form, outer(Vec(quadric.to_unit[i]), static_cast<Real>(quadric.signs()[i])));
@@ -70,21 +70,21 @@ Symmetric form_of(const Quadric& quadric) {
   return form;
 }
 
-/// Eigenvectors as columns, and eigenvalues: Jacobi's method.
+/// Eigenvectors as columns, and eigenvalues, by Jacobi's method.
 struct Eigen {
   std::array<Vec, 3> vectors{Vec(1, 0, 0), Vec(0, 1, 0), Vec(0, 0, 1)};
   std::array<Real, 3> values{};
 };
 
-Eigen eigen_of(const Symmetric& form) {
+Eigen solve_eigen(const Symmetric& form) {
   std::array<std::array<Real, 3>, 3> m{
       {{form[0], form[3], form[4]}, {form[3], form[1], form[5]}, {form[4], form[5], form[2]}}};
   Eigen eigen;
   bool is_done = false;
-  for (int sweep = 0; sweep < most_sweeps && !is_done; ++sweep) {
+  for (int sweep = 0; sweep < max_sweeps && !is_done; ++sweep) {
     is_done = true;
     for (const auto& [p, q] : {std::pair{0U, 1U}, {0U, 2U}, {1U, 2U}}) {
-      // As exact, relative to the smaller of both, as the numbers allow.
+      // Iterates to the maximum accuracy relative to the smaller of the two diagonal entries.
       if (!(std::abs(m[p][q]) > 1e-19L * std::sqrt(std::abs(m[p][p] * m[q][q]))) || m[p][q] == 0) continue;
       const Real theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
       const Real t = std::copysign(1 / (std::abs(theta) + std::hypot(Real{1}, theta)), theta);
@@ -110,15 +110,15 @@ Eigen eigen_of(const Symmetric& form) {
   return eigen;
 }
 
-/// A cone about its principal axis: the eigenvector of the one negative eigenvalue.
+/// A cone about its principal axis, the eigenvector of its only negative eigenvalue.
 struct PrincipalCone {
   Vec axis{0, 0, 1};
-  Symmetric angles{};  ///< eigenvalues: the angles between the axis and the sides, radians
-  Real sine = 0;       ///< the root of the sum of the squares of their sines
+  Symmetric angles{};  ///< eigenvalues: angles between the axis and the sides, in radians
+  Real sine = 0;       ///< square root of the sum of the squares of the sines of these angles
 };
 
 PrincipalCone principal(const Symmetric& form) {
-  const Eigen eigen = eigen_of(form);
+  const Eigen eigen = solve_eigen(form);
   const auto lowest = std::min_element(eigen.values.begin(), eigen.values.end()) - eigen.values.begin();
   const auto inner = static_cast<std::size_t>(lowest);
   PrincipalCone cone;
@@ -135,9 +135,9 @@ PrincipalCone principal(const Symmetric& form) {
   return cone;
 }
 
-/// Scaled so that the greatest entry of the form has size 1, which changes no cone.
+/// Scales the quadric so that the largest entry of the form has magnitude 1; this does not change the cone.
 void normalise_cone(Quadric& quadric) {
-  const Symmetric form = form_of(quadric);
+  const Symmetric form = make_form(quadric);
   Real most = 0;
   for (const Real entry : form) most = std::max(most, std::abs(entry));
   const Real factor = 1 / std::sqrt(most);
@@ -145,13 +145,13 @@ void normalise_cone(Quadric& quadric) {
 }
 
 /// The canonical axis of a cylinder or cone.
-glm::dvec3 axis_of(const Quadric& quadric) {
+glm::dvec3 canonical_axis(const Quadric& quadric) {
   glm::dvec3 axis(0, 0, 1);
   if (quadric.kind == QuadricKind::cylinder) {
     const std::array<Vec, 3> rows = orthogonal_rows(quadric.to_unit);
     axis = glm::dvec3(glm::normalize(glm::cross(glm::normalize(rows[0]), glm::normalize(rows[1]))));
   } else if (quadric.kind == QuadricKind::cone) {
-    axis = glm::dvec3(principal(form_of(quadric)).axis);
+    axis = glm::dvec3(principal(make_form(quadric)).axis);
   }
   return points_backward(axis) ? -axis : axis;
 }
@@ -167,15 +167,16 @@ Vec nearest_to_zero(const glm::dvec3& point, const glm::dvec3& axis) {
 QuadricTable::QuadricTable(const glm::dvec3& centre, double diagonal)
     : centre_(centre), diagonal_(diagonal > 0.0 ? diagonal : 1.0) {}
 
-/// Half axes and centre, half axes across the axis and its place, angles and the place of the axis and the distance of
-/// its place from the sides: of each what moves by as much as the surface does.
-QuadricTable::Known QuadricTable::key_of(const Quadric& canonical) const {
+/// The key consists of quantities that change as much as the surface does. Ellipsoid: half axes and centre. Cylinder:
+/// half axes across the axis, and the axis's position. Cone: angles, the axis and its position, and the distance of
+/// that position from the sides.
+QuadricTable::Known QuadricTable::make_key(const Quadric& canonical) const {
   Vec place(canonical.origin);
   Vec axis(0);
   Symmetric shape{};
   Real from_sides = 0;
   if (canonical.kind == QuadricKind::cone) {
-    const PrincipalCone cone = principal(form_of(canonical));
+    const PrincipalCone cone = principal(make_form(canonical));
     axis = Vec(canonical.axis);
     shape = cone.angles;
     place = nearest_to_zero(canonical.origin, canonical.axis);
@@ -196,7 +197,7 @@ QuadricTable::Known QuadricTable::key_of(const Quadric& canonical) const {
   return key;
 }
 
-/// The first of the quadrics that coincide with that one.
+/// The first quadric that coincides with the given one.
 std::optional<std::uint32_t> QuadricTable::find(const Known& key, QuadricKind kind) const {
   std::optional<std::uint32_t> first;
   for_cells_near(key, [&](const Known& cell) {
@@ -212,17 +213,17 @@ std::optional<std::uint32_t> QuadricTable::find(const Known& key, QuadricKind ki
 QuadricSide QuadricTable::add(const Quadric& quadric, const glm::dvec3& inward) {
   Quadric canonical = quadric;
   if (quadric.kind == QuadricKind::cone) normalise_cone(canonical);
-  const Symmetric form = form_of(canonical);
+  const Symmetric form = make_form(canonical);
   for (std::size_t i = 0; i < form.size(); ++i) canonical.form[i] = static_cast<double>(form[i]);
-  canonical.axis = axis_of(canonical);
+  canonical.axis = canonical_axis(canonical);
   canonical.origin -= centre_;
   if (quadric.kind == QuadricKind::cylinder)
     canonical.origin = glm::dvec3(nearest_to_zero(canonical.origin, canonical.axis));
-  // The axis is principal: what is in a nappe leans to its side.
+  // The axis is principal, so the directions inside a nappe have a positive component along it.
   const auto along = [&](const glm::dvec3& axis) {
     return quadric.kind != QuadricKind::cone || glm::dot(inward, axis) > 0.0;
   };
-  const Known key = key_of(canonical);
+  const Known key = make_key(canonical);
   if (const std::optional<std::uint32_t> found = find(key, quadric.kind))
     return {*found, along(quadrics_[*found].axis)};
   const auto added = static_cast<std::uint32_t>(quadrics_.size());

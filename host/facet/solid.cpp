@@ -40,8 +40,8 @@ Solid box(const model::Cube& cube) {
   return solid;
 }
 
-/// The planes through the chords of two rings of regular polygons: what all of the lateral faces between them share. In
-/// the meridian half-plane at the middle of a facet a polygon of n corners has radius r cos(180/n).
+/// The planes of the lateral faces between two rings of regular polygons: all of them share these parameters. In the
+/// meridian half-plane at the middle of a facet, a polygon with n corners has the radius r cos(180/n).
 class LateralPlanes {
  public:
   LateralPlanes(const Ring& low, const Ring& high, std::uint32_t count) {
@@ -56,7 +56,7 @@ class LateralPlanes {
     offset_ = -(radial_ * low_radius + axial_ * low.z);
   }
 
-  /// Of the facet in that direction.
+  /// The plane of the facet in that direction.
   [[nodiscard]] Plane at(const glm::dvec2& middle) const {
     return {{radial_ * middle.x, radial_ * middle.y, axial_}, offset_};
   }
@@ -71,7 +71,7 @@ class LateralPlanes {
 Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
   if (static_cast<std::uint64_t>(count) * stack.size() > max_faces) {
     throw InputError("more than " + std::to_string(max_faces) +
-                     " facets in one solid; ask for fewer with $fn, $fa or $fs");
+                     " facets in one solid; reduce them with $fn, $fa or $fs");
   }
   Solid solid;
   solid.vertices.reserve(count * stack.size());
@@ -93,7 +93,7 @@ Solid lathe(std::span<const Ring> stack, std::uint32_t count) {
   return solid;
 }
 
-/// How a shape is faceted in its own space: the tolerance divided by the most that the transform stretches.
+/// The faceting of a shape in its own space: the tolerance is divided by the transform's maximum stretch.
 struct Local {
   std::optional<double> tolerance;
   std::optional<double> fragments;
@@ -117,7 +117,7 @@ Solid ball(const model::Sphere& sphere, const Local& local) {
 
 Solid frustum(const model::Cylinder& cylinder, const Local& local) {
   const double radius = std::max(cylinder.r1, cylinder.r2);
-  // The distance to a slanted side is measured across it.
+  // The distance to a slanted side is measured perpendicular to it.
   const double slant = cylinder.height / model::hypotenuse(cylinder.height, cylinder.r1 - cylinder.r2);
   const std::uint32_t count = local.tolerance ? fragments_within(radius, *local.tolerance / slant)
                                               : model::fragments(radius, local.control(cylinder.facets));
@@ -126,7 +126,7 @@ Solid frustum(const model::Cylinder& cylinder, const Local& local) {
   return lathe(stack, count);
 }
 
-/// Newell's normal of a polygon and the offset of its centroid.
+/// Newell's normal of a polygon, and the offset of its centroid.
 Plane polygon_plane(std::span<const glm::dvec3> points, const Corners& corners) {
   glm::dvec3 normal{0};
   glm::dvec3 centroid{0};
@@ -164,8 +164,8 @@ struct SolidMaker {
   Solid operator()(const model::Polyhedron& shape) const { return polyhedron(shape); }
 };
 
-/// At least the most that a matrix stretches a vector, and just that if its columns are orthogonal: the square root of
-/// the greatest row sum of its Gram matrix.
+/// An upper bound of the factor by which a matrix stretches vectors, exact if its columns are orthogonal: the square
+/// root of the largest row sum of its Gram matrix.
 double stretch(const glm::dmat3& linear) {
   const glm::dmat3 gram = glm::transpose(linear) * linear;
   double most = 0;
@@ -173,7 +173,7 @@ double stretch(const glm::dmat3& linear) {
   return std::sqrt(most);
 }
 
-/// Products of three lengths have to be doubles of full precision.
+/// Ensures that products of three lengths are doubles with full precision.
 void require_size(const Solid& solid, const glm::dmat3& linear) {
   constexpr double smallest = 1e-90;
   constexpr double largest = 1e90;

@@ -1,3 +1,5 @@
+// Primitives in model space, faceted or curved.
+// Used throughout host/facet and by host/convex, host/solids and sim/software.
 #pragma once
 
 #include <array>
@@ -18,34 +20,34 @@ struct Plane {
   glm::dvec3 normal{0, 0, 1};
   double offset = 0;
 
-  /// How far a point is in front of the plane; below 0 behind it.
+  /// Signed distance of a point from the plane: positive in front, negative behind.
   [[nodiscard]] double height(const glm::dvec3& point) const { return glm::dot(normal, point) + offset; }
 };
 
 /// A face of a convex solid: its plane, and its corners counter-clockwise or clockwise as seen from outside.
 struct Face {
   Plane plane;
-  std::vector<std::uint32_t> corners;  ///< indices into Solid::vertices; none if the vertices are only a hull's
+  std::vector<std::uint32_t> corners;  ///< indices into Solid::vertices; empty if the vertices are only a hull's
 };
 
 /// The curved surface of a solid, in model space.
 struct CurvedSurface {
-  Quadric quadric;       ///< its kind, origin and to_unit
-  glm::dvec3 inward{0};  ///< of a cone: a direction from the apex into the solid's nappe
-  glm::dvec3 low{1};     ///< of a box around the solid
+  Quadric quadric;       ///< only kind, origin and to_unit are set
+  glm::dvec3 inward{0};  ///< cones: a direction from the apex into the solid's nappe
+  glm::dvec3 low{1};     ///< bounding box of the solid
   glm::dvec3 high{0};
 };
 
 /// A primitive in model space, faceted or curved. Planes are computed from the shape's parameters, not from the rounded
 /// vertices.
 struct Solid {
-  std::vector<glm::dvec3> vertices;  ///< of the solid, or of a hull that holds it
+  std::vector<glm::dvec3> vertices;  ///< vertices of the solid, or of a hull that contains it
   std::vector<Face> faces;
-  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of such a hull that no face's corners give
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< edges of such a hull that are not edges of a face
   std::optional<CurvedSurface> curved;
 };
 
-/// Facets a primitive. The transform must be invertible. Throws InputError if it would take too many facets.
+/// Facets a primitive. The transform must be invertible. Throws InputError if it would need too many facets.
 Solid make_solid(const model::Primitive& primitive, const Faceting& faceting = {});
 
 }  // namespace csgsim::facet

@@ -1,3 +1,5 @@
+// Faceting of one primitive of a tree, with positions in errors.
+// Used by geometry.cpp and sim/software.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +10,8 @@
 
 namespace csgsim::facet {
 
-/// A primitive of a tree, as make_solid() makes it. Throws InputError, naming the primitive's place in the file, where
-/// it cannot be faceted or reaches farther than model::most_coordinate.
+/// The result of make_solid() for a primitive of a tree. Throws InputError, with the primitive's position in the file,
+/// if it cannot be faceted or reaches farther than model::most_coordinate.
 Solid make_solid_at(const model::Tree& tree, std::uint32_t primitive, const Faceting& faceting);
 
 }  // namespace csgsim::facet

@@ -1,3 +1,5 @@
+// 2-D areas bounded by polygons.
+// Used throughout host/flat and by host/read and host/solids.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,8 +10,8 @@ namespace csgsim::flat {
 /// A closed polygon; the last corner is joined to the first.
 using Outline = std::vector<glm::dvec2>;
 
-/// A bounded part of the x, y plane: what lies within its outlines. Outer ones run counter-clockwise and holes
-/// clockwise; no two of them cross and none crosses itself, but they may touch. Empty without outlines.
+/// A bounded part of the x, y plane, enclosed by its outlines. Outer outlines run counter-clockwise and holes
+/// clockwise. Outlines may touch, but cross neither each other nor themselves. Empty without outlines.
 struct Area {
   std::vector<Outline> outlines;
 

@@ -13,12 +13,12 @@ namespace {
 
 constexpr std::string_view combining = "combining 2-D shapes";
 
-/// The cost of a side, of one at a height, and of a place where sides cross.
+/// Costs of a side, of a side at one height, and of a crossing of two sides.
 constexpr std::uint64_t side_steps = 500;
 constexpr std::uint64_t height_steps = 20;
 constexpr std::uint64_t crossing_steps = 400;
 
-/// A side, from its lower end to its upper one. Doubles will do: sides are counted, not told apart.
+/// A side, from its lower end to its upper one. Doubles suffice: sides are only counted, so rounding is harmless.
 struct Side {
   double low_x = 0;
   double low_y = 0;
@@ -26,7 +26,7 @@ struct Side {
   double high_y = 0;
 };
 
-std::vector<Side> sides_of(const ClipperLib::Paths& paths) {
+std::vector<Side> collect_sides(const ClipperLib::Paths& paths) {
   std::vector<Side> sides;
   for (const ClipperLib::Path& path : paths) {
     for (std::size_t i = 0; i < path.size(); ++i) {
@@ -41,7 +41,7 @@ std::vector<Side> sides_of(const ClipperLib::Paths& paths) {
   return sides;
 }
 
-/// Sides that are sorted by their lower ends, each as often as there are heights of corners along it.
+/// Charges each side for the number of corner heights along it. Sides are sorted by their lower ends.
 void charge_heights(const std::vector<Side>& sides, const Work& work) {
   std::vector<double> heights;
   for (const Side& side : sides) heights.insert(heights.end(), {side.low_y, side.high_y});
@@ -54,7 +54,7 @@ void charge_heights(const std::vector<Side>& sides, const Work& work) {
   }
 }
 
-/// Twice the area of a triangle of two ends of a side and a point: its sign says on which side the point is.
+/// Twice the area of the triangle of a side and a point; the sign shows on which side of the line the point lies.
 double turn(const Side& side, double x, double y) {
   return (side.high_x - side.low_x) * (y - side.low_y) - (side.high_y - side.low_y) * (x - side.low_x);
 }
@@ -68,7 +68,7 @@ bool cross(const Side& one, const Side& other) {
          are_apart(turn(other, one.low_x, one.low_y), turn(other, one.high_x, one.high_y));
 }
 
-/// Goes up from one lower end to the next with the sides that reach it.
+/// Counts crossings in a sweep upwards over the lower ends, with the sides active at each.
 void charge_crossings(const std::vector<Side>& sides, const Work& work) {
   std::vector<Side> active;
   for (const Side& side : sides) {
@@ -89,7 +89,7 @@ void charge_crossings(const std::vector<Side>& sides, const Work& work) {
 }  // namespace
 
 void charge_clipping(const ClipperLib::Paths& paths, const Work& work) {
-  const std::vector<Side> sides = sides_of(paths);
+  const std::vector<Side> sides = collect_sides(paths);
   work.charge(side_steps * sides.size(), combining);
   charge_heights(sides, work);
   charge_crossings(sides, work);

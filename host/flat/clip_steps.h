@@ -1,3 +1,5 @@
+// Work charged for calls to Clipper.
+// Used by clipping.cpp, offset.cpp and host/solids.
 #pragma once
 
 #include <polyclipping/clipper.hpp>
@@ -6,9 +8,9 @@
 
 namespace csgsim::flat {
 
-/// Charges what Clipper takes to combine closed paths, before it begins: it goes from one height of a corner to the
-/// next with all sides that are there, and looks at each place where two of them cross. Throws WorkError past the
-/// limit on work.
+/// Charges the cost of combining closed paths with Clipper, before Clipper starts. Clipper sweeps from one corner
+/// height to the next over all active sides, and visits each crossing of two sides. Throws WorkError past the limit on
+/// work.
 void charge_clipping(const ClipperLib::Paths& paths, const Work& work);
 
 }  // namespace csgsim::flat

@@ -17,12 +17,12 @@ namespace {
 
 ClipperLib::cInt units(double coordinate) {
   if (!(std::abs(coordinate) <= largest_coordinate)) {
-    throw InputError("a coordinate of a 2-D shape is not a number or beyond 1e12; scale the shape down");
+    throw InputError("a coordinate of a 2-D shape is not a number or exceeds 1e12; scale the shape down");
   }
   return static_cast<ClipperLib::cInt>(coordinate * clipper_scale);
 }
 
-Outline outline_of(const ClipperLib::Path& path) {
+Outline to_outline(const ClipperLib::Path& path) {
   Outline outline;
   outline.reserve(path.size());
   for (const ClipperLib::IntPoint& point : path) {
@@ -31,7 +31,7 @@ Outline outline_of(const ClipperLib::Path& path) {
   return outline;
 }
 
-/// Whether Clipper was given no path with an area, which it would call a failure.
+/// Whether Clipper received no path with an area, which it would report as a failure.
 bool is_empty(ClipperLib::Clipper& clipper) {
   const ClipperLib::IntRect box = clipper.GetBounds();
   return box.left == box.right && box.top == box.bottom;
@@ -44,7 +44,7 @@ bool is_before(const Area& one, const Area& other) {
   });
 }
 
-/// Each area once, in order: Clipper takes long where sides lie on each other.
+/// The distinct areas, in order: Clipper is slow where sides coincide.
 std::vector<const Area*> without_repeats(std::span<const Area> areas) {
   const auto is_less = [](const Area* a, const Area* b) { return is_before(*a, *b); };
   std::set<const Area*, decltype(is_less)> seen(is_less);
@@ -60,22 +60,22 @@ Area united(const ClipperLib::Paths& paths, ClipperLib::PolyFillType rule, const
   clipping.add(paths);
   ClipperLib::PolyTree tree;
   clipping.execute(ClipperLib::ctUnion, rule, tree, work);
-  return area_of(tree);
+  return to_area(tree);
 }
 
 }  // namespace
 
-ClipperLib::Path path_of(const Outline& outline) {
+ClipperLib::Path to_path(const Outline& outline) {
   ClipperLib::Path path;
   path.reserve(outline.size());
   for (const glm::dvec2& corner : outline) path.emplace_back(units(corner.x), units(corner.y));
   return path;
 }
 
-ClipperLib::Paths paths_of(const Area& area) {
+ClipperLib::Paths to_paths(const Area& area) {
   ClipperLib::Paths paths;
   paths.reserve(area.outlines.size());
-  for (const Outline& outline : area.outlines) paths.push_back(path_of(outline));
+  for (const Outline& outline : area.outlines) paths.push_back(to_path(outline));
   return paths;
 }
 
@@ -95,15 +95,15 @@ void Clipping::execute(ClipperLib::ClipType operation, ClipperLib::PolyFillType 
   } catch (const ClipperLib::clipperException&) {
     done = false;
   }
-  if (!done) throw InputError("2-D shapes could not be combined: sides of theirs run into each other; simplify them");
+  if (!done) throw InputError("the 2-D shapes cannot be combined because their sides cross; simplify them");
 }
 
-Area area_of(const ClipperLib::PolyTree& tree) {
+Area to_area(const ClipperLib::PolyTree& tree) {
   Area area;
   ClipperLib::Path cleaned;
   for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
     ClipperLib::CleanPolygon(node->Contour, cleaned);
-    if (cleaned.size() >= 3) area.outlines.push_back(outline_of(cleaned));
+    if (cleaned.size() >= 3) area.outlines.push_back(to_outline(cleaned));
   }
   return area;
 }
@@ -111,11 +111,11 @@ Area area_of(const ClipperLib::PolyTree& tree) {
 Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work) {
   if (areas.empty()) return {};
   Clipping clipping;
-  clipping.add(paths_of(areas.front()));
-  for (const Area* const area : without_repeats(areas.subspan(1))) clipping.add(paths_of(*area));
+  clipping.add(to_paths(areas.front()));
+  for (const Area* const area : without_repeats(areas.subspan(1))) clipping.add(to_paths(*area));
   ClipperLib::PolyTree result;
   clipping.execute(operation, ClipperLib::pftNonZero, result, work);
-  return area_of(result);
+  return to_area(result);
 }
 
 Area even_odd(const ClipperLib::Paths& paths, const Work& work) {

@@ -1,3 +1,5 @@
+// Conversions to and from Clipper, and its Boolean operations.
+// Used throughout host/flat.
 #pragma once
 
 #include <polyclipping/clipper.hpp>
@@ -8,43 +10,41 @@
 
 namespace csgsim::flat {
 
-/// Units of Clipper's integers in a model unit; OpenSCAD's, and so are its ways of rounding here: coordinates lose what
-/// is smaller, towards 0.
+/// Number of Clipper's integer units in a model unit. As in OpenSCAD, coordinates are truncated towards 0 to this grid.
 inline constexpr double clipper_scale = 65'536;
 
-/// Coordinates beyond this, in model units, are refused: sums of two of them must stay within what Clipper takes.
+/// Limit of coordinates, in model units: the sum of two of them must stay in Clipper's range.
 inline constexpr double largest_coordinate = 1e12;
 
-/// Throws InputError for coordinates that are not finite or too large.
-ClipperLib::Path path_of(const Outline& outline);
-ClipperLib::Paths paths_of(const Area& area);
+/// Both throw InputError for coordinates that are not finite or too large.
+ClipperLib::Path to_path(const Outline& outline);
+ClipperLib::Paths to_paths(const Area& area);
 
-/// Closed paths that are to be combined: the first that are added with all others.
+/// Closed paths to be combined: the first set added is the subject, all others clip it.
 class Clipping {
  public:
   void add(ClipperLib::Paths paths);
 
-  /// Fills `result`. Throws InputError where Clipper gives up, and WorkError past the limit on work, before it begins.
+  /// Fills `result`. Throws InputError if Clipper fails, and WorkError past the limit on work, before Clipper starts.
   void execute(ClipperLib::ClipType operation, ClipperLib::PolyFillType rule, ClipperLib::PolyTree& result,
                const Work& work = {});
 
  private:
   ClipperLib::Clipper clipper_;
   ClipperLib::Paths paths_;
-  ClipperLib::PolyType type_ = ClipperLib::ptSubject;  ///< of those that are added next
+  ClipperLib::PolyType type_ = ClipperLib::ptSubject;  ///< role of the next paths added
 };
 
-/// The area of a tree as Clipper makes it, without corners that are on the line of their neighbours within 1.4 units.
-Area area_of(const ClipperLib::PolyTree& tree);
+/// The area of Clipper's result, without corners within 1.4 units of the line through their neighbours.
+Area to_area(const ClipperLib::PolyTree& tree);
 
-/// The first of the areas combined with all others at once, each of which is what its outlines run around more often
-/// one way than the other.
+/// Combines the first area with all others at once. Each area covers the points with a winding number other than 0.
 Area combined(std::span<const Area> areas, ClipperLib::ClipType operation, const Work& work = {});
 
-/// What lies within an odd number of the paths.
+/// The points inside an odd number of the paths.
 Area even_odd(const ClipperLib::Paths& paths, const Work& work = {});
 
-/// What the paths run around more often one way than the other.
+/// The points around which the winding number of the paths is not 0.
 Area non_zero(const ClipperLib::Paths& paths, const Work& work = {});
 
 }  // namespace csgsim::flat

@@ -8,7 +8,7 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Without a call for each level of the tree.
+/// The paths of a tree; iterative, since trees may be deep.
 ClipperLib::Paths contours(const ClipperLib::PolyTree& tree) {
   ClipperLib::Paths paths;
   for (const ClipperLib::PolyNode* node = tree.GetFirst(); node != nullptr; node = node->GetNext()) {
@@ -32,16 +32,16 @@ Area subtract(std::span<const Area> areas, const Work& work) {
 Area intersect(std::span<const Area> areas, const Work& work) {
   if (areas.empty()) return {};
   if (areas.size() == 1) return areas.front();
-  ClipperLib::Paths common = paths_of(areas.front());
+  ClipperLib::Paths common = to_paths(areas.front());
   ClipperLib::PolyTree result;
   for (const Area& area : areas.subspan(1)) {
     Clipping clipping;
     clipping.add(common);
-    clipping.add(paths_of(area));
+    clipping.add(to_paths(area));
     clipping.execute(ClipperLib::ctIntersection, ClipperLib::pftNonZero, result, work);
     common = contours(result);
   }
-  return area_of(result);
+  return to_area(result);
 }
 
 }  // namespace csgsim::flat

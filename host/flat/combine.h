@@ -1,3 +1,5 @@
+// OpenSCAD's Booleans of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include <span>
@@ -7,13 +9,12 @@
 
 namespace csgsim::flat {
 
-// What OpenSCAD makes of 2-D children, in its numbers: one alone stays as it is; of several, all corners come out in
-// units of 2^-16. All throw InputError for coordinates that are too large, and WorkError past the
-// limit on work.
+// OpenSCAD's operations on 2-D children: a single area stays unchanged; with several, all corners are in units of
+// 2^-16. All throw InputError for coordinates that are too large, and WorkError past the limit on work.
 
 Area unite(std::span<const Area> areas, const Work& work = {});
 
-/// The first without the others.
+/// The first area minus the others.
 Area subtract(std::span<const Area> areas, const Work& work = {});
 
 Area intersect(std::span<const Area> areas, const Work& work = {});

@@ -30,14 +30,14 @@ class DxfReader {
   void finish_entity();
   void insert();
   void add(const dxf::Segment& segment);
-  [[nodiscard]] bool is_asked_for() const {
+  [[nodiscard]] bool is_selected() const {
     return section_ != Section::entities || options_.layer.empty() || options_.layer == entity_.layer;
   }
 
   DxfOptions options_;
   Section section_ = Section::other;
   dxf::Entity entity_;
-  std::string block_;  ///< the one that is being defined
+  std::string block_;  ///< name of the block under definition
   std::map<std::string, std::vector<dxf::Segment>> blocks_;
   std::size_t block_segments_ = 0;
   dxf::Segments segments_;
@@ -50,7 +50,7 @@ void DxfReader::begin(const dxf::Tag& tag) {
   if (entity_.type == "INSERT") entity_.first = entity_.second = 1;
 }
 
-/// Coordinates and lengths of blocks stay as they are until they are inserted.
+/// Stores a group of the current entity. Blocks keep raw coordinates and lengths until they are inserted.
 void DxfReader::take(const dxf::Tag& tag) {
   if (tag.code == 2) entity_.name = tag.value;
   if (tag.code == 8) entity_.layer = tag.value;
@@ -93,12 +93,12 @@ void DxfReader::insert() {
     const glm::dvec2 turned(cosine * scaled.x - sine * scaled.y, sine * scaled.x + cosine * scaled.y);
     return turned * options_.scale + place;
   };
-  const std::vector<dxf::Segment> block = found->second;  // which grows if it is inserted into itself
+  const std::vector<dxf::Segment> block = found->second;  // a copy, since the block grows if it is inserted into itself
   for (const dxf::Segment& segment : block) add({placed(segment[0]), placed(segment[1])});
 }
 
 void DxfReader::finish_entity() {
-  if (section_ == Section::other || !is_asked_for()) return;
+  if (section_ == Section::other || !is_selected()) return;
   if (dxf::is_drawn(entity_.type)) {
     dxf::draw(entity_, options_.facets, [&](const dxf::Segment& segment) { add(segment); });
   } else if (entity_.type == "INSERT") {
@@ -136,9 +136,9 @@ Area DxfReader::read(std::string_view bytes) {
       take(*tag);
     }
   }
-  if (!any) throw InputError("line 1: this is not DXF: it has no section");
-  if (entity_.type != "EOF") throw InputError("the DXF file is cut short: its last group is not 0, EOF");
-  return even_odd(paths_of({segments_.outlines()}), options_.work);
+  if (!any) throw InputError("line 1: not a DXF file: no section found");
+  if (entity_.type != "EOF") throw InputError("the DXF file is truncated: its last group is not 0, EOF");
+  return even_odd(to_paths({segments_.outlines()}), options_.work);
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ Area DxfReader::read(std::string_view bytes) {
 Area read_dxf(std::string_view bytes, const DxfOptions& options) {
   if (!(options.scale > 0) || !std::isfinite(options.scale) || !std::isfinite(options.origin.x) ||
       !std::isfinite(options.origin.y)) {
-    throw InputError("scale of import() must be above 0, and its origin of finite numbers");
+    throw InputError("the scale of import() must be above 0, and its origin must have finite coordinates");
   }
   return DxfReader(options).read(bytes);
 }

@@ -1,3 +1,5 @@
+// Reader of DXF drawings.
+// Used by host/read.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -11,17 +13,17 @@
 namespace csgsim::flat {
 
 struct DxfOptions {
-  std::string layer{};   ///< what alone is drawn; all layers if empty
-  glm::dvec2 origin{0};  ///< where in the drawing the origin is
-  double scale = 1;      ///< model units of a unit of the drawing
+  std::string layer{};   ///< layer to draw; all layers if empty
+  glm::dvec2 origin{0};  ///< position of the origin in the drawing
+  double scale = 1;      ///< model units per unit of the drawing
   model::FacetControl facets{};
   Work work{};
 };
 
-/// What OpenSCAD 2021.01 makes of an ASCII DXF file: lines, polylines, circles, arcs, ellipses and inserted blocks, cut
-/// into segments whose ends are joined where they are within 1/1024. What an odd number of the outlines hold is drawn.
-/// Open ones are closed; bulges of polylines are straight. Other entities are left out. Throws InputError, with
-/// the line in the file, for what is not DXF.
+/// Reads an ASCII DXF file as OpenSCAD 2021.01 does: lines, polylines, circles, arcs, ellipses and inserted blocks are
+/// cut into segments, whose ends are joined within 1/1024. The result covers the points inside an odd number of
+/// outlines. Open outlines are closed; bulges of polylines are treated as straight. Other entities are ignored. Throws
+/// InputError with the line number for anything that is not valid DXF.
 Area read_dxf(std::string_view bytes, const DxfOptions& options);
 
 }  // namespace csgsim::flat

@@ -1,3 +1,5 @@
+// Convex hulls of 2-D areas.
+// Used by host/read and host/solids.
 #pragma once
 
 #include <span>
@@ -6,7 +8,7 @@
 
 namespace csgsim::flat {
 
-/// The smallest convex polygon that holds all corners; empty if they are on a line.
+/// The convex hull of all corners; empty if they are collinear.
 Area hull(std::span<const Area> areas);
 
 }  // namespace csgsim::flat

@@ -14,14 +14,14 @@ namespace {
 
 bool is_size(double size) { return size > 0 && std::isfinite(size); }
 
-Outline outline_of(std::span<const glm::dvec2> points, const std::vector<std::uint32_t>& path, std::size_t number) {
+Outline to_outline(std::span<const glm::dvec2> points, const std::vector<std::uint32_t>& path, std::size_t number) {
   Outline outline;
   outline.reserve(path.size());
   for (std::size_t i = 0; i < path.size(); ++i) {
     if (path[i] >= points.size()) {
       throw InputError("paths[" + std::to_string(number) + "][" + std::to_string(i) + "] of polygon() is " +
                        std::to_string(path[i]) + ", but there are " + std::to_string(points.size()) +
-                       " points, which count from 0");
+                       " points, numbered from 0");
     }
     outline.push_back(points[path[i]]);
   }
@@ -52,8 +52,8 @@ Area circle(double radius, const model::FacetControl& facets) {
 Area polygon(std::span<const glm::dvec2> points, std::span<const std::vector<std::uint32_t>> paths, const Work& work) {
   Area area;
   if (paths.empty()) area.outlines.emplace_back(points.begin(), points.end());
-  for (std::size_t i = 0; i < paths.size(); ++i) area.outlines.push_back(outline_of(points, paths[i], i));
-  return even_odd(paths_of(area), work);
+  for (std::size_t i = 0; i < paths.size(); ++i) area.outlines.push_back(to_outline(points, paths[i], i));
+  return even_odd(to_paths(area), work);
 }
 
 }  // namespace csgsim::flat

@@ -11,7 +11,7 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Pairs of a side of one area and a side of the other, at most.
+/// Maximum number of pairs of sides, one of each area.
 constexpr std::uint64_t max_pairs = 1'000'000;
 
 std::uint64_t corners(const ClipperLib::Paths& paths) {
@@ -24,7 +24,7 @@ ClipperLib::IntPoint sum(const ClipperLib::IntPoint& a, const ClipperLib::IntPoi
   return {a.X + b.X, a.Y + b.Y};
 }
 
-/// What each side of one path sweeps over along each side of the other, as parallelograms that run counter-clockwise.
+/// Adds the area swept by each side of one path along each side of the other, as counter-clockwise parallelograms.
 void add_swept(ClipperLib::Paths& terms, const ClipperLib::Path& a, const ClipperLib::Path& b) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const ClipperLib::IntPoint& a_end = a[(i + 1) % a.size()];
@@ -37,7 +37,7 @@ void add_swept(ClipperLib::Paths& terms, const ClipperLib::Path& a, const Clippe
   }
 }
 
-/// One area at a corner of each outer path of the other: what the sides do not sweep over.
+/// Adds a copy of one area at a corner of each outer path of the other: the interior that the sides do not sweep.
 void add_inner(ClipperLib::Paths& terms, const ClipperLib::Paths& area, const ClipperLib::Paths& places) {
   for (const ClipperLib::Path& place : places) {
     if (!ClipperLib::Orientation(place)) continue;
@@ -50,12 +50,12 @@ void add_inner(ClipperLib::Paths& terms, const ClipperLib::Paths& area, const Cl
 }
 
 Area sum(const Area& one, const Area& other, const Work& work) {
-  const ClipperLib::Paths a = paths_of(one);
-  const ClipperLib::Paths b = paths_of(other);
+  const ClipperLib::Paths a = to_paths(one);
+  const ClipperLib::Paths b = to_paths(other);
   if (corners(a) * corners(b) > max_pairs) {
     throw InputError("minkowski() of 2-D shapes with " + std::to_string(corners(a)) + " and " +
-                     std::to_string(corners(b)) + " corners makes more than " + std::to_string(max_pairs) +
-                     " pairs of sides; ask for fewer with $fn");
+                     std::to_string(corners(b)) + " corners needs more than " + std::to_string(max_pairs) +
+                     " pairs of sides; use fewer facets ($fn)");
   }
   ClipperLib::Paths terms;
   for (const ClipperLib::Path& path : b) {

@@ -1,3 +1,5 @@
+// Minkowski sums of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include <span>
@@ -7,9 +9,9 @@
 
 namespace csgsim::flat {
 
-/// The Minkowski sum, in units of 2^-16, as OpenSCAD has it: of the first, and of those of the others that are not
-/// empty; one area alone stays as it is. Empty if the first is, or all the others are. Throws InputError for
-/// coordinates that are too large, and for too many corners, and WorkError past the limit on work.
+/// OpenSCAD's Minkowski sum of the first area and the others that are not empty, in units of 2^-16. A single area stays
+/// unchanged. Empty if the first area is empty, or all others are. Throws InputError for coordinates that are too large
+/// or too many corners, and WorkError past the limit on work.
 Area minkowski(std::span<const Area> areas, const Work& work = {});
 
 }  // namespace csgsim::flat

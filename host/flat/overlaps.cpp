@@ -18,11 +18,11 @@ using ClipperLib::Path;
 using ClipperLib::Paths;
 __extension__ using Wide = __int128;
 
-constexpr std::uint64_t search_steps = 200;  ///< steps of work a side
+constexpr std::uint64_t search_steps = 200;  ///< steps of work per side
 
-/// A line through points of the grid: all points x, y with along_x * y - along_y * x == offset.
+/// A line through grid points: all points x, y with along_x * y - along_y * x == offset.
 struct Line {
-  cInt along_x = 0;  ///< above 0, or 0 and the other one above 0; without a common factor
+  cInt along_x = 0;  ///< above 0, or 0 with along_y above 0; the two have no common factor
   cInt along_y = 0;
   Wide offset = 0;
 
@@ -39,14 +39,14 @@ bool is_before(const IntPoint& one, const IntPoint& other) {
   return one.X != other.X ? one.X < other.X : one.Y < other.Y;
 }
 
-/// A part of a line, from the lower end to the higher one.
+/// A part of a line, from its lower end to its higher one.
 struct LineSide {
   Line line;
   IntPoint low;
   IntPoint high;
 };
 
-LineSide line_side_of(IntPoint from, IntPoint to) {
+LineSide make_line_side(IntPoint from, IntPoint to) {
   if (is_before(to, from)) std::swap(from, to);
   const cInt factor = std::gcd(to.X - from.X, to.Y - from.Y);
   const cInt x = (to.X - from.X) / factor;
@@ -54,13 +54,13 @@ LineSide line_side_of(IntPoint from, IntPoint to) {
   return {{x, y, Wide{x} * from.Y - Wide{y} * from.X}, from, to};
 }
 
-/// Along their lines, one line after another.
-std::vector<LineSide> line_sides_of(const Paths& paths) {
+/// The sides of all paths, sorted by line and by position along it.
+std::vector<LineSide> sort_line_sides(const Paths& paths) {
   std::vector<LineSide> sides;
   for (const Path& path : paths) {
     for (std::size_t i = 0; i < path.size(); ++i) {
       const IntPoint& next = path[i + 1 < path.size() ? i + 1 : 0];
-      if (path[i] != next) sides.push_back(line_side_of(path[i], next));
+      if (path[i] != next) sides.push_back(make_line_side(path[i], next));
     }
   }
   std::sort(sides.begin(), sides.end(), [](const LineSide& one, const LineSide& other) {
@@ -78,8 +78,8 @@ bool overlap_anywhere(const std::vector<LineSide>& sides) {
 
 using Ends = std::pair<IntPoint, IntPoint>;
 
-/// Adds the parts of a line that an odd number of sides run along: from one end to the next of those that are not the
-/// ends of an even number.
+/// Adds the parts of a line along which an odd number of sides run. Their ends are the points at which an odd number of
+/// sides end.
 void add_odd_parts(std::vector<Ends>& parts, std::span<const LineSide> sides) {
   std::vector<IntPoint> ends;
   for (const LineSide& side : sides) ends.insert(ends.end(), {side.low, side.high});
@@ -95,7 +95,7 @@ void add_odd_parts(std::vector<Ends>& parts, std::span<const LineSide> sides) {
   for (std::size_t i = 0; i + 1 < odd.size(); i += 2) parts.emplace_back(odd[i], odd[i + 1]);
 }
 
-/// Joins parts to closed paths. An even number of parts meet at each point.
+/// Joins parts into closed paths. An even number of parts meet at each point.
 class Joiner {
  public:
   explicit Joiner(const std::vector<Ends>& parts) : is_used_(parts.size()) {
@@ -125,14 +125,14 @@ class Joiner {
   }
 
  private:
-  /// A part as it leaves one of its ends.
+  /// A part, as seen from one of its ends.
   struct Start {
     IntPoint from;
     IntPoint to;
     std::uint32_t part = 0;
   };
 
-  /// The first unused part that leaves a point; at_.size() if all are used.
+  /// The first unused part at a point; at_.size() if all are used.
   std::size_t first_unused(const IntPoint& point) {
     const auto found = std::lower_bound(at_.begin(), at_.end(), point,
                                         [](const Start& one, const IntPoint& p) { return is_before(one.from, p); });
@@ -145,14 +145,14 @@ class Joiner {
 
   std::vector<Start> at_;
   std::vector<bool> is_used_;
-  std::vector<std::size_t> next_;  ///< by the first one that leaves a point: all before it are used
+  std::vector<std::size_t> next_;  ///< index by the first part at each point; all parts before it are used
 };
 
 }  // namespace
 
 Paths without_overlaps(Paths paths, const Work& work) {
-  const std::vector<LineSide> sides = line_sides_of(paths);
-  work.charge(search_steps * sides.size(), "looking for sides of 2-D shapes that lie on each other");
+  const std::vector<LineSide> sides = sort_line_sides(paths);
+  work.charge(search_steps * sides.size(), "finding coincident sides of 2-D shapes");
   if (!overlap_anywhere(sides)) return paths;
   std::vector<Ends> parts;
   for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {

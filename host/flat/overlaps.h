@@ -1,3 +1,5 @@
+// Removal of coincident sides before a call to Clipper.
+// Used by clipping.cpp.
 #pragma once
 
 #include <polyclipping/clipper.hpp>
@@ -6,10 +8,10 @@
 
 namespace csgsim::flat {
 
-/// Closed paths that run around the same points an odd number of times, no two of whose sides lie on each other: where
-/// an even number of sides do, there is none. The paths themselves if no two sides do.
+/// Closed paths that enclose the same points an odd number of times, but have no coincident sides: an odd number of
+/// coincident sides leaves one, an even number none. Returns the paths unchanged if no sides coincide.
 ///
-/// Clipper searches all outlines for each place where sides lie on each other, which takes the square of their number.
+/// Clipper searches all outlines for each pair of coincident sides, in quadratic time.
 ClipperLib::Paths without_overlaps(ClipperLib::Paths paths, const Work& work = {});
 
 }  // namespace csgsim::flat

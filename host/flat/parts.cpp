@@ -27,7 +27,7 @@ constexpr std::uint32_t none = 0xffffffffU;
 
 struct FaceInfo {
   std::optional<bool> inside;
-  std::uint32_t first_edge = none;  ///< of the half-edges of an inner triangle: the one that faces its vertex 0
+  std::uint32_t first_edge = none;  ///< first half-edge of an inner triangle, opposite to its vertex 0
 };
 
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
@@ -53,7 +53,7 @@ void insert(Triangulation& triangulation, const Outline& outline) {
   }
 }
 
-/// Whether the area ends at the edge: an odd number of sides run along it.
+/// Whether the area ends at the edge, that is, an odd number of sides run along it.
 bool is_border(const Triangulation& triangulation, FaceHandle face, int index) {
   if (!face->is_constrained(index)) return false;
   const VertexHandle a = face->vertex(Triangulation::cw(index));
@@ -61,7 +61,7 @@ bool is_border(const Triangulation& triangulation, FaceHandle face, int index) {
   return triangulation.number_of_enclosing_constraints(a, b) % 2 == 1;
 }
 
-/// Says of every face whether it is inside, from the infinite one inwards.
+/// Marks every face as inside or outside, from the infinite face inwards.
 void mark_inside(const Triangulation& triangulation) {
   std::vector<FaceHandle> open{triangulation.infinite_face()};
   open.front()->info().inside = false;
@@ -77,12 +77,12 @@ void mark_inside(const Triangulation& triangulation) {
   }
 }
 
-/// A side of a polygon, which runs counter-clockwise around it.
+/// A side of a polygon, counter-clockwise around it.
 struct HalfEdge {
-  std::uint32_t from = none;  ///< point
+  std::uint32_t from = none;  ///< point index
   std::uint32_t next = none;
   std::uint32_t previous = none;
-  std::uint32_t twin = none;  ///< none at the border of the area
+  std::uint32_t twin = none;  ///< `none` at the border of the area
 };
 
 /// Polygons that share sides.
@@ -120,7 +120,7 @@ Partition triangles(const Triangulation& triangulation) {
   return partition;
 }
 
-/// Whether no reflex corner arises at the start of `out` without the diagonal, where `in` and `out` meet then.
+/// Whether the corner at the start of `out` stays convex when the diagonal is removed and `in` and `out` meet there.
 bool stays_convex(const Partition& partition, std::uint32_t in, std::uint32_t out) {
   if (partition.edges[in].twin == out) return false;
   return CGAL::orientation(partition.start(in), partition.start(out), partition.start(partition.edges[out].next)) !=
@@ -146,7 +146,7 @@ void remove(Partition& partition, std::uint32_t diagonal) {
   partition.edges[one.twin].next = none;
 }
 
-/// Whether, by point, the border of the area turns clockwise there, so that only cuts make it convex.
+/// Marks the points at which the area's border is reflex, so that only cuts make it convex.
 std::vector<bool> reflex_points(const Partition& partition) {
   std::vector<bool> reflex(partition.points.size(), false);
   for (std::uint32_t out = 0; out < partition.edges.size(); ++out) {
@@ -161,11 +161,11 @@ std::vector<bool> reflex_points(const Partition& partition) {
   return reflex;
 }
 
-/// The order in which diagonals are looked at; which is best depends on the area.
+/// The order in which diagonals are tried; the best one depends on the area.
 enum class Order {
   longest_first,
-  loose_first,          ///< those with fewer reflex ends first, of them the longest
-  loose_shortest_first  ///< of them the shortest
+  loose_first,          ///< diagonals with fewer reflex ends first, the longest of them first
+  loose_shortest_first  ///< the same, but the shortest of them first
 };
 
 constexpr std::array<Order, 3> orders{Order::longest_first, Order::loose_first, Order::loose_shortest_first};
@@ -190,7 +190,7 @@ std::vector<std::uint32_t> diagonals(const Partition& partition, const std::vect
   return result;
 }
 
-/// Removes what can be removed in that order; returns how many.
+/// Removes the needless diagonals in the given order; returns their number.
 std::size_t remove_needless(Partition& partition, std::span<const std::uint32_t> ordered) {
   std::size_t removed = 0;
   for (const std::uint32_t diagonal : ordered) {
@@ -201,7 +201,7 @@ std::size_t remove_needless(Partition& partition, std::span<const std::uint32_t>
   return removed;
 }
 
-/// With as few diagonals as one of the orders leaves.
+/// Merges triangles into convex polygons, with the order that leaves the fewest diagonals.
 Partition merged(const Partition& triangles) {
   const std::vector<bool> reflex = reflex_points(triangles);
   Partition best = triangles;
@@ -241,7 +241,7 @@ std::vector<Outline> outlines(const Partition& partition) {
   return result;
 }
 
-/// Whether it turns to the left, and around once; corners on the line of their neighbours are not taken for it.
+/// Whether the outline turns to the left at every corner and winds around once; rejects collinear corners.
 bool is_convex(const Outline& outline) {
   const std::size_t count = outline.size();
   std::size_t lowest = 0;

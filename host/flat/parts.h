@@ -1,3 +1,5 @@
+// Division of 2-D areas into convex polygons.
+// Used by host/solids.
 #pragma once
 
 #include <vector>
@@ -6,10 +8,10 @@
 
 namespace csgsim::flat {
 
-/// Convex polygons, counter-clockwise, that cover the area exactly and do not overlap: few, but not the fewest. Their
-/// corners are the area's, in the same numbers; only where outlines cross, which they should not, there are more. No
-/// corner is on the line of its neighbours. Exact in its decisions: a corner that is reflex by the last bit is cut at.
-/// What lies within an odd number of the outlines counts as the area.
+/// Divides an area into counter-clockwise convex polygons that cover it exactly without overlap; their number is small,
+/// but not minimal. They use the area's own corners, unless outlines cross, which they should not. No corner is
+/// collinear with its neighbours. All decisions are exact: a corner that is reflex only in the last bit still causes a
+/// cut. The area consists of the points inside an odd number of outlines.
 std::vector<Outline> convex_parts(const Area& area);
 
 }  // namespace csgsim::flat

@@ -11,7 +11,7 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Width and height of the box around an area that is not empty.
+/// Width and height of the bounding box of an area that is not empty.
 glm::dvec2 extent(const Area& area) {
   glm::dvec2 low(std::numeric_limits<double>::infinity());
   glm::dvec2 high = -low;
@@ -37,7 +37,7 @@ Area transformed(const Area& area, const glm::dmat4& matrix) {
     for (glm::dvec2& corner : outline) {
       corner = x * corner.x + y * corner.y + origin;
       if (!std::isfinite(corner.x) || !std::isfinite(corner.y)) {
-        throw InputError("a transformation takes a 2-D shape out of the range of numbers; make it smaller");
+        throw InputError("a transformation moves a 2-D shape out of the range of numbers; make it smaller");
       }
     }
     if (determinant < 0) std::ranges::reverse(outline);

@@ -1,3 +1,5 @@
+// Transformation and resizing of 2-D areas.
+// Used by host/read.
 #pragma once
 
 #include <glm/mat4x4.hpp>
@@ -7,12 +9,12 @@
 
 namespace csgsim::flat {
 
-/// The area under the x, y part of the matrix, whose last row is 0 0 0 1: what its third row and column say is left
-/// out. Empty if that part is singular. Throws InputError if a corner is not finite then.
+/// Transforms an area by the x, y part of a matrix whose last row is 0 0 0 1; its third row and column are ignored.
+/// Empty if that part is singular. Throws InputError if a resulting corner is not finite.
 Area transformed(const Area& area, const glm::dmat4& matrix);
 
-/// Scaled about the origin to the size where it is above 0. Where it is not, by 1; or, if `automatic`, as the larger
-/// component of the size scales its own direction.
+/// Scales an area about the origin to a size. An axis whose size is not above 0 keeps its scale or, if `automatic` is
+/// set for it, uses the factor of the axis with the larger size.
 Area resized(const Area& area, const glm::dvec2& size, const glm::bvec2& automatic);
 
 }  // namespace csgsim::flat

@@ -21,10 +21,10 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Corners of a drawing, at most.
+/// Maximum number of corners of a drawing.
 constexpr std::size_t max_drawing_corners = 1'000'000;
 
-/// Elements within elements, at most.
+/// Maximum nesting depth of elements.
 constexpr std::size_t max_depth = 1'000;
 
 struct Box {
@@ -32,7 +32,7 @@ struct Box {
   glm::dvec2 high{-std::numeric_limits<double>::infinity()};
 };
 
-/// What the elements say, in their order.
+/// Collects the shapes of all elements in order.
 class SvgReader {
  public:
   SvgReader(std::string_view bytes, const SvgOptions& options) : bytes_(bytes), options_(options) {}
@@ -48,11 +48,11 @@ class SvgReader {
 
   std::string_view bytes_;
   SvgOptions options_;
-  std::vector<glm::dmat3> matrices_;  ///< of the elements that hold the current one, and its own
+  std::vector<glm::dmat3> matrices_;  ///< matrix of each enclosing element and of the current one
   std::vector<std::vector<Outline>> shapes_;
   std::size_t corners_ = 0;
   svg::Page page_;
-  Box box_;  ///< of all shapes, scaled by the page
+  Box box_;  ///< bounds of all shapes, scaled by the page
 };
 
 std::string SvgReader::place(std::ptrdiff_t offset) const {
@@ -81,7 +81,7 @@ void SvgReader::enter(pugi::xml_node element) {
   matrices_.push_back(matrices_.back());
   if (name == "svg") page_ = svg::read_page(element, options_.dpi);
   std::optional<std::vector<Outline>> shape = svg::read_shape(element, max_drawing_corners - corners_);
-  // Other elements than groups and shapes pass on what they are in.
+  // Elements other than groups and shapes inherit the matrix unchanged.
   if ((shape || name == "g") && !outermost) {
     matrices_.back() = matrices_.back() * svg::read_transform(element.attribute("transform").value());
   }
@@ -116,7 +116,8 @@ void SvgReader::walk(pugi::xml_node root) {
   }
 }
 
-/// On the page, whose y axis runs up. OpenSCAD subtracts the y of the box's low corner where it should be added.
+/// Places the shapes on the page, whose y axis points up. OpenSCAD subtracts the y of the box's lower corner where it
+/// should add it, and so does this function.
 Area SvgReader::laid_out() const {
   const glm::dvec2 centre = (box_.low + box_.high) / 2.0;
   const double x = options_.center ? -centre.x : page_.margin.x;
@@ -131,7 +132,7 @@ Area SvgReader::laid_out() const {
                              -page_.scale.y * (corner.y + page_.origin.y) + y);
       }
     }
-    areas.push_back(even_odd(paths_of(area), options_.work));
+    areas.push_back(even_odd(to_paths(area), options_.work));
   }
   return combined(areas, ClipperLib::ctUnion, options_.work);
 }
@@ -139,10 +140,10 @@ Area SvgReader::laid_out() const {
 Area SvgReader::read() {
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(bytes_.data(), bytes_.size());
-  if (!parsed) throw InputError(place(parsed.offset) + "this is not XML: " + parsed.description());
+  if (!parsed) throw InputError(place(parsed.offset) + "invalid XML: " + parsed.description());
   const pugi::xml_node root = document.document_element();
   if (std::string_view(root.name()) != "svg")
-    throw InputError(place(0) + "this is not SVG: its outermost element is no svg");
+    throw InputError(place(0) + "not an SVG file: the outermost element is not svg");
   walk(root);
   return laid_out();
 }

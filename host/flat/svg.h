@@ -1,3 +1,5 @@
+// Reader of SVG drawings.
+// Used by host/read and sim/web.
 #pragma once
 
 #include <string_view>
@@ -8,16 +10,16 @@
 namespace csgsim::flat {
 
 struct SvgOptions {
-  double dpi = 72;      ///< units without a name in an inch, where the page says its size in them
-  bool center = false;  ///< about the origin, instead of the page's lower left corner there
+  double dpi = 72;      ///< number of user units per inch, for page sizes without a unit
+  bool center = false;  ///< centre the drawing on the origin instead of placing the page's lower left corner there
   Work work{};
 };
 
-/// What OpenSCAD 2021.01 draws of an SVG file, in millimetres: shapes and paths filled, whatever they say of fill and
-/// stroke, each by the rule of odd and even, and all of them united; lines and open paths as wide as their strokes.
-/// Text, images and uses of definitions are left out. Flags of arcs need no space after them, as SVG has it; OpenSCAD
-/// takes them for the beginnings of numbers. Throws InputError, with the line in the file, for what is not SVG, and
-/// WorkError past the limit on work.
+/// Reads an SVG file as OpenSCAD 2021.01 does, in millimetres. Shapes and paths are filled by the even-odd rule,
+/// whatever their fill and stroke, and united; lines and open paths are as wide as their strokes. Text, images and uses
+/// of definitions are ignored. Arc flags need no separator after them, as in the SVG standard; OpenSCAD reads them as
+/// the start of a number. Throws InputError with the line number for anything that is not valid SVG, and WorkError past
+/// the limit on work.
 Area read_svg(std::string_view bytes, const SvgOptions& options);
 
 }  // namespace csgsim::flat

@@ -19,10 +19,10 @@ namespace csgsim::flat {
 
 namespace {
 
-/// Bytes of a text, at most.
+/// Maximum length of a text in bytes.
 constexpr std::size_t max_length = 10'000;
 
-/// Corners of all letters, at most.
+/// Maximum number of corners of all letters.
 constexpr std::size_t max_corners = 1'000'000;
 
 const lettering::Module& opened_module() {
@@ -49,12 +49,12 @@ void check(const Text& text) {
     throw InputError("size and spacing of text() must be finite numbers");
   }
   if (text.text.size() > max_length) {
-    throw InputError("text() is longer than " + std::to_string(max_length) + " bytes; cut it up");
+    throw InputError("text() is longer than " + std::to_string(max_length) + " bytes; split it");
   }
 }
 
-/// Sides that a curve of a letter gets.
-std::uint32_t sides_of_curves(const Text& text) {
+/// Number of sides of a letter's curve.
+std::uint32_t sides_per_curve(const Text& text) {
   return std::max(model::fragments(text.size, text.facets) / 8 + 1, 2U);
 }
 
@@ -62,9 +62,9 @@ std::uint32_t sides_of_curves(const Text& text) {
 
 Area text(const Text& text) {
   check(text);
-  const lettering::Lettering lettering = opened_module().draw(text, sides_of_curves(text), max_corners);
+  const lettering::Lettering lettering = opened_module().draw(text, sides_per_curve(text), max_corners);
   if (!lettering.error.empty()) throw InputError(lettering.error);
-  // What any of the letters covers, whatever way its outlines run.
+  // The union of the letters, whatever the direction of their outlines.
   return combined(lettering.letters, ClipperLib::ctUnion);
 }
 

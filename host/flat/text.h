@@ -1,3 +1,5 @@
+// OpenSCAD's text().
+// Used by lettering/module.h, lettering/shaping.h and host/read.
 #pragma once
 
 #include <optional>
@@ -11,24 +13,24 @@ namespace csgsim::flat {
 /// The arguments of OpenSCAD's text(). Strings are UTF-8.
 struct Text {
   std::string text{};
-  double size = 10;                 ///< about the height of capitals, model units
-  std::string font{};               ///< a fontconfig pattern; empty is Liberation Sans
+  double size = 10;                 ///< approximate height of capitals, in model units
+  std::string font{};               ///< fontconfig pattern; empty: Liberation Sans
   std::string halign = "left";      ///< left, center or right
   std::string valign = "baseline";  ///< top, center, baseline or bottom
-  double spacing = 1;               ///< factor of the distance between characters
-  std::string direction{};          ///< ltr, rtl, ttb or btt; empty: as the script runs
+  double spacing = 1;               ///< scale of the distance between characters
+  std::string direction{};          ///< ltr, rtl, ttb or btt; empty: the direction of the script
   std::string language = "en";      ///< ISO 639 or BCP 47
-  std::string script{};             ///< ISO 15924; empty: that of the characters, if they have one in common
-  model::FacetControl facets{};     ///< of which curves get an eighth, at least 2 sides
+  std::string script{};             ///< ISO 15924; empty: the common script of the characters, if any
+  model::FacetControl facets{};     ///< a curve gets an eighth of the fragments, but at least 2 sides
 };
 
-/// The letters as OpenSCAD 2021.01 sets them, in units of 2^-16. Fonts are the system's: where the one that is asked
-/// for is not installed, fontconfig chooses another, as it does for OpenSCAD. Opens csgsim_text.so when first called.
-/// Throws InputError for an unknown alignment, sizes that are not finite, too much text, and fonts that cannot be read.
+/// The letters as OpenSCAD 2021.01 sets them, in units of 2^-16. Fonts are the system's: if a font is not installed,
+/// fontconfig substitutes another one, as for OpenSCAD. Loads csgsim_text.so on the first call. Throws InputError for
+/// an unknown alignment, sizes that are not finite, too much text, and fonts that cannot be read.
 Area text(const Text& text);
 
-/// The family that fontconfig has instead of what a Text's `font` names, if that is not installed. Nothing if it is, if
-/// none is named but such as any font may stand for (`sans`), or if there is no font at all, which text() tells of.
+/// The family that fontconfig substitutes for a Text's `font` that is not installed. Nothing if it is installed, if it
+/// names only generic families such as `sans` or none, or if no font is available, in which case text() throws.
 std::optional<std::string> replacement_font(const std::string& font);
 
 }  // namespace csgsim::flat

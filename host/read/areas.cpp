@@ -16,7 +16,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// A node without children.
+/// A maker for a node without children.
 Maker leaf(flat::Area area) {
   return [area = std::move(area)](const Operands& /*none*/) { return Made{{}, area, {}, 2}; };
 }
@@ -34,19 +34,19 @@ std::vector<std::vector<std::uint32_t>> read_paths(const Arguments& arguments, s
   return paths;
 }
 
-/// Fonts are the user's, so that what is drawn may not be what the model's author saw. OpenSCAD does the same, and does
-/// not tell.
-void tell_replacement(const Arguments& arguments, const flat::Text& text) {
+/// Warns that fontconfig substitutes a font: fonts are installed by the user, so the result may differ from what the
+/// model's author saw. OpenSCAD substitutes silently.
+void warn_of_replacement(const Arguments& arguments, const flat::Text& text) {
   if (text.text.empty()) return;
   try {
     if (const std::optional<std::string> family = flat::replacement_font(text.font)) {
-      arguments.tell_once(
+      arguments.warn_once(
           "warning: the font {} of text() is not installed, and {} is drawn instead, as OpenSCAD does; install it, or "
           "name one that fc-list shows",
           printable(shown(text.font)), printable(*family));
     }
   } catch (const InputError&) {
-    // There is no module to ask; making the text says so.
+    // No text module is available; making the text reports it.
   }
 }
 
@@ -95,14 +95,14 @@ Maker read_text(const Arguments& arguments) {
   text.size = arguments.number("size").value_or(text.size);
   text.spacing = arguments.number("spacing").value_or(text.spacing);
   text.facets = read_facets(arguments);
-  tell_replacement(arguments, text);
+  warn_of_replacement(arguments, text);
   return [text](const Operands& /*none*/) { return Made{{}, flat::text(text), {}, 2}; };
 }
 
 Maker read_offset(const Arguments& arguments) {
   const std::optional<double> radius = arguments.number("r");
   const std::optional<double> delta = arguments.number("delta");
-  if (radius && delta) arguments.fail("r and delta are both given; take one out");
+  if (radius && delta) arguments.fail("r and delta are both given; remove one");
   const bool is_cut = arguments.boolean("chamfer").value_or(false);
   const flat::Corner corner = !delta ? flat::Corner::round : is_cut ? flat::Corner::cut : flat::Corner::sharp;
   const double distance = delta ? *delta : radius.value_or(1);

@@ -10,8 +10,9 @@ std::size_t ValueView::size() const {
   return count;
 }
 
-Arguments::Arguments(Source& source, const Statement& statement, const NodeType& node, const solids::Standing& standing)
-    : source_(&source), statement_(&statement), node_(&node), standing_(standing) {
+Arguments::Arguments(Source& source, const Statement& statement, const NodeType& node,
+                     const solids::MeshPlacement& mesh_placement)
+    : source_(&source), statement_(&statement), node_(&node), mesh_placement_(mesh_placement) {
   std::size_t next_positional = 0;
   for (const Argument& argument : statement.arguments) {
     if (!argument.name.empty()) {
@@ -19,7 +20,7 @@ Arguments::Arguments(Source& source, const Statement& statement, const NodeType&
     } else if (next_positional < node.positional) {
       bind(node.parameters[next_positional++], argument);
     } else {
-      source.fail(argument.offset, fmt::format("{}() takes at most {} arguments without a name; name it or take it out",
+      source.fail(argument.offset, fmt::format("{}() takes at most {} arguments without a name; name it or remove it",
                                                node.name, node.positional));
     }
   }
@@ -31,7 +32,7 @@ void Arguments::bind(std::string_view name, const Argument& argument) {
     source_->fail(argument.offset, unknown_argument(*node_, name));
   }
   if (std::ranges::find(bound_, name, &Bound::name) != bound_.end()) {
-    source_->fail(argument.offset, fmt::format("{} is given twice in {}(...); take one out", name, node_->name));
+    source_->fail(argument.offset, fmt::format("{} is given twice in {}(...); remove one", name, node_->name));
   }
   bound_.push_back({name, argument.value});
 }
@@ -78,7 +79,7 @@ std::optional<std::string> Arguments::text(std::string_view name) const {
 
 std::optional<ImportedFile> Arguments::file(const InputKind& kind) const {
   const std::optional<std::string> name = text("file");
-  if (!name) fail("there is no file; add file = \"name\"");
+  if (!name) fail("the argument file is missing; add file = \"name\"");
   if (!name->empty()) return source_->import(*name, kind, node_->name, statement_->offset);
   source_->tell(statement_->offset, fmt::format("{}() names no file, and is empty", node_->name));
   return std::nullopt;

@@ -1,3 +1,5 @@
+// Typed access to the arguments of a `.csg` statement.
+// Used throughout host/read.
 #pragma once
 
 #include <fmt/format.h>
@@ -19,7 +21,7 @@
 
 namespace csgsim::read {
 
-/// A value of a statement and, if it is a vector, those in it. Valid as long as the statement.
+/// A value of a statement and, for a vector, its elements. Valid as long as the statement.
 class ValueView {
  public:
   ValueView(const std::vector<Value>& values, std::uint32_t index) : values_(&values), index_(index) {}
@@ -34,7 +36,7 @@ class ValueView {
     for (std::uint32_t i = index_ + 1; i < end; i += (*values_)[i].extent) visit(ValueView(*values_, i));
   }
 
-  /// How many elements a vector has.
+  /// Number of elements of a vector.
   [[nodiscard]] std::size_t size() const;
 
  private:
@@ -42,42 +44,43 @@ class ValueView {
   std::uint32_t index_;
 };
 
-/// The arguments of a statement by name. Every reader throws InputError at the place of a value of the wrong kind; an
-/// argument that is `undef` counts as absent.
+/// The arguments of a statement by name. Every reader throws InputError at the position of a value of the wrong kind;
+/// an argument that is `undef` counts as absent.
 class Arguments {
  public:
-  /// Gives names to positional arguments. Throws InputError if one is unknown, given twice or too many.
-  Arguments(Source& source, const Statement& statement, const NodeType& node, const solids::Standing& standing);
+  /// Assigns names to positional arguments. Throws InputError if one is unknown, given twice, or in excess.
+  Arguments(Source& source, const Statement& statement, const NodeType& node,
+            const solids::MeshPlacement& mesh_placement);
 
-  /// Where what the node makes stands.
-  [[nodiscard]] const solids::Standing& standing() const { return standing_; }
+  /// The placement of the node's result.
+  [[nodiscard]] const solids::MeshPlacement& mesh_placement() const { return mesh_placement_; }
 
   [[nodiscard]] std::optional<ValueView> find(std::string_view name) const;
   [[nodiscard]] bool has(std::string_view name) const { return find(name).has_value(); }
-  /// Whether it is there and `undef`.
+  /// Whether the argument is present and `undef`.
   [[nodiscard]] bool is_undefined(std::string_view name) const;
   [[nodiscard]] std::optional<double> number(std::string_view name) const;
   [[nodiscard]] std::optional<bool> boolean(std::string_view name) const;
-  /// A string as it stands between its quotes, but for \\", which is a quote.
+  /// The content of a string, with \\" replaced by a quote.
   [[nodiscard]] std::optional<std::string> text(std::string_view name) const;
 
-  /// The file that the argument `file` names. None if the name is empty, or there is no file of that name: that is
-  /// told, and the node is empty as in OpenSCAD. Throws InputError, at the name of the node, as Source::import() does,
-  /// and where the argument is absent.
+  /// The file named by the argument `file`. None if the name is empty or the file does not exist: this is reported, and
+  /// the node is empty as in OpenSCAD. Throws InputError at the name of the node, as Source::import() does, and if the
+  /// argument is absent.
   [[nodiscard]] std::optional<ImportedFile> file(const InputKind& kind) const;
 
   /// See Source::work().
   [[nodiscard]] const Work& work() const { return source_->work(); }
 
-  /// The vector of that name; absence is an error, which shows `form` (`size = [x, y, z]`).
+  /// The vector with that name. If it is absent, throws InputError, with `form` (`size = [x, y, z]`) in the message.
   [[nodiscard]] ValueView required(std::string_view name, std::string_view form) const;
 
-  /// Up to N numbers from a vector of at least `least`; the others keep what `into` has.
+  /// Reads up to N numbers from a vector with at least `min_count`; the others keep their values in `into`.
   template <std::size_t N>
-  void read_numbers(ValueView vector, std::size_t least, std::array<double, N>& into, std::string_view what) const {
-    if (!vector.is(ValueKind::vector) || vector.size() < least || vector.size() > N) {
+  void read_numbers(ValueView vector, std::size_t min_count, std::array<double, N>& into, std::string_view what) const {
+    if (!vector.is(ValueKind::vector) || vector.size() < min_count || vector.size() > N) {
       fail(vector, "{} of {}() must be a vector of {} numbers", what, node_->name,
-           least == N ? fmt::to_string(N) : fmt::format("{} or {}", least, N));
+           min_count == N ? fmt::to_string(N) : fmt::format("{} or {}", min_count, N));
     }
     auto out = into.begin();
     vector.for_each([&](ValueView element) { *out++ = read_number(element, what); });
@@ -85,28 +88,28 @@ class Arguments {
 
   [[nodiscard]] double read_number(ValueView value, std::string_view what) const;
 
-  /// Tells it at a value, on standard error.
-  void tell(ValueView at, std::string_view message) const { source_->tell(at.value().offset, message); }
+  /// Prints a message to standard error, with the position of a value.
+  void report(ValueView at, std::string_view message) const { source_->tell(at.value().offset, message); }
 
-  /// Tells it at the name of the node.
-  void tell(std::string_view message) const { source_->tell(statement_->offset, message); }
+  /// Prints a message to standard error, with the position of the node's name.
+  void report(std::string_view message) const { source_->tell(statement_->offset, message); }
 
-  /// Throws InputError at a value.
+  /// Throws InputError at the position of a value.
   template <typename... Parts>
   [[noreturn]] void fail(ValueView at, fmt::format_string<Parts...> message, Parts&&... parts) const {
     source_->fail(at.value().offset, fmt::format(message, std::forward<Parts>(parts)...));
   }
 
-  /// Throws InputError at the name of the node.
+  /// Throws InputError at the position of the node's name.
   template <typename... Parts>
   [[noreturn]] void fail(fmt::format_string<Parts...> message, Parts&&... parts) const {
     source_->fail(statement_->offset, fmt::format(message, std::forward<Parts>(parts)...));
   }
 
-  /// Tells of something at the name of the node, unless the same has been told at another node.
+  /// Prints a message with the position of the node's name, unless the same message was printed before.
   template <typename... Parts>
-  void tell_once(fmt::format_string<Parts...> message, Parts&&... parts) const {
-    source_->tell_once(statement_->offset, fmt::format(message, std::forward<Parts>(parts)...));
+  void warn_once(fmt::format_string<Parts...> message, Parts&&... parts) const {
+    source_->warn_once(statement_->offset, fmt::format(message, std::forward<Parts>(parts)...));
   }
 
  private:
@@ -121,7 +124,7 @@ class Arguments {
   Source* source_;
   const Statement* statement_;
   const NodeType* node_;
-  solids::Standing standing_;
+  solids::MeshPlacement mesh_placement_;
   std::vector<Bound> bound_;
 };
 

@@ -32,7 +32,7 @@ const NodeType& usable_node(Source& source, const Statement& statement) {
 TreeBuilder::TreeBuilder(Source& source, const Options& options, Meetings meetings)
     : source_(source), options_(options), meetings_(std::move(meetings)), open_(1) {
   tree_.file = source.name();
-  open_.back().standing.meets_others = meetings_.on_top;
+  open_.back().mesh_placement.meets_others = meetings_.at_top_level;
 }
 
 TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
@@ -40,7 +40,7 @@ TreeBuilder::OpenNode TreeBuilder::make_open(const Statement& statement) const {
   open.offset = statement.offset;
   open.location = source_.locate(statement.offset);
   open.transform = open_.back().transform;
-  open.standing = open_.back().standing;
+  open.mesh_placement = open_.back().mesh_placement;
   open.colour = open_.back().colour;
   open.first_child = children_.size();
   open.first_node = tree_.nodes.size();
@@ -62,10 +62,10 @@ void TreeBuilder::begin(const Statement& statement) {
   const NodeType& node = usable_node(source_, statement);
   if (!open_.back().takes_children) {
     source_.fail(statement.offset,
-                 fmt::format("{0}() has no children; put {1}() beside it, in a union() or difference()",
+                 fmt::format("{0}() cannot have children; put {1}() next to it, in a union() or difference()",
                              open_.back().name, node.name));
   }
-  const Arguments arguments(source_, statement, node, open_.back().standing);
+  const Arguments arguments(source_, statement, node, open_.back().mesh_placement);
   open_.push_back(make_open(statement));
   OpenNode& open = open_.back();
   open.name = node.name;
@@ -77,7 +77,7 @@ void TreeBuilder::begin(const Statement& statement) {
       const glm::dmat4 matrix = placement(arguments);
       open.is_removed = std::isnan(matrix[0][0]);
       open.transform = open.transform * matrix;
-      open.standing.transform = open.standing.transform * matrix;
+      open.mesh_placement.transform = open.mesh_placement.transform * matrix;
       break;
     }
     case NodeKind::colour: {
@@ -91,12 +91,12 @@ void TreeBuilder::begin(const Statement& statement) {
       open.takes_children = node.has_children;
       open.dimensions = node.dimensions;
       open.outer = std::exchange(open.transform, glm::dmat4(1));
-      open.standing.transform = glm::dmat4(1);
+      open.mesh_placement.transform = glm::dmat4(1);
       break;
     case NodeKind::unsupported:
     case NodeKind::source: break;
   }
-  if (meetings_.statements.contains(statement.offset)) open.standing = {.meets_others = true};
+  if (meetings_.statements.contains(statement.offset)) open.mesh_placement = {.meets_others = true};
 }
 
 /// The matrix of the innermost statement.
@@ -109,12 +109,12 @@ glm::dmat4 TreeBuilder::placement(const Arguments& arguments) {
   return found.value_or(written);
 }
 
-void TreeBuilder::tell_restored() const {
+void TreeBuilder::report_restored() const {
   if (!options_.restores_rotations) return;
   std::string line = fmt::format("{}: {} of {} rotated matrices restored", source_.name(), restored_.restored,
                                  restored_.restored + restored_.as_written);
   if (restored_.as_written > 0)
-    line += fmt::format("; the first that stays as written is at {}:{}", restored_.first_as_written.line,
+    line += fmt::format("; the first one left as written is at {}:{}", restored_.first_as_written.line,
                         restored_.first_as_written.column);
   tell_line(line);
 }
@@ -140,7 +140,7 @@ void TreeBuilder::add_leaf(const OpenNode& open, model::Shape shape, const glm::
   primitive.opacity = open.colour->opacity;
 }
 
-/// The operands of a node, each as a tree of its own.
+/// Takes the operands of a node, each as a separate tree.
 Operands TreeBuilder::take_operands(OpenNode& open) {
   Operands operands{std::exchange(open.areas, {}), {}, open.dimensions};
   auto node = static_cast<std::uint32_t>(open.first_node);
@@ -161,7 +161,7 @@ void TreeBuilder::drop_operands(const OpenNode& open) {
   children_.resize(open.first_child);
 }
 
-/// Puts what the node makes of its operands in their place.
+/// Replaces the operands of a node by its result.
 void TreeBuilder::make(OpenNode& open) {
   Made made;
   try {
@@ -188,7 +188,7 @@ void TreeBuilder::add_pieces(const OpenNode& open, std::vector<model::Polyhedron
   }
 }
 
-/// What an operator makes of areas.
+/// The combination of areas by the node's operator.
 flat::Area TreeBuilder::combined(OpenNode& open) const {
   if (open.areas.empty()) return {};
   if (open.areas.size() == 1) return std::move(open.areas.front());
@@ -213,20 +213,20 @@ void TreeBuilder::close_innermost() {
   } else {
     join_operands(open, static_cast<bool>(open.maker));
   }
-  if (!open_.empty()) hand_on(open, result_of(open));
+  if (!open_.empty()) pass_on(open, make_result(open));
 }
 
-TreeBuilder::Result TreeBuilder::result_of(OpenNode& open) const {
+TreeBuilder::Result TreeBuilder::make_result(OpenNode& open) const {
   Result result;
-  result.dimensions = dimensions_of(open);
+  result.dimensions = result_dimensions(open);
   result.area = combined(open);
   result.is_empty = result.area.empty() && children_.size() == open.first_child;
   return result;
 }
 
-/// As OpenSCAD has it: a single operand is taken as it is; of several areas an area comes, if an empty one; of solids
-/// that are all empty, nothing.
-std::uint32_t TreeBuilder::dimensions_of(const OpenNode& open) const {
+/// The dimensions of a statement, as in OpenSCAD: a single operand is taken unchanged; several areas give an area,
+/// possibly empty; solids that are all empty give nothing.
+std::uint32_t TreeBuilder::result_dimensions(const OpenNode& open) const {
   if (open.is_removed) return 0;
   if (children_.size() > open.first_child) return 3;
   if (open.maker || !open.takes_children) return !open.areas.empty() ? 2 : open.made;
@@ -235,7 +235,7 @@ std::uint32_t TreeBuilder::dimensions_of(const OpenNode& open) const {
   return open.op == model::Operator::unite && open.operands > 1 ? 0 : open.dimensions;
 }
 
-/// Several trees become one.
+/// Joins several trees into one.
 void TreeBuilder::join_operands(const OpenNode& open, bool of_pieces) {
   const auto first = children_.begin() + static_cast<std::ptrdiff_t>(open.first_child);
   if (children_.end() - first < 2) return;
@@ -247,9 +247,9 @@ void TreeBuilder::join_operands(const OpenNode& open, bool of_pieces) {
   children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
 }
 
-/// To the statement around it. Areas that are not in another node are plates, as OpenSCAD shows them.
-void TreeBuilder::hand_on(OpenNode& open, Result result) {
-  if (result.dimensions != 0 && !goes_with(open, result)) {
+/// Passes the result to the enclosing statement. Areas at the top level become plates, as OpenSCAD shows them.
+void TreeBuilder::pass_on(OpenNode& open, Result result) {
+  if (result.dimensions != 0 && !accepts(open, result)) {
     drop_operands(open);
     result = {};
   }
@@ -267,7 +267,7 @@ void TreeBuilder::hand_on(OpenNode& open, Result result) {
   }
 }
 
-/// An empty operand empties an intersection, and as the first one a difference.
+/// Counts an operand. An empty operand empties an intersection, and an empty first operand empties a difference.
 void TreeBuilder::count_operand(OpenNode& parent, const Result& result) {
   const bool is_first = parent.operands++ == 0;
   if (!result.is_empty) return;
@@ -277,9 +277,9 @@ void TreeBuilder::count_operand(OpenNode& parent, const Result& result) {
   parent.is_nothing |= result.dimensions == 0 || !is_first;
 }
 
-/// Whether an operand can be one of the statement around it; as in OpenSCAD the first that has dimensions, an empty one
-/// too, says what goes with it.
-bool TreeBuilder::goes_with(const OpenNode& open, const Result& result) {
+/// Whether a result can be an operand of the enclosing statement. As in OpenSCAD, the first operand with dimensions,
+/// even an empty one, determines which others are accepted.
+bool TreeBuilder::accepts(const OpenNode& open, const Result& result) {
   OpenNode& parent = open_.back();
   if (parent.dimensions == 0) {
     parent.dimensions = result.dimensions;
@@ -288,14 +288,14 @@ bool TreeBuilder::goes_with(const OpenNode& open, const Result& result) {
   if (parent.dimensions == result.dimensions) return true;
   if (result.is_empty) return false;
   source_.tell(open.offset,
-               fmt::format("{}() is {}, and where {} shapes are taken it is left out, as OpenSCAD does", open.name,
+               fmt::format("{}() is {} and is dropped, as in OpenSCAD, because {} shapes are expected here", open.name,
                            result.dimensions == 2 ? "flat" : "solid", result.dimensions == 2 ? "solid" : "flat"));
   return false;
 }
 
 model::Tree TreeBuilder::finish() {
   close_innermost();
-  tell_restored();
+  report_restored();
   if (!children_.empty()) tree_.root = children_.back();
   tree_.imports = source_.files();
   return std::move(tree_);

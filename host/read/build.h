@@ -1,3 +1,5 @@
+// Construction of the CSG tree from statements.
+// Used by read.cpp.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +21,7 @@
 
 namespace csgsim::read {
 
-/// Makes the tree of the statements that it visits, without empty parts.
+/// Builds the tree of the statements that it visits, without empty parts.
 class TreeBuilder : public StatementVisitor {
  public:
   TreeBuilder(Source& source, const Options& options, Meetings meetings);
@@ -27,36 +29,36 @@ class TreeBuilder : public StatementVisitor {
   void begin(const Statement& statement) override;
   void end() override { close_innermost(); }
 
-  /// The tree, after the last statement has ended.
+  /// Returns the tree; called after the last statement has ended.
   model::Tree finish();
 
  private:
-  /// A statement that has not ended; the first one stands for the file. A solid is a union of itself.
+  /// A statement that has not ended; the first one represents the file. A solid is treated as a union with one operand.
   struct OpenNode {
     model::Operator op = model::Operator::unite;
     bool takes_children = true;
-    std::uint32_t dimensions = 0;  ///< which its operands have to be: said by its node, or the first that has any
-    std::size_t operands = 0;      ///< empty ones too
-    bool is_empty = false;         ///< whatever other operands it has
-    bool is_nothing = false;       ///< of a Boolean of solids: empty, and without dimensions
-    bool is_removed = false;       ///< of a matrix that is not finite: whatever it moves is nothing
+    std::uint32_t dimensions = 0;  ///< required of its operands; set by its node or its first operand with any
+    std::size_t operands = 0;      ///< number of operands, including empty ones
+    bool is_empty = false;         ///< empty whatever its other operands are
+    bool is_nothing = false;       ///< a Boolean of solids is empty and has no dimensions
+    bool is_removed = false;       ///< a matrix that is not finite removes everything below it
     std::string_view name;
-    std::uint32_t offset = 0;  ///< of the statement
+    std::uint32_t offset = 0;  ///< position of the statement in the text
     model::Location location;
-    glm::dmat4 transform{1};    ///< from the space of its children to the model's, or to that of the node they make
-    solids::Standing standing;  ///< of its children
+    glm::dmat4 transform{1};  ///< maps its children's space to the model's, or to that of the enclosing made node
+    solids::MeshPlacement mesh_placement;  ///< placement of its children's meshes
     std::optional<Colour> colour;
-    std::size_t first_child = 0;      ///< in children_, from here on its own
-    std::size_t first_node = 0;       ///< in tree_.nodes
-    std::size_t first_primitive = 0;  ///< in tree_.primitives
-    std::vector<flat::Area> areas;    ///< unless solids are taken: one an operand, empty if that is no area
-    Maker maker;                      ///< of a node that is made
-    std::uint32_t made = 0;           ///< dimensions of what is made, or of a solid
-    glm::dmat4 outer{1};              ///< of a node that is made: from its own space on
+    std::size_t first_child = 0;      ///< index into children_ of its first child
+    std::size_t first_node = 0;       ///< index into tree_.nodes
+    std::size_t first_primitive = 0;  ///< index into tree_.primitives
+    std::vector<flat::Area> areas;    ///< unless it takes solids: one per operand, empty if the operand has no area
+    Maker maker;                      ///< makes the node from its children
+    std::uint32_t made = 0;           ///< dimensions of the made result, or of a solid
+    glm::dmat4 outer{1};              ///< maps a made node's own space to the enclosing one
   };
 
-  /// What a statement is for the one around it: its dimensions are 0 if it is nothing, as a group() of nothing is. What
-  /// is empty may have some all the same, as square(0) has.
+  /// The result of a statement for the enclosing one. Its dimensions are 0 if there is no result, as for a group()
+  /// without any. An empty result may still have dimensions, as for square(0).
   struct Result {
     flat::Area area;
     std::uint32_t dimensions = 0;
@@ -66,7 +68,7 @@ class TreeBuilder : public StatementVisitor {
   void charge_statement(const Statement& statement);
   [[nodiscard]] OpenNode make_open(const Statement& statement) const;
   [[nodiscard]] glm::dmat4 placement(const Arguments& arguments);
-  void tell_restored() const;
+  void report_restored() const;
   void add_solid(const NodeType& node, const Arguments& arguments);
   void add_leaf(const OpenNode& open, model::Shape shape, const glm::dmat4& transform);
   void make(OpenNode& open);
@@ -74,12 +76,12 @@ class TreeBuilder : public StatementVisitor {
   [[nodiscard]] Operands take_operands(OpenNode& open);
   void drop_operands(const OpenNode& open);
   [[nodiscard]] flat::Area combined(OpenNode& open) const;
-  [[nodiscard]] Result result_of(OpenNode& open) const;
-  [[nodiscard]] std::uint32_t dimensions_of(const OpenNode& open) const;
+  [[nodiscard]] Result make_result(OpenNode& open) const;
+  [[nodiscard]] std::uint32_t result_dimensions(const OpenNode& open) const;
   void close_innermost();
   void join_operands(const OpenNode& open, bool of_pieces);
-  void hand_on(OpenNode& open, Result result);
-  [[nodiscard]] bool goes_with(const OpenNode& open, const Result& result);
+  void pass_on(OpenNode& open, Result result);
+  [[nodiscard]] bool accepts(const OpenNode& open, const Result& result);
   static void count_operand(OpenNode& parent, const Result& result);
 
   Source& source_;
@@ -88,7 +90,7 @@ class TreeBuilder : public StatementVisitor {
   RestoredCount restored_;
   model::Tree tree_;
   std::vector<OpenNode> open_;
-  std::vector<std::uint32_t> children_;  ///< finished operands of the open frames
+  std::vector<std::uint32_t> children_;  ///< finished operands of the open statements
 };
 
 }  // namespace csgsim::read

@@ -14,14 +14,14 @@ namespace csgsim::read {
 
 namespace {
 
-constexpr double most_slices = 1'000'000;
+constexpr double max_slices = 1'000'000;
 
 constexpr InputKind drawing_file{"a drawing, .dxf", max_file_bytes, "make it coarser"};
 
-/// A whole number of slices; 0 leaves it to the facets.
+/// The number of slices; 0 derives it from $fn, $fa and $fs.
 std::uint32_t read_slices(const Arguments& arguments) {
   const double slices = arguments.number("slices").value_or(0);
-  if (!(slices <= most_slices)) arguments.fail("more than {} slices; ask for fewer", most_slices);
+  if (!(slices <= max_slices)) arguments.fail("more than {} slices; use fewer", max_slices);
   return static_cast<std::uint32_t>(std::max(slices, 0.0));
 }
 
@@ -34,7 +34,7 @@ glm::dvec2 read_scale(const Arguments& arguments) {
   return {both[0], both[1]};
 }
 
-/// The area that the argument `file` draws, which old files extrude.
+/// The area drawn by the argument `file`, which only old files use.
 std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
   if (!arguments.has("file")) return std::nullopt;
   const std::optional<ImportedFile> file = arguments.file(drawing_file);
@@ -46,15 +46,15 @@ std::optional<flat::Area> drawn(const Arguments& arguments, double scale) {
   }
 }
 
-/// The area that is extruded: the file's if there is one, whatever the children are, else their union. None where
-/// has_area() says so.
+/// The area to be extruded: the file's area if there is a file, otherwise the union of the children. None if has_area()
+/// is false.
 std::optional<flat::Area> extruded_area(const std::optional<flat::Area>& drawn, const Operands& operands) {
   if (drawn) return drawn;
   if (!has_area(operands)) return std::nullopt;
   return only_area(operands);
 }
 
-/// Cutting the area into convex parts, and making solids of them.
+/// Charges the division of an area into convex parts and the extrusion of these.
 void charge_extrusion(const flat::Area& area, const Work& work) {
   constexpr std::uint64_t corner_steps = 2'000;
   for (const flat::Outline& outline : area.outlines)
@@ -69,14 +69,15 @@ Made extruded(const flat::Area& area, const solids::LinearExtrude& extrusion, co
   return {solids::linear_extrude(area, extrusion, work), {}, {}, 3};
 }
 
-/// OpenSCAD takes what has no name for a file, though rotate_extrude(180) is meant as an angle.
-void tell_if_number(const Arguments& arguments) {
+/// Warns if the file name is a number: OpenSCAD takes the first unnamed argument as a file, although
+/// rotate_extrude(180) is meant as an angle.
+void warn_if_number(const Arguments& arguments) {
   const std::optional<ValueView> value = arguments.find("file");
   if (!value || !value->is(ValueKind::string)) return;
   const std::string name = arguments.text("file").value_or("");
   if (name.empty() || name.find_first_not_of("0123456789.-") != std::string::npos) return;
-  arguments.tell_once(
-      "warning: rotate_extrude() draws a file named {0}; a turn is an angle with its name: rotate_extrude(angle = {0})",
+  arguments.warn_once(
+      "warning: rotate_extrude() reads a file named {0}; to rotate by an angle, name it: rotate_extrude(angle = {0})",
       shown(name));
 }
 
@@ -105,7 +106,7 @@ Maker read_rotate_extrude(const Arguments& arguments) {
   extrusion.angle = arguments.number("angle").value_or(extrusion.angle);
   if (!std::isfinite(extrusion.angle)) extrusion.angle = 360;
   extrusion.facets = read_facets(arguments);
-  tell_if_number(arguments);
+  warn_if_number(arguments);
   const double scale = arguments.has("file") ? arguments.number("scale").value_or(1) : 1;
   return [extrusion, file = drawn(arguments, scale)](const Operands& operands) {
     const std::optional<flat::Area> area = extruded_area(file, operands);

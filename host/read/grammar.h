@@ -1,9 +1,11 @@
+// Grammar of `.csg` files.
+// Used by syntax.cpp and host/commands.
 #pragma once
 
 #include <tao/pegtl.hpp>
 
-/// The grammar of a `.csg` file. It is flat: braces are items of one list, so that no depth of the tree is too deep for
-/// the stack. Only vectors nest in the grammar; the action of `vector_open` bounds them.
+/// The grammar of a `.csg` file. It is flat: braces are items of one list, so a deep tree cannot overflow the stack.
+/// Only vectors nest in the grammar; the action of `vector_open` limits their depth.
 namespace csgsim::read::grammar {
 
 namespace peg = tao::pegtl;
@@ -29,8 +31,8 @@ struct truth : word<'t', 'r', 'u', 'e'> {};
 struct falsehood : word<'f', 'a', 'l', 's', 'e'> {};
 struct undefined : word<'u', 'n', 'd', 'e', 'f'> {};
 
-/// OpenSCAD writes what is in a string as it is, quotes among it. So a quote ends a string only where what follows can
-/// follow a value: the end of the arguments, another one by its name, or one that is no string.
+/// OpenSCAD writes strings without escaping quotes. A quote therefore ends a string only if the text after it can
+/// follow a value: the end of the arguments, another named argument, or an argument that is not a string.
 struct passed_over : peg::star<peg::sor<peg::space, line_comment, peg::seq<comment_open, comment_end>>> {};
 struct next_argument : peg::sor<peg::seq<identifier, passed_over, peg::one<'='>>, decimal, non_finite, peg::one<'['>,
                                 truth, falsehood, undefined> {};

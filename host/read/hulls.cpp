@@ -20,23 +20,23 @@ namespace csgsim::read {
 
 namespace {
 
-Made hull_of(Operands operands) {
+Made make_hull(Operands operands) {
   if (operands.dimensions == 2) return {{}, flat::hull(operands.areas), {}, 2};
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
   const model::Tree all = only_solid(std::move(operands));
   Made made;
-  if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::vertices_of(all, work), work))
+  if (std::optional<model::Polyhedron> piece = solids::hull_piece(solids::evaluate_vertices(all, work), work))
     made.pieces.push_back(*std::move(piece));
   return made;
 }
 
-Made sum_of(const Operands& operands) {
+Made make_sum(const Operands& operands) {
   if (operands.dimensions == 2)
     return {{}, flat::minkowski(operands.areas, operands.work), {}, has_area(operands) ? 2U : 0U};
   if (operands.solids.empty()) return {};
   std::vector<solids::Pieces> all;
-  for (const model::Tree& solid : operands.solids) all.push_back(solids::pieces_of(solid, operands.work));
+  for (const model::Tree& solid : operands.solids) all.push_back(solids::evaluate_pieces(solid, operands.work));
   return {solids::minkowski(all, operands.work), {}};
 }
 
@@ -50,15 +50,15 @@ model::Polyhedron scaled(model::Polyhedron piece, const glm::dvec3& scale) {
   return piece;
 }
 
-/// What resize() is given.
+/// The arguments of resize().
 struct NewSize {
   glm::dvec3 size{0};
   std::array<bool, 3> automatic{};
 };
 
-/// How resize() of OpenSCAD 2021.01 scales a solid of that size about the origin: to each new size that is not 0; other
-/// axes not at all, or, if they are automatic, as much as the axis of the largest new size. Not at all if the solid is
-/// flat along an axis that has a new size.
+/// The scale factors that resize() of OpenSCAD 2021.01 applies to a solid of that size, about the origin. Each axis
+/// with a nonzero new size is scaled to it; other axes are not scaled or, if they are automatic, scaled like the axis
+/// with the largest new size. No axis is scaled if the solid is flat along an axis with a new size.
 glm::dvec3 scale_to(const NewSize& to, const glm::dvec3& size) {
   glm::dvec3 scale(1);
   int largest = 0;
@@ -74,7 +74,7 @@ glm::dvec3 scale_to(const NewSize& to, const glm::dvec3& size) {
   return scale;
 }
 
-/// Whether no Boolean has made it.
+/// Whether the solid is not the result of a Boolean.
 bool is_one(const model::Tree& solid) {
   return std::ranges::all_of(solid.nodes, [](const model::Node& node) { return node.is_leaf || node.of_pieces; });
 }
@@ -90,18 +90,18 @@ Made resized(Operands operands, NewSize to) {
   if (operands.solids.empty()) return {};
   const Work work = operands.work;
   const model::Tree solid = only_solid(std::move(operands));
-  std::vector<model::Polyhedron> pieces = solids::pieces_of(solid, work);
+  std::vector<model::Polyhedron> pieces = solids::evaluate_pieces(solid, work);
   if (pieces.empty()) return {};
   facet::Box box;
   for (const model::Polyhedron& piece : pieces) box = facet::hull(box, facet::box_of(piece.points));
-  // New sizes below 0 count as 0 for a solid by itself; what a Boolean has made is mirrored by them.
+  // Negative new sizes count as 0 for a single solid, but mirror the result of a Boolean.
   if (is_one(solid)) to.size = glm::max(to.size, glm::dvec3(0));
   const glm::dvec3 scale = scale_to(to, box.high - box.low);
   for (model::Polyhedron& piece : pieces) piece = scaled(std::move(piece), scale);
   return {std::move(pieces), {}};
 }
 
-/// true, false, or one of them an axis.
+/// Reads true, false, or a vector with one of them per axis.
 std::array<bool, 3> read_automatic(const Arguments& arguments) {
   std::array<bool, 3> automatic{};
   const std::optional<ValueView> value = arguments.find("auto");
@@ -119,9 +119,9 @@ std::array<bool, 3> read_automatic(const Arguments& arguments) {
 
 }  // namespace
 
-Maker read_hull(const Arguments& /*arguments*/) { return hull_of; }
+Maker read_hull(const Arguments& /*arguments*/) { return make_hull; }
 
-Maker read_minkowski(const Arguments& /*arguments*/) { return sum_of; }
+Maker read_minkowski(const Arguments& /*arguments*/) { return make_sum; }
 
 Maker read_resize(const Arguments& arguments) {
   NewSize to;
@@ -143,9 +143,8 @@ Maker read_projection(const Arguments& arguments) {
     Made made{{}, projection.area};
     if (projection.coarse_size > 0)
       made.warnings.push_back(
-          fmt::format("an outline {:g} long is rounded to {:.2g}, which is more than 1e-6 of it, since much larger "
-                      "ones reach around "
-                      "it; project it alone",
+          fmt::format("an outline of size {:g} is rounded to {:.2g}, which is more than 1e-6 of its size, because "
+                      "much larger outlines surround it; project it separately",
                       projection.coarse_size, projection.coarse_step));
     return made;
   };

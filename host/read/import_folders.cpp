@@ -13,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Complete, without `.` and `..`, and without a slash at the end.
+/// An absolute path without `.`, `..` and a trailing slash.
 fs::path plain(const fs::path& path) {
   const fs::path normal = fs::absolute(path).lexically_normal();
   return normal.has_filename() ? normal : normal.parent_path();
 }
 
-/// Decided by the names alone, both complete.
+/// Lexical test; both paths have to be absolute.
 bool is_in(const fs::path& path, const fs::path& folder) {
   const fs::path below = path.lexically_relative(folder);
   return !below.empty() && *below.begin() != "..";
@@ -37,7 +37,7 @@ bool ImportPlace::exists() const {
   return fs::status(path, error).type() != fs::file_type::not_found;
 }
 
-std::vector<ImportPlace> ImportFolders::places_of(std::string_view name) const {
+std::vector<ImportPlace> ImportFolders::candidate_places(std::string_view name) const {
   std::vector<ImportPlace> places;
   for (const fs::path& folder : folders_) {
     const fs::path place = (folder / name).lexically_normal();
@@ -48,10 +48,10 @@ std::vector<ImportPlace> ImportFolders::places_of(std::string_view name) const {
   return places;
 }
 
-bool ImportFolders::hold(const Descriptor& file) const {
+bool ImportFolders::contains(const Descriptor& file) const {
   std::error_code error;
   const fs::path place = fs::read_symlink(fmt::format("/proc/self/fd/{}", file.number()), error);
-  if (error) throw InputError("/proc does not tell where links lead (" + error.message() + "); mount it");
+  if (error) throw InputError("/proc does not show the targets of links (" + error.message() + "); mount it");
   return std::ranges::any_of(folders_, [&](const fs::path& folder) {
     std::error_code missing;
     const fs::path real = fs::canonical(folder, missing);

@@ -1,3 +1,5 @@
+// Folders from which a model may import files.
+// Used by source.h.
 #pragma once
 
 #include <filesystem>
@@ -8,27 +10,27 @@
 
 namespace csgsim::read {
 
-/// A place that a name leads to from one of the folders.
+/// A path to which a file name resolves from one of the folders.
 struct ImportPlace {
   std::filesystem::path path;
-  bool is_inside = false;  ///< in one of the folders or below it, by the names alone
+  bool is_inside = false;  ///< the path is lexically inside one of the folders
 
-  /// Whether a file, or anything else, is there. Also where the system does not let this be found out.
+  /// Whether a file or anything else exists there; also true if the system denies that information.
   [[nodiscard]] bool exists() const;
 };
 
-/// Where the files that a model imports may be: in the model's folder, in another one that is named, and below them.
+/// The folders from which a model may import files: the model's folder, an additional one, and their subfolders.
 class ImportFolders {
  public:
-  /// `named`: see read::Options.
+  /// `named` is the additional folder; see read::Options.
   ImportFolders(const std::filesystem::path& model_folder, const std::filesystem::path& named);
 
-  /// The places where a file of that name is looked for, in order.
-  [[nodiscard]] std::vector<ImportPlace> places_of(std::string_view name) const;
+  /// The paths at which a file of that name is searched, in order.
+  [[nodiscard]] std::vector<ImportPlace> candidate_places(std::string_view name) const;
 
-  /// Whether what was opened is in one of the folders, whatever links led to it. Throws InputError if the system does
-  /// not tell.
-  [[nodiscard]] bool hold(const Descriptor& file) const;
+  /// Whether an opened file is inside one of the folders after resolving all links. Throws InputError if the system
+  /// does not provide its path.
+  [[nodiscard]] bool contains(const Descriptor& file) const;
 
  private:
   std::vector<std::filesystem::path> folders_;

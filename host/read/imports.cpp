@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr InputKind mesh_or_drawing{"a mesh or a drawing", solids::most_mesh_bytes, "make it coarser"};
+constexpr InputKind mesh_or_drawing{"a mesh or a drawing", solids::max_mesh_bytes, "make it coarser"};
 
 flat::Area svg_area(const Arguments& arguments, const std::string& bytes) {
   flat::SvgOptions options;
@@ -50,31 +50,32 @@ flat::Area dxf_area(const Arguments& arguments, std::string_view bytes, double s
 
 namespace {
 
-Made mesh_made(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
+Made make_meshes(const Arguments& arguments, const ImportedFile& file, const std::string& kind) {
   const double tolerance =
       kind == ".stl" || kind == ".3mf" ? solids::single_precision_tolerance : solids::printed_tolerance;
   Made made;
   made.dimensions = 3;
   for (const solids::Mesh& mesh : solids::parse_meshes(file.bytes, file.path)) {
-    const MeshPieces found = pieces_of(mesh, tolerance, arguments.standing(), arguments.work());
+    const MeshPieces found = pieces_of(mesh, tolerance, arguments.mesh_placement(), arguments.work());
     if (found.defect)
       throw InputError(file.path.string() + ": face " + std::to_string(found.defect->face) + ": " + found.defect->what);
     for (const Remark& remark : found.remarks)
-      arguments.tell(fmt::format("{}: {}", printable(file.path.native()), remark.what));
+      arguments.report(fmt::format("{}: {}", printable(file.path.native()), remark.what));
     made.pieces.insert(made.pieces.end(), found.pieces.begin(), found.pieces.end());
   }
   return made;
 }
 
-Made made_of(const Arguments& arguments) {
+Made make_import(const Arguments& arguments) {
   const std::optional<ImportedFile> file = arguments.file(mesh_or_drawing);
-  const std::string kind = solids::ending_of(file ? file->path : fs::path(arguments.text("file").value_or("")));
+  const std::string kind =
+      solids::lower_case_extension(file ? file->path : fs::path(arguments.text("file").value_or("")));
   const bool is_drawing = kind == ".svg" || kind == ".dxf";
   if (!file) return {{}, {}, {}, is_drawing ? 2U : 3U};
   try {
     if (kind == ".svg") return {{}, svg_area(arguments, file->bytes), {}, 2};
     if (kind == ".dxf") return {{}, dxf_area(arguments, file->bytes, arguments.number("scale").value_or(1)), {}, 2};
-    return mesh_made(arguments, *file, kind);
+    return make_meshes(arguments, *file, kind);
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
@@ -90,7 +91,7 @@ Maker read_surface(const Arguments& arguments) {
   MeshPieces found;
   try {
     found = pieces_of(solids::parse_surface_file(file->bytes, file->path, center, invert),
-                      solids::double_precision_tolerance, arguments.standing(), arguments.work());
+                      solids::double_precision_tolerance, arguments.mesh_placement(), arguments.work());
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
@@ -99,7 +100,7 @@ Maker read_surface(const Arguments& arguments) {
 }
 
 Maker read_import(const Arguments& arguments) {
-  return [made = made_of(arguments)](const Operands& /*none*/) { return made; };
+  return [made = make_import(arguments)](const Operands& /*none*/) { return made; };
 }
 
 }  // namespace csgsim::read

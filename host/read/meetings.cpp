@@ -17,7 +17,7 @@ void MeetingFinder::end() {
   if (ended.shapes > 1) meetings_.statements.insert(ended.offset);
   if (!ended.is_shape && ended.shapes == 0) return;
   if (open_.empty()) {
-    meetings_.on_top = ++on_top_ > 1;
+    meetings_.at_top_level = ++top_shapes_ > 1;
   } else {
     ++open_.back().shapes;
   }

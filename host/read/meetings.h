@@ -1,3 +1,5 @@
+// Statements in which solids are combined with others.
+// Used by build.h and read.cpp.
 #pragma once
 
 #include <cstdint>
@@ -8,30 +10,31 @@
 
 namespace csgsim::read {
 
-/// Where solids meet: in statements that have two children or more with a shape, or at the top of the file if it has.
+/// The places where solids are combined: statements with at least two children that have a shape, and the top level of
+/// the file.
 struct Meetings {
-  std::unordered_set<std::uint32_t> statements;  ///< by where their names are in the text
-  bool on_top = false;
+  std::unordered_set<std::uint32_t> statements;  ///< offsets of their names in the text
+  bool at_top_level = false;
 };
 
-/// Finds them.
+/// Finds the statements that combine solids.
 class MeetingFinder : public StatementVisitor {
  public:
   void begin(const Statement& statement) override;
   void end() override;
 
-  /// After the last statement has ended.
+  /// Valid after the last statement has ended.
   [[nodiscard]] const Meetings& meetings() const { return meetings_; }
 
  private:
   struct Open {
     std::uint32_t offset = 0;
-    bool is_shape = false;     ///< by itself
-    std::uint32_t shapes = 0;  ///< children that have a shape
+    bool is_shape = false;     ///< has a shape without its children
+    std::uint32_t shapes = 0;  ///< number of children with a shape
   };
 
   std::vector<Open> open_;
-  std::uint32_t on_top_ = 0;
+  std::uint32_t top_shapes_ = 0;
   Meetings meetings_;
 };
 

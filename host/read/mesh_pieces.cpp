@@ -13,44 +13,46 @@ namespace csgsim::read {
 
 namespace {
 
-/// The cost of a face: its edges are sorted and joined, and faces that cross are looked for.
+/// Cost per face: edges are sorted and joined, and crossing faces are searched.
 constexpr std::uint64_t check_steps = 3'000;
 
 Remark bent_faces(const solids::BentFaces& bent, bool is_hull) {
   std::string what = bent.count == 1 ? fmt::format("faces[{}] is not flat: a corner is {:.3g} off its plane",
-                                                   bent.first, bent.most_off)
+                                                   bent.first, bent.max_deviation)
                                      : fmt::format(
                                            "faces[{}] and {} more are not flat: corners are up to {:.3g} off "
                                            "their planes",
-                                           bent.first, bent.count - 1, bent.most_off);
-  what += is_hull ? "; the solid is nearly convex and meets others, where OpenSCAD takes it for its convex hull"
-                  : "; cut into triangles as OpenSCAD cuts it";
-  if (bent.unlike && !is_hull)
-    what += fmt::format(", but for faces[{}], which crosses itself as OpenSCAD looks at it", *bent.unlike);
+                                           bent.first, bent.count - 1, bent.max_deviation);
+  what += is_hull
+              ? "; the solid is nearly convex and combined with others, so its convex hull replaces it, as in OpenSCAD"
+              : "; cut into triangles as in OpenSCAD";
+  if (bent.first_different && !is_hull)
+    what += fmt::format(", except faces[{}], which crosses itself in OpenSCAD's projection", *bent.first_different);
   return {bent.first, std::move(what)};
 }
 
-constexpr std::string_view what_is_wound =
-    "what the faces wind around is drawn, as OpenSCAD shows it alone; its Booleans leave it out";
+constexpr std::string_view enclosed_space_is_drawn =
+    "the enclosed space is drawn, as OpenSCAD shows the mesh on its own; OpenSCAD's Booleans drop it";
 
 Remark crossing_faces(const solids::Crossing& crossing) {
   const std::string more = crossing.count > 1 ? fmt::format(", and so do {} more pairs", crossing.count - 1) : "";
   return {crossing.other, fmt::format("faces[{}] and faces[{}] cross by {:.3g}{}: {}", crossing.one, crossing.other,
-                                      crossing.depth, more, what_is_wound)};
+                                      crossing.depth, more, enclosed_space_is_drawn)};
 }
 
-Remark crossing_edges() { return {0, fmt::format("the faces cross along their edges: {}", what_is_wound)}; }
+Remark crossing_edges() { return {0, fmt::format("the faces cross along their edges: {}", enclosed_space_is_drawn)}; }
 
 Remark turned_faces(const solids::TurnedFaces& turned) {
-  const std::string which = turned.count == 1 ? fmt::format("faces[{}] runs against those around it", turned.first)
-                                              : fmt::format("faces[{}] and {} more run against those around them",
-                                                            turned.first, turned.count - 1);
-  return {turned.first, which + "; turned, as OpenSCAD shows it alone; its Booleans leave the solid out"};
+  const std::string which = turned.count == 1
+                                ? fmt::format("faces[{}] is oriented opposite to its neighbours", turned.first)
+                                : fmt::format("faces[{}] and {} more are oriented opposite to their neighbours",
+                                              turned.first, turned.count - 1);
+  return {turned.first, which + "; reversed, as OpenSCAD shows the solid on its own; OpenSCAD's Booleans drop it"};
 }
 
 struct Divided {
   std::vector<model::Polyhedron> pieces;
-  std::optional<Remark> crossing{};  ///< of a mesh that crosses itself
+  std::optional<Remark> crossing{};  ///< set for a mesh that crosses itself
 };
 
 Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
@@ -62,18 +64,19 @@ Divided divide(const solids::Checked& checked, const solids::Limits& limits) {
   }
 }
 
-/// The hull of a mesh in several pieces that OpenSCAD takes for that.
-std::optional<model::Polyhedron> hull_of(const solids::Mesh& mesh, std::size_t pieces, const solids::Standing& standing,
-                                         const Work& work) {
-  if (pieces < 2 || !standing.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
+/// The hull of a mesh with several pieces, if OpenSCAD replaces the mesh by its hull.
+std::optional<model::Polyhedron> replacement_hull(const solids::Mesh& mesh, std::size_t pieces,
+                                                  const solids::MeshPlacement& mesh_placement, const Work& work) {
+  if (pieces < 2 || !mesh_placement.meets_others || !solids::is_nearly_convex(mesh)) return std::nullopt;
   return solids::hull_piece(mesh.points, work);
 }
 
 }  // namespace
 
-MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::Standing& standing, const Work& work) {
+MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::MeshPlacement& mesh_placement,
+                     const Work& work) {
   work.charge(check_steps * mesh.faces.size(), "checking a mesh of " + std::to_string(mesh.faces.size()) + " faces");
-  solids::Checked checked = solids::check(mesh, tolerance, standing);
+  solids::Checked checked = solids::check(mesh, tolerance, mesh_placement);
   if (checked.defect) return {{}, std::move(checked.defect)};
   solids::Limits limits;
   limits.tolerance = tolerance;
@@ -83,7 +86,7 @@ MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::S
   bool is_hull = false;
   if (divided.crossing) {
     made.remarks.push_back(*std::move(divided.crossing));
-  } else if (auto hull = hull_of(checked.mesh, made.pieces.size(), standing, work)) {
+  } else if (auto hull = replacement_hull(checked.mesh, made.pieces.size(), mesh_placement, work)) {
     made.pieces = {*std::move(hull)};
     is_hull = true;
   }

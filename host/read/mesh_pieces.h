@@ -1,3 +1,5 @@
+// Conversion of meshes to convex pieces, with notes on repairs.
+// Used by imports.cpp, polyhedron.cpp and host/commands.
 #pragma once
 
 #include <cstdint>
@@ -11,22 +13,24 @@
 
 namespace csgsim::read {
 
-/// What there is to tell of a mesh that is drawn, and the face (its number in the file) to point at.
+/// A note on a drawn mesh, and the number in the file of the face to report.
 struct Remark {
   std::uint32_t face = 0;
   std::string what;
 };
 
-/// The convex pieces of a mesh, or what keeps it from being a solid.
+/// The convex pieces of a mesh, or the reason why it is not a solid.
 struct MeshPieces {
   std::vector<model::Polyhedron> pieces;
   std::optional<solids::Defect> defect{};
   std::vector<Remark> remarks{};
 };
 
-/// As OpenSCAD 2021.01 draws the mesh: faces that are not flat are cut into its triangles, what is nearly convex is its
-/// convex hull where it meets others, and a mesh whose faces cross is what they wind around. `tolerance`: see
-/// solids/limits.h. Throws InputError past the limits on pieces, and WorkError past that on work.
-MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::Standing& standing, const Work& work);
+/// Divides a mesh as OpenSCAD 2021.01 draws it: bent faces are cut into OpenSCAD's triangles, a nearly convex mesh is
+/// replaced by its convex hull where it is combined with others, and a mesh whose faces cross becomes the space that
+/// they enclose. `tolerance` is described in solids/limits.h. Throws InputError for too many pieces, and WorkError past
+/// the limit on work.
+MeshPieces pieces_of(const solids::Mesh& mesh, double tolerance, const solids::MeshPlacement& mesh_placement,
+                     const Work& work);
 
 }  // namespace csgsim::read

@@ -1,3 +1,5 @@
+// Table of node types.
+// Used by arguments.h, build.h and meetings.cpp.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +21,9 @@ enum class NodeKind : std::uint8_t {
   transform,
   colour,
   solid,        ///< a convex solid
-  made,         ///< made of its children, if it takes any, when it has ended
-  unsupported,  ///< a node of `.csg` files that has no half-spaces
-  source,       ///< a module of OpenSCAD's language that its `.csg` files never contain
+  made,         ///< made when the node ends, from its children if it takes any
+  unsupported,  ///< a node of `.csg` files without half-spaces
+  source,       ///< a module of OpenSCAD's language that never occurs in its `.csg` files
 };
 
 class Arguments;
@@ -29,31 +31,31 @@ class Arguments;
 /// Reads a solid. Nothing if it is empty.
 using SolidReader = std::optional<model::Shape> (*)(const Arguments&);
 
-/// Reads all arguments of a node that is made.
+/// Reads all arguments of a made node.
 using MakerReader = Maker (*)(const Arguments&);
 
 struct NodeType {
   std::string_view name;
   NodeKind kind;
-  std::span<const std::string_view> parameters;  ///< those without a name in the file first, in their order
-  std::size_t positional = 0;                    ///< how many of them may go without
-  std::span<const std::string_view> harmless;    ///< accepted with any value: they change nothing here
-  SolidReader solid = nullptr;                   ///< of a node of that kind
-  MakerReader maker = nullptr;                   ///< of a node of that kind
-  bool has_children = false;                     ///< of a node that is made
-  std::uint32_t dimensions = 0;                  ///< of its children; 0: those of the first that is not empty
+  std::span<const std::string_view> parameters;  ///< positional ones first, in order
+  std::size_t positional = 0;                    ///< number of parameters that may be positional
+  std::span<const std::string_view> harmless;    ///< accepted with any value, and ignored
+  SolidReader solid = nullptr;                   ///< only if the kind is `solid`
+  MakerReader maker = nullptr;                   ///< only if the kind is `made`
+  bool has_children = false;                     ///< only if the kind is `made`
+  std::uint32_t dimensions = 0;  ///< dimensions of its children; 0: those of the first child that is not empty
 };
 
-/// The node of that name, or nothing.
+/// The node with that name, or null.
 const NodeType* find_node(std::string_view name);
 
-/// What is wrong with a name that find_node does not know, and what to do.
+/// The error text for a name unknown to find_node(), with a suggestion.
 std::string unknown_node(std::string_view name);
 
-/// What is wrong with an argument name that the node does not have, and what to do.
+/// The error text for an argument name that the node does not have, with a suggestion.
 std::string unknown_argument(const NodeType& node, std::string_view name);
 
-/// Why a node of kind `unsupported` or `source` cannot be used, and what to do.
+/// The error text for a node of kind `unsupported` or `source`, with a suggestion.
 std::string unusable_node(const NodeType& node);
 
 }  // namespace csgsim::read

@@ -10,7 +10,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Whether a decimal literal that no double is near is below the smallest (else it is above the largest).
+/// Whether a decimal literal outside the range of doubles is below it rather than above it.
 bool is_tiny(std::string_view literal) {
   const std::size_t exponent_at = std::min(literal.find_first_of("eE"), literal.size());
   const std::string_view mantissa = literal.substr(0, exponent_at);
@@ -24,7 +24,8 @@ bool is_tiny(std::string_view literal) {
     const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
     if (result.ec != std::errc{}) return digits.starts_with('-');
   }
-  // Digits that follow the first one up to the point, negative if it is behind the point; below 2^31, as a file is.
+  // Number of digits between the first one and the point; negative if the first digit follows the point. Below 2^31,
+  // like the size of a file.
   const long long magnitude = static_cast<long long>(point) - static_cast<long long>(first_digit);
   return exponent < -magnitude;
 }

@@ -1,3 +1,5 @@
+// Parser of number literals.
+// Used by parser.cpp, restore.cpp and host/commands.
 #pragma once
 
 #include <optional>
@@ -5,8 +7,8 @@
 
 namespace csgsim::read {
 
-/// The nearest double to a literal that the grammar takes (`-1.5e3`, `.5`, `inf`, `-nan`). What is too small for a
-/// double becomes zero; nothing if it is too large.
+/// The double nearest to a literal of the grammar (`-1.5e3`, `.5`, `inf`, `-nan`). Literals below the range of doubles
+/// become 0; those above it give nothing.
 std::optional<double> parse_number(std::string_view literal);
 
 }  // namespace csgsim::read

@@ -37,7 +37,7 @@ void Parser::add_value(std::string_view text, ValueKind kind, double number) {
 
 void Parser::add_number(std::string_view text) {
   const std::optional<double> number = parse_number(text);
-  if (!number) fail(offset_of(text.data()), "number out of range: {} is more than a double holds", shown(text));
+  if (!number) fail(offset_of(text.data()), "number out of range: {} exceeds the range of doubles", shown(text));
   add_value(text, ValueKind::number, *number);
 }
 
@@ -69,7 +69,7 @@ void Parser::open_braces(std::string_view text) {
 }
 
 void Parser::close_braces(std::string_view text) {
-  if (open_.empty()) fail(offset_of(text.data()), "this `}}` closes nothing; take it out");
+  if (open_.empty()) fail(offset_of(text.data()), "unmatched `}}`; remove it");
   open_.pop_back();
   visitor_.end();
 }

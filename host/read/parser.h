@@ -1,3 +1,5 @@
+// Actions of the `.csg` grammar.
+// Used by syntax.cpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,8 +15,8 @@
 
 namespace csgsim::read {
 
-/// What the actions of the grammar work on: the statement that is being read and the braces around it. Each action is
-/// given the text that its rule matched.
+/// State of the grammar's actions: the current statement and the open braces. Each action receives the text that its
+/// rule matched.
 class Parser {
  public:
   Parser(Source& source, StatementVisitor& visitor) : source_(source), visitor_(visitor) {}
@@ -44,7 +46,7 @@ class Parser {
   [[noreturn]] void fail_expecting(std::size_t offset, std::string_view expected);
   [[noreturn]] void fail_without_arguments(std::size_t offset);
 
-  /// At the start of the last comment or string.
+  /// Throws InputError at the start of the last comment or string.
   [[noreturn]] void fail_in_quote(std::string_view message) { source_.fail(quote_, message); }
 
   template <typename... Parts>
@@ -68,9 +70,9 @@ class Parser {
   std::string_view argument_name_;
   std::uint32_t argument_value_ = 0;
   std::vector<std::uint32_t> vectors_;  ///< indices of the open vectors
-  std::vector<Open> open_;              ///< the statements whose braces are open
+  std::vector<Open> open_;              ///< statements whose braces are open
   std::uint32_t statements_ = 0;
-  std::size_t quote_ = 0;  ///< where the last comment or string starts
+  std::size_t quote_ = 0;  ///< start of the last comment or string
 };
 
 }  // namespace csgsim::read

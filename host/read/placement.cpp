@@ -11,8 +11,8 @@ namespace csgsim::read {
 
 namespace {
 
-/// Volume of the parallelepiped of a matrix's columns, each scaled to length 1, below which the matrix is singular. It
-/// is far above the rounding of products of matrices and far below what squeezes a solid on purpose.
+/// A matrix is singular if the volume spanned by its normalized columns is below this: far above the rounding errors of
+/// matrix products, and far below intentional flattening.
 constexpr double singular_volume = 1e-12;
 
 bool is_finite(const glm::dmat4& matrix) {
@@ -41,10 +41,10 @@ glm::dmat4 read_matrix(const Arguments& arguments) {
   });
   if (!is_finite(matrix)) return glm::dmat4(std::numeric_limits<double>::quiet_NaN());
   if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0) {
-    arguments.tell(rows,
-                   fmt::format("the first three numbers of the matrix's last row, {:g}, {:g}, {:g}, are left out, "
-                               "as OpenSCAD leaves them out of what it renders",
-                               matrix[0][3], matrix[1][3], matrix[2][3]));
+    arguments.report(rows,
+                     fmt::format("the first three numbers of the matrix's last row, {:g}, {:g}, {:g}, are ignored, "
+                                 "as in OpenSCAD's rendering",
+                                 matrix[0][3], matrix[1][3], matrix[2][3]));
     matrix[0][3] = matrix[1][3] = matrix[2][3] = 0;
   }
   return matrix[3][3] == 1 ? matrix : matrix / matrix[3][3];
@@ -65,7 +65,7 @@ bool empties(const glm::dmat4& matrix) {
 Colour read_colour(const Arguments& arguments) {
   const ValueView value = arguments.required("c", "[red, green, blue], each from 0 to 1");
   if (value.is(ValueKind::string)) {
-    arguments.fail(value, "color() does not know names; write [red, green, blue], each from 0 to 1");
+    arguments.fail(value, "color() does not accept names; write [red, green, blue], each from 0 to 1");
   }
   std::array<double, 4> components{0, 0, 0, 1};
   arguments.read_numbers(value, 3, components, "the colour");

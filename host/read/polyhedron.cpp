@@ -11,7 +11,7 @@ namespace csgsim::read {
 
 namespace {
 
-/// Faces of fewer than 3 corners stay, so that numbers are those of the file; a mesh drops them.
+/// Faces with fewer than 3 corners are kept, so that indices match the file; the mesh drops them later.
 struct Faces {
   std::vector<std::vector<std::uint32_t>> corners;
   std::vector<ValueView> places;
@@ -23,7 +23,7 @@ Faces read_faces(const Arguments& arguments, ValueView list, std::size_t points)
   IndexReader reader(arguments, points);
   list.for_each([&](ValueView value) {
     std::vector<std::uint32_t> corners = reader.read(value);
-    if (corners.size() < 3) reader.warn(value, "a face has fewer than 3 corners; it is left out");
+    if (corners.size() < 3) reader.warn(value, "a face has fewer than 3 corners; it is dropped");
     faces.corners.push_back(std::move(corners));
     faces.places.push_back(value);
   });
@@ -33,35 +33,35 @@ Faces read_faces(const Arguments& arguments, ValueView list, std::size_t points)
 ValueView find_faces(const Arguments& arguments) {
   const std::optional<ValueView> triangles = arguments.find("triangles");
   if (!triangles) return arguments.required("faces", "faces = [[0, 1, 2], ...]");
-  if (arguments.has("faces")) arguments.fail("faces and triangles are both given; take one out");
+  if (arguments.has("faces")) arguments.fail("faces and triangles are both given; remove one");
   return *triangles;
 }
 
-Made made_of(const Arguments& arguments) {
-  // So OpenSCAD prints a polyhedron that was given none.
+Made make_polyhedron(const Arguments& arguments) {
+  // OpenSCAD writes a polyhedron without points or faces this way.
   if (arguments.is_undefined("points") || arguments.is_undefined("faces")) return {};
-  const std::optional<std::vector<glm::dvec3>> points = read_points<3>(arguments, "polyhedron", "it is left out");
+  const std::optional<std::vector<glm::dvec3>> points = read_points<3>(arguments, "polyhedron", "it is dropped");
   if (!points) return {};
   const Faces faces = read_faces(arguments, find_faces(arguments), points->size());
   const solids::Mesh mesh{*points, faces.corners};
   if (auto solid = solids::as_convex_faces(solids::join_points(mesh).mesh)) return {{*std::move(solid)}, {}};
   MeshPieces found;
   try {
-    solids::Standing standing = arguments.standing();
-    standing.runs_back = true;
-    found = pieces_of(mesh, solids::printed_tolerance, standing, arguments.work());
+    solids::MeshPlacement mesh_placement = arguments.mesh_placement();
+    mesh_placement.is_reversed = true;
+    found = pieces_of(mesh, solids::printed_tolerance, mesh_placement, arguments.work());
   } catch (const InputError& error) {
     arguments.fail("{}", error.what());
   }
   if (found.defect) arguments.fail(faces.places[found.defect->face], "{}", found.defect->what);
-  for (const Remark& remark : found.remarks) arguments.tell(faces.places[remark.face], remark.what);
+  for (const Remark& remark : found.remarks) arguments.report(faces.places[remark.face], remark.what);
   return {std::move(found.pieces), {}};
 }
 
 }  // namespace
 
 Maker read_polyhedron(const Arguments& arguments) {
-  Made made = made_of(arguments);
+  Made made = make_polyhedron(arguments);
   made.dimensions = 3;
   return [made = std::move(made)](const Operands& /*none*/) { return made; };
 }

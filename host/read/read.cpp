@@ -14,15 +14,15 @@ namespace csgsim::read {
 
 namespace {
 
-/// Visits the statements that are drawn. Throws InputError if there is no statement at all.
+/// Visits the statements that are drawn. Throws InputError if the file has no statement.
 void visit_drawn(Source& source, std::optional<std::uint32_t> root, StatementVisitor& visitor) {
   DrawnFilter filter(visitor, root);
   visit_statements(source, filter);
   if (!filter.has_statements())
-    throw InputError(fmt::format("{}: there is no model in it; export one from OpenSCAD", source.name()));
+    throw InputError(fmt::format("{}: no model found; export one from OpenSCAD", source.name()));
 }
 
-/// Only meshes ask where solids meet.
+/// Finds where solids are combined; only needed for meshes.
 Meetings find_meetings(Source& source, std::optional<std::uint32_t> root) {
   const auto names = [&](std::string_view node) { return source.text().find(node) != std::string_view::npos; };
   if (!names("polyhedron") && !names("import")) return {};

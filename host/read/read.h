@@ -1,3 +1,5 @@
+// Reader of OpenSCAD `.csg` files.
+// Used by build.h, source.h, host/commands and sim.
 #pragma once
 
 #include <filesystem>
@@ -11,26 +13,26 @@
 namespace csgsim::read {
 
 struct Options {
-  /// Rotations of multmatrix() nodes are restored from the six digits that OpenSCAD writes (restore.h), and a
-  /// note says how many.
+  /// Restores rotations of multmatrix() nodes from the six digits that OpenSCAD writes (restore.h), and reports their
+  /// number.
   bool restores_rotations = false;
-  /// Files that the model imports have to be, when links are followed, in the model's folder, in this one, or below
-  /// them, and are looked for in both; empty: in the model's alone.
+  /// An additional folder for imports. Imported files have to be, after links are followed, in the model's folder, in
+  /// this one, or below them; both are searched. Empty: only the model's folder.
   std::filesystem::path imports_from{};
-  /// Is told the bytes of each file that is imported, in order.
+  /// Receives the bytes of each imported file, in order.
   std::function<void(std::string_view)> imported{};
-  /// Reading throws an InputError, with the place, past its limit.
+  /// Limit on work; reading throws an InputError with the position beyond it.
   Work work{};
 };
 
 /// Reads an OpenSCAD `.csg` file. Throws InputError with file:line:column.
 ///
-/// What stays: a tree without empty parts. Solids of zero, negative or non-finite size and solids flattened by a
-/// singular matrix are empty; an empty operand empties an intersection, an empty first operand a difference, and other
-/// empty operands vanish; operators left with one child are replaced by it.
+/// The result is a tree without empty parts. Solids with a zero, negative or non-finite size and solids flattened by a
+/// singular matrix are empty. An empty operand empties an intersection, an empty first operand a difference, and other
+/// empty operands are dropped; an operator with one remaining child is replaced by it.
 model::Tree read_csg_file(const std::filesystem::path& path, const Options& options = {});
 
-/// The same from text; `name` stands for the file in messages.
+/// The same for a text; `name` replaces the file name in messages.
 model::Tree read_csg_text(std::string_view text, std::string_view name, const Options& options = {});
 
 }  // namespace csgsim::read

@@ -16,13 +16,13 @@ namespace csgsim::read {
 
 namespace {
 
-/// What the rounding of sines and of their products may take from an entry of a rotation, or leave of 0: files write
-/// that as 6.12323e-17.
+/// Maximum error that rounding of sines and their products causes in an entry of a rotation, including zeros: files
+/// contain them as 6.12323e-17.
 constexpr double noise = 1e-15;
 
 double to_digits(double number, int digits) { return *parse_number(fmt::format("{:.{}g}", number, digits)); }
 
-/// Whether a number that is known to within the error may have been written with those six digits.
+/// Whether a number known to within `error` may have been written with those six digits.
 bool is_written_as(double number, double written, double error) {
   return to_digits(number - error, 6) <= written && written <= to_digits(number + error, 6);
 }
@@ -45,23 +45,24 @@ bool is_finite(const glm::dmat3& matrix) {
   return true;
 }
 
-/// Hundredths of a degree. 0 where only rounding keeps both entries from 0.
+/// Angle in hundredths of a degree; 0 if both entries are only rounding errors.
 int angle(double sine, double cosine) {
   if (std::abs(sine) <= noise && std::abs(cosine) <= noise) return 0;
   return static_cast<int>(std::round(std::atan2(sine, cosine) * (18000.0 / std::numbers::pi)));
 }
 
-/// The angles nearest to a matrix that is nearly a rotation, in hundredths of a degree. Where y is a right angle, x and
-/// z turn about one axis, and x is 0.
+/// The angles nearest to a matrix that is almost a rotation, in hundredths of a degree. If y is a right angle, x and z
+/// rotate about the same axis, and x is set to 0.
 glm::ivec3 euler_angles(const glm::dmat3& matrix) {
   const int y = angle(-matrix[0][2], model::hypotenuse(matrix[0][0], matrix[0][1]));
   if (std::abs(y) == 9000) return {0, y, angle(-matrix[1][0], matrix[1][1])};
   return {angle(matrix[1][2], matrix[2][2]), y, angle(matrix[0][1], matrix[0][0])};
 }
 
-/// The rotation about x, then y, then z by angles in hundredths of a degree. An entry is off by 7e-16 at most: each
-/// sine and cosine is rounded once (u = 2^-53 of it), and so are products and sums, so that of c c' s + s' s'', whose
-/// two products are 1 at most together, no more than 5 u of the first, 3 u of the second and u of the sum is lost.
+/// The rotation about x, then y, then z by angles in hundredths of a degree. The error of an entry is at most 7e-16:
+/// each sine and cosine is rounded once (by a factor of u = 2^-53), and so are products and sums. In c c' s + s' s'',
+/// whose two products sum to at most 1, the errors are at most 5 u of the first product, 3 u of the second, and u of
+/// the sum.
 glm::dmat3 rotation(const glm::ivec3& hundredths) {
   const double sx = model::sin_hundredths(hundredths.x);
   const double sy = model::sin_hundredths(hundredths.y);
@@ -80,11 +81,11 @@ glm::dmat3 diagonal(const glm::dvec3& entries) {
   return matrix;
 }
 
-/// Whether scaling or turning comes first.
+/// Whether scaling or rotation comes first.
 enum class Order : std::uint8_t { scale_turn, turn_scale };
 
-/// The factors of the axes. If the matrix mirrors one of them, all three are negative instead.
-glm::dvec3 scale_of(const glm::dmat3& written, Order order) {
+/// The scale factors of the axes. If the matrix mirrors one axis, all three factors are negative instead.
+glm::dvec3 find_scale(const glm::dmat3& written, Order order) {
   const glm::dmat3 lines = order == Order::scale_turn ? written : glm::transpose(written);
   const double sign = glm::determinant(written) < 0.0 ? -1.0 : 1.0;
   glm::dvec3 scale(0);
@@ -93,12 +94,12 @@ glm::dvec3 scale_of(const glm::dmat3& written, Order order) {
 }
 
 std::optional<glm::dmat3> restored(const glm::dmat3& written, Order order) {
-  const glm::dvec3 scale = scale_of(written, order);
+  const glm::dvec3 scale = find_scale(written, order);
   const auto scaled = [&](const glm::dmat3& matrix, const glm::dvec3& by) {
     return order == Order::scale_turn ? matrix * diagonal(by) : diagonal(by) * matrix;
   };
   const glm::dmat3 unit = scaled(written, 1.0 / scale);
-  if (!is_finite(unit)) return std::nullopt;  // of a scale of 0, say
+  if (!is_finite(unit)) return std::nullopt;  // a scale is 0, for example
   const glm::dmat3 turn = rotation(euler_angles(unit));
   const glm::dmat3 whole = scaled(turn, scale);
   const double greatest = std::max({1.0, std::abs(scale.x), std::abs(scale.y), std::abs(scale.z)});

@@ -1,3 +1,5 @@
+// Arguments common to several nodes: facets, radii, points, indices.
+// Used throughout host/read.
 #pragma once
 
 #include <fmt/format.h>
@@ -15,18 +17,19 @@
 #include "host/model/tree.h"
 #include "host/read/arguments.h"
 
-// Arguments that several nodes have.
+// Arguments common to several nodes.
 
 namespace csgsim::read {
 
-/// $fn, $fa and $fs, as OpenSCAD bounds them.
+/// $fn, $fa and $fs, limited as in OpenSCAD.
 model::FacetControl read_facets(const Arguments& arguments);
 
-/// A radius that the file may give as a diameter.
+/// A radius, which the file may give as a diameter.
 std::optional<double> read_radius(const Arguments& arguments, std::string_view radius, std::string_view diameter);
 
-/// Indices of points, as OpenSCAD 2021.01 reads them: it cuts a fraction off, takes what is no number for 0, and leaves
-/// out an index of no point, and a list that is no vector. The user is warned of the first of each node.
+/// Reads point indices as OpenSCAD 2021.01 does: fractions are truncated, values that are not numbers count as 0, and
+/// indices out of range and lists that are not vectors are dropped. Only the first such case in each node causes a
+/// warning.
 class IndexReader {
  public:
   /// The node has `points` points.
@@ -35,7 +38,7 @@ class IndexReader {
   /// The indices of one face or path.
   std::vector<std::uint32_t> read(ValueView list);
 
-  /// Warns of a value that is changed or left out, unless the node has had a warning.
+  /// Warns of a value that is changed or dropped, unless the node has already caused a warning.
   void warn(ValueView value, const std::string& message);
 
  private:
@@ -46,7 +49,7 @@ class IndexReader {
   bool has_warned_ = false;
 };
 
-/// The numbers of a vector of N; none where it is something else, or one of them is not finite.
+/// The numbers of a vector with N elements; none if it is anything else or an element is not finite.
 template <int N>
 std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
   if (!vector.is(ValueKind::vector) || vector.size() != N) return std::nullopt;
@@ -61,7 +64,7 @@ std::optional<glm::vec<N, double>> finite_numbers(ValueView vector) {
   return all_finite ? std::optional(numbers) : std::nullopt;
 }
 
-/// The points of a node. None if one is no point: the user is told so, and of the `outcome`.
+/// The points of a node. None if a value is not a point; a warning then reports this and the `outcome`.
 template <int N>
 std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arguments, std::string_view node,
                                                             std::string_view outcome) {
@@ -76,8 +79,8 @@ std::optional<std::vector<glm::vec<N, double>>> read_points(const Arguments& arg
     if (!point && !bad) bad = value;
   });
   if (!bad) return points;
-  arguments.tell(*bad, fmt::format("warning: a point of {}() is no {} of finite numbers; {}, as in OpenSCAD", node,
-                                   form, outcome));
+  arguments.report(*bad, fmt::format("warning: a point of {}() is not {} of finite numbers; {}, as in OpenSCAD", node,
+                                     form, outcome));
   return std::nullopt;
 }
 

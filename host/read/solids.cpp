@@ -40,7 +40,7 @@ std::optional<model::Shape> read_cylinder(const Arguments& arguments) {
   const std::optional<double> both = read_radius(arguments, "r", "d");
   std::optional<double> r1 = read_radius(arguments, "r1", "d1");
   std::optional<double> r2 = read_radius(arguments, "r2", "d2");
-  if (both && r1 && r2) arguments.fail("r, r1 and r2 are all given; take r out");
+  if (both && r1 && r2) arguments.fail("r, r1 and r2 are all given; remove r");
   if (!r1) r1 = both;
   if (!r2) r2 = both;
   if (!r1 || !r2) arguments.fail("cylinder() lacks its {}; add {} = radius", r1 ? "r2" : "r1", r1 ? "r2" : "r1");

@@ -33,14 +33,14 @@ Source::Source(std::string_view text, std::string_view name, Options options)
 std::optional<ImportedFile> Source::import(std::string_view file, const InputKind& kind, std::string_view node,
                                            std::size_t offset) {
   constexpr std::string_view hint = "put the file there, or below it, or name its folder: --imports-from FOLDER";
-  const std::vector<ImportPlace> places = folders_.places_of(file);
+  const std::vector<ImportPlace> places = folders_.candidate_places(file);
   for (const auto& [place, is_inside] : places) {
     if (!is_inside) continue;
     std::optional<ImportedFile> found;
     try {
       const Descriptor opened = open_regular_file(place, kind);
       if (!opened.is_open()) continue;
-      if (folders_.hold(opened)) found = ImportedFile{place, read_file(opened, place, kind)};
+      if (folders_.contains(opened)) found = ImportedFile{place, read_file(opened, place, kind)};
     } catch (const InputError& error) {
       fail(offset, error.what());
     }
@@ -52,7 +52,7 @@ std::optional<ImportedFile> Source::import(std::string_view file, const InputKin
   }
   if (std::ranges::any_of(places, [](const ImportPlace& place) { return !place.is_inside && place.exists(); }))
     fail(offset, fmt::format("{} is not in the model's folder; {}", printable(file), hint));
-  tell(offset, fmt::format("warning: {} is not there; {}() is empty, as in OpenSCAD", printable(file), node));
+  tell(offset, fmt::format("warning: {} does not exist; {}() is empty, as in OpenSCAD", printable(file), node));
   return std::nullopt;
 }
 
@@ -77,8 +77,8 @@ void Source::tell(std::size_t offset, std::string_view message) {
   tell_line(fmt::format("{}:{}:{}: {}", name_, place.line, place.column, message));
 }
 
-void Source::tell_once(std::size_t offset, const std::string& message) {
-  if (told_.insert(message).second) tell(offset, message);
+void Source::warn_once(std::size_t offset, const std::string& message) {
+  if (printed_.insert(message).second) tell(offset, message);
 }
 
 void Source::fail(std::size_t offset, std::string_view message) {

@@ -1,3 +1,5 @@
+// The text of a model: positions, messages, imports.
+// Used throughout host/read and by host/commands, sim/session, sim/studies and sim/viewer.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +21,16 @@
 
 namespace csgsim::read {
 
-/// The limit on texts.
+/// The size limit of model texts.
 inline constexpr InputKind model_file{"a .csg file", max_file_bytes, "split the model"};
 
-/// A file that the model imports, as it was when it was read.
+/// A file imported by the model, with its content.
 struct ImportedFile {
   std::filesystem::path path;
   std::string bytes;
 };
 
-/// The text of a file and the places in it. A byte-order mark does not count as a column.
+/// The text of a file and positions in it. A byte-order mark does not count as a column.
 class Source {
  public:
   /// Both views must outlive the source. Throws InputError if the text is longer than `max_file_bytes`.
@@ -37,26 +39,26 @@ class Source {
   [[nodiscard]] std::string_view text() const { return text_; }
   [[nodiscard]] std::string_view name() const { return name_; }
 
-  /// A file that the model names. None, with a warning at the byte that `node` is empty, if there is none of the name.
-  /// Throws InputError, at the byte, if it may not or cannot be read.
+  /// Imports a file named by the model. None if it does not exist; a warning at the byte then says that `node` is
+  /// empty. Throws InputError, at the byte, if the file may not or cannot be read.
   std::optional<ImportedFile> import(std::string_view file, const InputKind& kind, std::string_view node,
                                      std::size_t offset);
 
-  /// The files that were read, in order.
+  /// The imported files, in order.
   [[nodiscard]] const std::vector<std::filesystem::path>& files() const { return files_; }
 
-  /// Whatever is made of the text is charged to it; see read::Options. Without a limit before.
+  /// Sets the work counter charged by everything that uses the text; see read::Options. Unlimited before.
   void charge_to(Work work) { work_ = std::move(work); }
   [[nodiscard]] const Work& work() const { return work_; }
 
-  /// Line and column, in characters of UTF-8, of a byte. Cheap when asked for places from first to last.
+  /// Line and column of a byte, counted in UTF-8 characters. Fast for ascending offsets.
   [[nodiscard]] model::Location locate(std::size_t offset);
 
-  /// Tells `name:line:column: message` on standard error.
+  /// Prints `name:line:column: message` to standard error.
   void tell(std::size_t offset, std::string_view message);
 
-  /// The same, unless that message has been told at another place.
-  void tell_once(std::size_t offset, const std::string& message);
+  /// The same, unless that message was printed before at another position.
+  void warn_once(std::size_t offset, const std::string& message);
 
   /// Throws InputError: `name:line:column: message`.
   [[noreturn]] void fail(std::size_t offset, std::string_view message);
@@ -67,13 +69,13 @@ class Source {
   ImportFolders folders_;
   std::function<void(std::string_view)> imported_;  ///< see Options
   std::vector<std::filesystem::path> files_;
-  std::set<std::string> told_;    ///< by tell_once()
-  model::Location known_{1, 1};   ///< the place of the byte at known_offset_
-  std::size_t known_offset_ = 0;  ///< everything before it is counted
+  std::set<std::string> printed_;  ///< messages printed by warn_once()
+  model::Location known_{1, 1};    ///< position of the byte at known_offset_
+  std::size_t known_offset_ = 0;   ///< all bytes before it are counted
   Work work_;
 };
 
-/// A name from the file as a message may show it: cut short if it is long.
+/// A name from the file as shown in messages: truncated if it is long.
 std::string shown(std::string_view name);
 
 }  // namespace csgsim::read

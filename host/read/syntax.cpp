@@ -14,7 +14,7 @@ namespace {
 template <typename Rule>
 struct Action : tao::pegtl::nothing<Rule> {};
 
-/// An action that gives the matched text to a member of the parser.
+/// An action that passes the matched text to a member of the parser.
 template <void (Parser::*act)(std::string_view)>
 struct Calls {
   template <typename Input>
@@ -58,8 +58,8 @@ struct Action<grammar::brace_open> : Calls<&Parser::open_braces> {};
 template <>
 struct Action<grammar::brace_close> : Calls<&Parser::close_braces> {};
 
-/// What a rule that must match expects, for messages; {0} stands for the name of the node. The default is for rules
-/// that cannot fail but through one of those below.
+/// The expectation of a rule that must match, for messages; {0} is replaced by the node's name. The default applies to
+/// rules that can only fail through one of those below.
 template <typename Rule>
 constexpr auto expected = "something else";
 template <>

@@ -1,3 +1,5 @@
+// Statements of `.csg` files, and their visitor.
+// Used throughout host/read.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +13,17 @@ namespace csgsim::read {
 
 enum class ValueKind : std::uint8_t { number, boolean, string, undefined, vector };
 
-/// A value of a statement. The values of a statement stand in one list in the order of the text, so the elements of a
-/// vector follow it.
+/// A value of a statement. A statement's values form one list in text order, so the elements of a vector follow it.
 struct Value {
-  double number = 0;         ///< of a number; of a boolean, 0 or 1; of a string, how many bytes are between its quotes
-  std::uint32_t offset = 0;  ///< where it is in the text
+  double number = 0;         ///< number; for a boolean, 0 or 1; for a string, its length in bytes without quotes
+  std::uint32_t offset = 0;  ///< position in the text
   ValueKind kind = ValueKind::undefined;
-  std::uint32_t extent = 1;  ///< how many values it takes up in the list, with itself
+  std::uint32_t extent = 1;  ///< number of list entries that it occupies, including itself
 };
 
 struct Argument {
   std::string_view name;     ///< empty if positional
-  std::uint32_t offset = 0;  ///< where it is in the text
+  std::uint32_t offset = 0;  ///< position in the text
   std::uint32_t value = 0;   ///< index of its value
 };
 
@@ -36,21 +37,21 @@ struct Modifiers {
 struct Statement {
   Modifiers modifiers;
   std::string_view name;
-  std::uint32_t offset = 0;  ///< where the name is in the text
+  std::uint32_t offset = 0;  ///< position of the name in the text
   std::vector<Argument> arguments;
   std::vector<Value> values;
 };
 
-/// Told of each statement as it is read, so that the tree of statements need not be stored.
+/// Receives each statement as it is read, so that the tree of statements need not be stored.
 class StatementVisitor {
  public:
   virtual ~StatementVisitor() = default;
-  virtual void begin(const Statement& statement) = 0;  ///< the statement is gone after the call
-  virtual void end() = 0;                              ///< of the last begun statement that has not ended
+  virtual void begin(const Statement& statement) = 0;  ///< the statement is only valid during the call
+  virtual void end() = 0;                              ///< ends the innermost open statement
 };
 
-/// Reads statements, at most `max_statements` in at most `max_depth` braces. Throws InputError where the text is not
-/// that of a `.csg` file, or what the visitor throws.
+/// Reads statements, at most `max_statements` in at most `max_depth` nested braces. Throws InputError if the text is
+/// not a valid `.csg` file, and passes on exceptions of the visitor.
 void visit_statements(Source& source, StatementVisitor& visitor);
 
 }  // namespace csgsim::read

@@ -1,3 +1,5 @@
+// Documentation of scene files, generated from their schema.
+// Used by host/effects and sim/viewer.
 #pragma once
 
 #include <string>
@@ -6,11 +8,11 @@
 
 namespace csgsim::scene {
 
-/// A table of the section's keys in Markdown: values, defaults, meanings.
+/// The section's keys as a Markdown table: values, defaults, meanings.
 std::string keys_table(const Section& section);
 
-/// What the key may be, in words, and the value as a scene file has it; empty where none is said, and for a table of
-/// colours.
+/// The allowed values of a key in words, and a value as written in a scene file; empty if there is no value, or for a
+/// table of colours.
 std::string allowed_text(const Key& key);
 std::string value_text(const KeyValue& value);
 

@@ -18,10 +18,10 @@ namespace csgsim::scene {
 namespace {
 
 constexpr std::string_view effects_prefix = "effects.";
-constexpr std::string_view on_key = "on";   ///< of every effect
-constexpr std::size_t most_in_list = 1000;  ///< tables
+constexpr std::string_view on_key = "on";  ///< key of every effect
+constexpr std::size_t max_in_list = 1000;  ///< maximum number of tables or colours in a list
 
-/// The first value in the node that was not in the file but set; null if there is none.
+/// The first value in the node that comes from KEY=VALUE instead of the file; null if there is none.
 const toml::node* set_value(const toml::node& node) {
   const toml::source_region& place = node.source();
   if (place.path && place.path->starts_with(set_mark)) return &node;
@@ -45,9 +45,9 @@ class Reader {
     std::vector<std::string_view> known{"effects"};
     for (const Section& section : common_sections()) known.push_back(section.name);
     check_keys(root, known, "");
-    for (const Section& section : common_sections()) read_if_there(root, section, section.name);
+    for (const Section& section : common_sections()) read_if_present(root, section, section.name);
     const toml::node* const effects = root.get("effects");
-    if (effects != nullptr) read_effects(table_of(*effects, "effects"));
+    if (effects != nullptr) read_effects(require_table(*effects, "effects"));
     return std::move(scene_);
   }
 
@@ -58,7 +58,7 @@ class Reader {
     throw InputError(fmt::format("{}: {}", show(place.begin, file_), message));
   }
 
-  const toml::table& table_of(const toml::node& node, std::string_view name) const {
+  const toml::table& require_table(const toml::node& node, std::string_view name) const {
     const toml::table* const table = node.as_table();
     if (table == nullptr) fail(node, fmt::format("'{0}' is {1}; make it a table [{0}]", name, type_name(node)));
     return *table;
@@ -80,34 +80,34 @@ class Reader {
     std::vector<std::string_view> known;
     for (const Section& effect : effects_) known.push_back(effect.name.substr(effects_prefix.size()));
     check_keys(table, known, effects_prefix);
-    for (const Section& effect : effects_) read_if_there(table, effect, effect.name.substr(effects_prefix.size()));
+    for (const Section& effect : effects_) read_if_present(table, effect, effect.name.substr(effects_prefix.size()));
   }
 
-  /// Whether the effect's table says that it is on, as it is where nothing is said.
+  /// Whether the effect's table switches it on, which is the default.
   [[nodiscard]] bool is_on(const toml::table& table, const Section& section) const {
     const toml::node* const node = table.get(on_key);
-    return node == nullptr || boolean_of(*node, fmt::format("{}.{}", section.name, on_key));
+    return node == nullptr || read_boolean(*node, fmt::format("{}.{}", section.name, on_key));
   }
 
-  void read_if_there(const toml::table& table, const Section& section, std::string_view key) {
+  void read_if_present(const toml::table& table, const Section& section, std::string_view key) {
     const toml::node* const node = table.get(key);
     if (node == nullptr) {
       const bool always_holds = !section.is_list && !section.name.starts_with(effects_prefix);
-      if (always_holds) tell(section, section.blank());
+      if (always_holds) report_values(section, section.blank());
       return;
     }
-    if (!section.is_list) return read_section(table_of(*node, section.name), section);
+    if (!section.is_list) return read_section(require_table(*node, section.name), section);
     const toml::array* const list = node->as_array();
     if (list == nullptr) {
       fail(*node, fmt::format("'{0}' is {1}; make it a list of tables, [[{0}]] each", section.name, type_name(*node)));
     }
-    if (list->size() > most_in_list) {
-      fail(*node, fmt::format("{} has more than {} tables", section.name, most_in_list));
+    if (list->size() > max_in_list) {
+      fail(*node, fmt::format("{} has more than {} tables", section.name, max_in_list));
     }
     for (const toml::node& one : *list) {
       const toml::table* const entry = one.as_table();
       if (entry == nullptr) {
-        fail(one, fmt::format("there is {1} in '{0}'; make it a table, [[{0}]]", section.name, type_name(one)));
+        fail(one, fmt::format("'{0}' contains {1}; make it a table, [[{0}]]", section.name, type_name(one)));
       }
       read_section(*entry, section);
     }
@@ -122,11 +122,11 @@ class Reader {
     check_keys(table, known, fmt::format("{}.", section.name));
     for (auto& [key, value] : read) {
       const toml::node* const node = table.get(key.name);
-      if (node != nullptr) value = value_of(*node, key, fmt::format("{}.{}", section.name, key.name));
+      if (node != nullptr) value = read_value(*node, key, fmt::format("{}.{}", section.name, key.name));
     }
-    const bool is_called = !is_effect || is_on(table, section);
-    if (is_called) tell(section, read);
-    if (section.is_list && !is_called) return;  // the others of the list may be on
+    const bool is_requested = !is_effect || is_on(table, section);
+    if (is_requested) report_values(section, read);
+    if (section.is_list && !is_requested) return;  // other tables of the list may be on
     try {
       section.keep(scene_, section, std::move(read));
     } catch (const InputError& error) {
@@ -135,44 +135,44 @@ class Reader {
     if (is_effect && !is_on(table, section)) scene_.effects.back().is_on = false;
   }
 
-  void tell(const Section& section, const Values& read) const {
+  void report_values(const Section& section, const Values& read) const {
     if (values_ != nullptr) values_->push_back({section.name, section.is_list, read});
   }
 
-  [[nodiscard]] Value value_of(const toml::node& node, const Key& key, const std::string& name) const {
+  [[nodiscard]] Value read_value(const toml::node& node, const Key& key, const std::string& name) const {
     switch (key.kind) {
-      case ValueKind::boolean: return boolean_of(node, name);
-      case ValueKind::integer: return integer_of(node, key, name);
-      case ValueKind::number: return number_of(node, key, name);
+      case ValueKind::boolean: return read_boolean(node, name);
+      case ValueKind::integer: return read_integer(node, key, name);
+      case ValueKind::number: return read_number(node, key, name);
       case ValueKind::vector:
-      case ValueKind::colour: return vector_of(node, key, name);
-      case ValueKind::colour_table: return colour_table_of(node, key, name);
+      case ValueKind::colour: return read_vector(node, key, name);
+      case ValueKind::colour_table: return read_colour_table(node, key, name);
       case ValueKind::choice: break;
     }
-    return choice_of(node, key, name);
+    return read_choice(node, key, name);
   }
 
-  [[nodiscard]] bool boolean_of(const toml::node& node, const std::string& name) const {
+  [[nodiscard]] bool read_boolean(const toml::node& node, const std::string& name) const {
     const toml::value<bool>* const value = node.as_boolean();
     if (value == nullptr) fail(node, fmt::format("{} is {}; make it true or false", name, type_name(node)));
     return value->get();
   }
 
-  [[nodiscard]] std::int64_t integer_of(const toml::node& node, const Key& key, const std::string& name) const {
+  [[nodiscard]] std::int64_t read_integer(const toml::node& node, const Key& key, const std::string& name) const {
     const toml::value<std::int64_t>* const value = node.as_integer();
     if (value == nullptr) fail(node, fmt::format("{} is {}; make it an integer", name, type_name(node)));
     check_range(node, static_cast<double>(value->get()), key, name);
     return value->get();
   }
 
-  [[nodiscard]] double number_of(const toml::node& node, const Key& key, const std::string& name) const {
+  [[nodiscard]] double read_number(const toml::node& node, const Key& key, const std::string& name) const {
     if (!node.is_number()) fail(node, fmt::format("{} is {}; make it a number", name, type_name(node)));
     const double value = *node.value<double>();
     check_range(node, value, key, name);
     return value;
   }
 
-  [[nodiscard]] glm::dvec3 vector_of(const toml::node& node, const Key& key, const std::string& name) const {
+  [[nodiscard]] glm::dvec3 read_vector(const toml::node& node, const Key& key, const std::string& name) const {
     const toml::array* const list = node.as_array();
     if (list == nullptr || list->size() != 3) {
       const std::string_view form = key.kind == ValueKind::vector ? "[x, y, z]" : "[red, green, blue]";
@@ -181,19 +181,19 @@ class Reader {
                              form));
     }
     glm::dvec3 value;
-    for (int i = 0; i < 3; ++i) value[i] = number_of(*list->get(static_cast<std::size_t>(i)), key, name);
+    for (int i = 0; i < 3; ++i) value[i] = read_number(*list->get(static_cast<std::size_t>(i)), key, name);
     return value;
   }
 
-  [[nodiscard]] ColourTable colour_table_of(const toml::node& node, const Key& key, const std::string& name) const {
+  [[nodiscard]] ColourTable read_colour_table(const toml::node& node, const Key& key, const std::string& name) const {
     const toml::array* const rows = node.as_array();
-    if (rows == nullptr || rows->empty() || rows->size() > most_in_list) fail_table(node, name);
+    if (rows == nullptr || rows->empty() || rows->size() > max_in_list) fail_table(node, name);
     ColourTable table;
     for (const toml::node& row : *rows) {
       const toml::array* const colours = row.as_array();
-      if (colours == nullptr || colours->empty() || colours->size() > most_in_list) fail_table(row, name);
+      if (colours == nullptr || colours->empty() || colours->size() > max_in_list) fail_table(row, name);
       table.emplace_back();
-      for (const toml::node& one : *colours) table.back().push_back(vector_of(one, key, "a colour of " + name));
+      for (const toml::node& one : *colours) table.back().push_back(read_vector(one, key, "a colour of " + name));
       if (table.back().size() != table.front().size()) {
         fail(row, fmt::format("{} has a row of {} colours after one of {}; make its rows equally long", name,
                               table.back().size(), table.front().size()));
@@ -203,20 +203,21 @@ class Reader {
   }
 
   [[noreturn]] void fail_table(const toml::node& node, const std::string& name) const {
-    fail(node, fmt::format("{} is no list of rows; make it [[[red, green, blue], ...], ...], with 1 to {} colours in a "
-                           "row",
-                           name, most_in_list));
+    fail(node,
+         fmt::format("{} is not a list of rows; make it [[[red, green, blue], ...], ...], with 1 to {} colours in a "
+                     "row",
+                     name, max_in_list));
   }
 
-  [[nodiscard]] std::int64_t choice_of(const toml::node& node, const Key& key, const std::string& name) const {
+  [[nodiscard]] std::int64_t read_choice(const toml::node& node, const Key& key, const std::string& name) const {
     const toml::value<std::string>* const text = node.as_string();
-    const std::string said =
+    const std::string given =
         text == nullptr ? std::string(type_name(node)) : fmt::format("'{}'", printable(text->get()));
     const auto found = text == nullptr ? key.names.end()
                                        : std::find(key.names.begin(), key.names.end(), std::string_view(text->get()));
     if (found == key.names.end()) {
       const std::string_view near = text == nullptr ? std::string_view() : nearest_alike(text->get(), key.names);
-      fail(node, fmt::format("{} is {};{} it takes {}", name, said,
+      fail(node, fmt::format("{} is {};{} it takes {}", name, given,
                              near.empty() ? "" : fmt::format(" did you mean {}?", near), fmt::join(key.names, ", ")));
     }
     return found - key.names.begin();

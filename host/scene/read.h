@@ -1,3 +1,5 @@
+// Reader of scene files.
+// Used by set.cpp and sim/session.
 #pragma once
 
 #include <optional>
@@ -12,24 +14,24 @@
 
 namespace csgsim::scene {
 
-/// What is wrong with a key or value that was not in the file but given as `KEY=VALUE`.
+/// An error in a key or value given as `KEY=VALUE` instead of in the file.
 class SetError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// A section, or a table of its list.
+/// The values of a section, or of one table of its list.
 struct SectionValues {
   std::string_view name;
   bool is_of_list = false;
   Values values;
 };
 
-/// Reads a scene (TOML); `file` is its name in messages, `effects` the sections of the effects that there are, with
-/// names `effects.NAME`. Then each of `sets`, KEY=VALUE as in `lights.0.direction=[0, 0, -1]`, in order: a key that the
-/// text has too is replaced; the number after a list's last adds a table to it. Throws InputError with
-/// file:line:column, or SetError with the KEY=VALUE. `values`, if not null, gets what holds: the common sections that
-/// are no lists, and of the others those that are there and not off.
+/// Reads a scene (TOML). `file` is its name in messages; `effects` are the sections of the available effects, named
+/// `effects.NAME`. Then applies each of `sets` in order, as KEY=VALUE, for example `lights.0.direction=[0, 0, -1]`. An
+/// existing key is replaced, and an index one past a list's last table adds a table. Throws InputError with
+/// file:line:column, or SetError with the KEY=VALUE. If `values` is not null, it receives the values in effect: those
+/// of the common sections that are not lists, and of other sections that are present and not switched off.
 Scene read_scene(std::string_view text, std::string_view file, std::span<const std::string> sets,
                  std::span<const Section> effects, std::vector<SectionValues>* values = nullptr);
 

@@ -1,3 +1,5 @@
+// Scene data: camera, lights, materials, background, effects.
+// Used by schema.h, host/effects, host/emit, host/lighting, sim/session and sim/studies.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +11,13 @@
 
 #include "host/scene/values.h"
 
-/// What is seen of a model besides its solids: camera, lights, materials, background, effects.
+/// The parts of a picture other than the model's solids: camera, lights, materials, background, effects.
 namespace csgsim::scene {
 
-/// Axes that a direction or a place is given in.
+/// The axes in which a direction or position is given.
 enum class Axes : std::uint8_t {
   model,
-  camera,  ///< right, up and forward of the eye, which is at 0
+  camera,  ///< right, up and forward of the eye, which is at the origin
 };
 
 enum class LightKind : std::uint8_t { directional, point };
@@ -23,15 +25,15 @@ enum class LightKind : std::uint8_t { directional, point };
 struct Light {
   LightKind kind = LightKind::directional;
   Axes axes = Axes::model;
-  glm::dvec3 direction{0};  ///< directional: in which it shines; need not have length 1
-  glm::dvec3 position{0};   ///< point: model units
+  glm::dvec3 direction{0};  ///< directional light: direction in which it shines; need not have length 1
+  glm::dvec3 position{0};   ///< point light: in model units
   glm::dvec3 colour{1};     ///< red, green, blue, each from 0 to 1
-  double intensity = 0.7;   ///< what a surface that faces it gets of its colour
+  double intensity = 0.7;   ///< fraction of its colour that a surface facing the light receives
 
   bool operator==(const Light&) const = default;
 };
 
-/// Light that comes from everywhere.
+/// Ambient light.
 struct Ambient {
   glm::dvec3 colour{1};
   double intensity = 0.3;
@@ -39,31 +41,31 @@ struct Ambient {
   bool operator==(const Ambient&) const = default;
 };
 
-/// How a surface throws light back.
+/// The reflection properties of a surface.
 struct Material {
-  double ambient = 1;     ///< part of the ambient light
-  double diffuse = 1;     ///< part of a light that falls on it from the front
-  double specular = 0;    ///< part of a light that is mirrored into the eye, in the light's colour
-  double shininess = 20;  ///< exponent of the highlight (Blinn): the greater, the smaller it is
-  double mirror = 0;      ///< part of what a flat face shows that is its mirror image; 1 is a perfect mirror
+  double ambient = 1;     ///< fraction of the ambient light
+  double diffuse = 1;     ///< fraction of a light that arrives from the front
+  double specular = 0;    ///< fraction of a light that is reflected to the eye, in the light's colour
+  double shininess = 20;  ///< exponent of the highlight (Blinn); larger values make it smaller
+  double mirror = 0;      ///< fraction of a flat face's colour that is its mirror image; 1 is a perfect mirror
 
   bool operator==(const Material&) const = default;
 };
 
-/// Primitives that a scene says something of: those of a colour, those of some lines of the model's file, or, where
-/// neither is said, all.
+/// A selection of primitives: those with a colour, those from a range of lines of the model's file, or all if neither
+/// is given.
 struct Chosen {
-  std::optional<glm::dvec3> of_colour;     ///< that the model says
-  std::optional<std::uint32_t> from_line;  ///< of the model's file
-  std::optional<std::uint32_t> to_line;    ///< inclusive; from_line if not given
+  std::optional<glm::dvec3> of_colour;     ///< colour in the model
+  std::optional<std::uint32_t> from_line;  ///< first line of the model's file
+  std::optional<std::uint32_t> to_line;    ///< inclusive; defaults to from_line
 
   bool operator==(const Chosen&) const = default;
 };
 
-/// A material, and the primitives that are of it. The last that holds for a primitive counts.
+/// A material and the primitives to which it applies. The last matching rule wins.
 struct MaterialRule : Chosen {
-  std::optional<glm::dvec3> colour;  ///< instead of the model's
-  std::optional<double> opacity;     ///< instead of the model's alpha
+  std::optional<glm::dvec3> colour;  ///< replaces the model's colour
+  std::optional<double> opacity;     ///< replaces the model's alpha
   Material material;
 
   bool operator==(const MaterialRule&) const = default;
@@ -74,7 +76,7 @@ struct Camera {
   std::optional<glm::dvec3> centre;
   std::optional<bool> is_perspective;
   std::optional<bool> view_all;
-  std::optional<double> near;  ///< distance of the near plane, model units
+  std::optional<double> near;  ///< distance of the near plane, in model units
 
   bool operator==(const Camera&) const = default;
 };
@@ -85,19 +87,19 @@ struct Background {
   bool operator==(const Background&) const = default;
 };
 
-/// Faces of solids that neither the model nor a material gives a colour; the usual ones (host/lighting) if not given.
+/// Colours of faces to which neither the model nor a material assigns one; defaults are in host/lighting.
 struct Uncoloured {
   std::optional<glm::dvec3> face;
-  std::optional<glm::dvec3> cut_face;  ///< where a solid was taken away
+  std::optional<glm::dvec3> cut_face;  ///< surface where a solid was subtracted
 
   bool operator==(const Uncoloured&) const = default;
 };
 
-/// An effect that the scene speaks of.
+/// An effect that appears in the scene.
 struct CalledEffect {
-  std::string_view name;       ///< of the effect's section
-  std::vector<Values> tables;  ///< its own: one, or those of a list; the effect makes its settings of them
-  bool is_on = true;           ///< false: not even if the model calls for it
+  std::string_view name;       ///< name of the effect's section
+  std::vector<Values> tables;  ///< one table, or those of a list; the effect parses its settings from them
+  bool is_on = true;           ///< false: off even if the model requests it
 };
 
 struct Scene {
@@ -105,9 +107,9 @@ struct Scene {
   Background background;
   Uncoloured uncoloured;
   Ambient ambient;
-  std::vector<Light> lights;            ///< none: the usual one (host/lighting)
-  std::vector<MaterialRule> materials;  ///< in order
-  std::vector<CalledEffect> effects;    ///< in the order of their rows
+  std::vector<Light> lights;            ///< if empty: the default light (host/lighting)
+  std::vector<MaterialRule> materials;  ///< ordered; later rules win
+  std::vector<CalledEffect> effects;    ///< order of the effects' sections
 };
 
 }  // namespace csgsim::scene

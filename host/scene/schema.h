@@ -1,3 +1,5 @@
+// Schema of scene files: sections and their keys.
+// Used by manual.h, read.h, sections.cpp, host/emit and sim/session.
 #pragma once
 
 #include <cstdint>
@@ -14,21 +16,21 @@
 
 namespace csgsim::scene {
 
-/// A table of the scene file, or a list of tables of the same form. Whoever has a section has a struct for its tables,
-/// and beside it
+/// A table of the scene file, or a list of tables of the same form. Each section has a struct for its tables, and next
+/// to it
 ///   void visit_keys(Table& table, auto&& visit): calls visit(key, member) for each key, in order;
-///   void complete(Table& table), if there is something to do: completes what was read, and throws InputError, without
-///   a place, where the values do not fit each other.
+///   void complete(Table& table), optional: completes the values read, and throws InputError, without a position, if
+///   they are inconsistent.
 struct Section {
-  std::string_view name;  ///< as in `[camera]`, `[effects.shadows]`
+  std::string_view name;  ///< for example `camera`, `effects.shadows`
   std::string_view meaning;
   bool is_list = false;
   Values (*blank)() = nullptr;
-  /// Takes what was read. Throws as complete does.
+  /// Stores the values read. Throws as complete() does.
   void (*keep)(Scene& scene, const Section& section, Values&& read) = nullptr;
 };
 
-inline constexpr double any_number = 1e9;  ///< bound of coordinates, model units
+inline constexpr double any_number = 1e9;  ///< limit of coordinates, in model units
 
 constexpr Key boolean_key(std::string_view name, std::string_view meaning) {
   return {name, ValueKind::boolean, "", 0, 0, meaning};
@@ -62,7 +64,7 @@ constexpr Key choice_key(std::string_view name, std::span<const std::string_view
 
 namespace detail {
 
-/// What a section's tables are kept in: one struct, or a list of them.
+/// The storage type of a section's tables: one struct, or a list of them.
 template <class Kept>
 struct TableOf {
   using type = Kept;
@@ -116,13 +118,13 @@ Values values_of(Table table) {
   return values;
 }
 
-/// The values of a table that says nothing.
+/// The default values of a table.
 template <class Table>
 Values blank_values() {
   return values_of(Table{});
 }
 
-/// The table with these values, complete. Throws as complete does.
+/// The table with these values, completed. Throws as complete() does.
 template <class Table>
 Table table_of(const Values& values) {
   Table table;
@@ -134,7 +136,7 @@ Table table_of(const Values& values) {
   return table;
 }
 
-/// The tables that a scene has of an effect, as its settings: the defaults where it has none, or a std::vector of all.
+/// Parses an effect's settings from its tables in the scene: the defaults if there are none, or a std::vector of all.
 template <class Settings>
 Settings settings_of(const std::vector<Values>& tables) {
   Settings settings;
@@ -148,7 +150,7 @@ Settings settings_of(const std::vector<Values>& tables) {
   return settings;
 }
 
-/// A section that is kept in a member of the scene; a list, if that is one.
+/// A section stored in a member of the scene; a list if the member is a std::vector.
 template <class Kept, Kept Scene::*member>
 constexpr Section section(std::string_view name, std::string_view meaning) {
   using Table = typename detail::TableOf<Kept>::type;
@@ -162,33 +164,34 @@ constexpr Section section(std::string_view name, std::string_view meaning) {
           }};
 }
 
-/// Has the scene call for an effect with this table, which is one more where the section is a list.
+/// Adds a table of an effect to the scene; a list section gains one more table.
 void call(Scene& scene, const Section& section, Values&& table);
 
-/// Of an effect, for which the scene calls with it; a list, if the settings are a std::vector.
+/// The section of an effect, whose tables are added to the scene; a list if the settings are a std::vector.
 template <class Settings>
 constexpr Section effect_section(std::string_view name, std::string_view meaning) {
   using Table = typename detail::TableOf<Settings>::type;
   return {name, meaning, detail::TableOf<Settings>::is_list, blank_values<Table>,
           [](Scene& scene, const Section& section, Values&& read) {
-            table_of<Table>(read);  // throws where the values do not fit each other
+            table_of<Table>(read);  // throws if the values are inconsistent
             call(scene, section, std::move(read));
           }};
 }
 
 inline constexpr double last_line = 4'294'967'295.0;
 
-/// The keys that choose primitives, of a section whose table is a Chosen.
+/// The keys that select primitives, for sections whose table is derived from Chosen.
 void visit_keys(Chosen& chosen, auto&& visit) {
-  visit(colour_key("of_colour", "for the primitives that have this colour in the model"), chosen.of_colour);
-  visit(integer_key("from_line", "", 1, last_line, "for those from this line of the model on"), chosen.from_line);
-  visit(integer_key("to_line", "", 1, last_line, "to this line; from_line if not given"), chosen.to_line);
+  visit(colour_key("of_colour", "selects primitives with this colour in the model"), chosen.of_colour);
+  visit(integer_key("from_line", "", 1, last_line, "selects primitives from this line of the model on"),
+        chosen.from_line);
+  visit(integer_key("to_line", "", 1, last_line, "last line; defaults to from_line"), chosen.to_line);
 }
 
-/// Completes what was read. Throws InputError where the lines are none.
+/// Completes the line range. Throws InputError if it is invalid.
 void complete(Chosen& chosen);
 
-/// camera, background, ambient, lights, materials.
+/// The sections camera, background, ambient, lights and materials.
 std::span<const Section> common_sections();
 
 }  // namespace csgsim::scene

@@ -16,7 +16,7 @@ namespace csgsim::scene {
 
 namespace {
 
-constexpr std::size_t most_parts = 8;  ///< of a key
+constexpr std::size_t max_parts = 8;  ///< maximum number of parts of a key
 
 class Setter {
  public:
@@ -24,22 +24,22 @@ class Setter {
 
   void into(toml::table& root) {
     const std::size_t equals = text_.find('=');
-    if (equals == text_.npos) fail("give KEY=VALUE, as in lights.0.direction=0,0,-1");
-    const std::vector<std::string_view> parts = parts_of(std::string_view(text_).substr(0, equals));
+    if (equals == text_.npos) fail("write KEY=VALUE, as in lights.0.direction=0,0,-1");
+    const std::vector<std::string_view> parts = split_key(std::string_view(text_).substr(0, equals));
     toml::node* node = &root;
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) node = &step(*node, parts[i], is_index(parts[i + 1]));
-    put(*node, parts.back(), value_of(text_.substr(equals + 1)));
+    put(*node, parts.back(), parse_value(text_.substr(equals + 1)));
   }
 
  private:
   [[noreturn]] void fail(std::string_view message) const { throw SetError(fmt::format("{}: {}", source_, message)); }
 
-  [[nodiscard]] std::vector<std::string_view> parts_of(std::string_view key) const {
+  [[nodiscard]] std::vector<std::string_view> split_key(std::string_view key) const {
     std::vector<std::string_view> parts;
     while (true) {
       const std::size_t dot = key.find('.');
       parts.push_back(key.substr(0, dot));
-      if (parts.back().empty() || parts.size() > most_parts) fail("the key is words and numbers with dots between");
+      if (parts.back().empty() || parts.size() > max_parts) fail("the key must be words and numbers separated by dots");
       if (dot == key.npos) return parts;
       key.remove_prefix(dot + 1);
     }
@@ -49,24 +49,25 @@ class Setter {
     return std::all_of(part.begin(), part.end(), [](char c) { return c >= '0' && c <= '9'; });
   }
 
-  [[nodiscard]] std::size_t index_of(std::string_view part, const toml::array& list) const {
+  [[nodiscard]] std::size_t parse_index(std::string_view part, const toml::array& list) const {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
     if (error != std::errc() || end != part.data() + part.size() || index > list.size()) {
-      fail(fmt::format("'{}' is no place in a list of {}; count from 0, {} adds one", part, list.size(), list.size()));
+      fail(fmt::format("'{}' is not an index of a list of {}; count from 0, {} adds an element", part, list.size(),
+                       list.size()));
     }
     return index;
   }
 
-  /// The table or list below, made if it is not there.
+  /// The table or list below a node; created if it does not exist.
   toml::node& step(toml::node& node, std::string_view part, bool holds_list) const {
     if (toml::array* const list = node.as_array()) {
-      const std::size_t index = index_of(part, *list);
+      const std::size_t index = parse_index(part, *list);
       if (index == list->size()) list->push_back(toml::table{});
       return *list->get(index);
     }
     toml::table* const table = node.as_table();
-    if (table == nullptr) fail(fmt::format("there is {} before '{}'; name a table", type_name(node), part));
+    if (table == nullptr) fail(fmt::format("'{1}' follows {0}; name a table", type_name(node), part));
     if (!table->contains(part)) {
       if (holds_list) {
         table->insert(part, toml::array{});
@@ -80,23 +81,23 @@ class Setter {
   void put(toml::node& node, std::string_view part, toml::table&& holder) const {
     toml::table* const table = node.as_table();
     if (table == nullptr) {
-      fail(fmt::format("there is {} before '{}'; name the table and its key", type_name(node), part));
+      fail(fmt::format("'{1}' follows {0}; name the table and its key", type_name(node), part));
     }
     holder.get("value")->visit([&](auto& typed) { table->insert_or_assign(part, std::move(typed)); });
   }
 
-  /// A table with the value. Numbers with commas between need no brackets, words no quotes.
-  [[nodiscard]] toml::table value_of(const std::string& text) const {
-    if (text.find('\n') != text.npos) fail("the value goes over one line");
+  /// A table with the value. Lists of numbers need no brackets, and words need no quotes.
+  [[nodiscard]] toml::table parse_value(const std::string& text) const {
+    if (text.find('\n') != text.npos) fail("the value must be on one line");
     for (const std::string& form : {"value = " + text, "value = [" + text + "]", "value = '" + text + "'"}) {
       try {
         toml::table holder = parse_toml(form, source_);
         if (holder.size() == 1) return holder;
       } catch (const InputError&) {
-        // The next form may do.
+        // try the next form
       }
     }
-    fail("the value is a number, true or false, numbers with commas between, or a word");
+    fail("the value must be a number, true, false, numbers separated by commas, or a word");
   }
 
   const std::string& text_;

@@ -1,3 +1,5 @@
+// Scene values set on the command line.
+// Used by read.cpp.
 #pragma once
 
 #include <toml++/toml.h>
@@ -6,10 +8,10 @@
 
 namespace csgsim::scene {
 
-/// What comes before KEY=VALUE as the source of a node, instead of a file's name.
+/// Prefix of KEY=VALUE as the source of a node, in place of a file name.
 inline constexpr std::string_view set_mark = "--set ";
 
-/// Puts a value given as KEY=VALUE into the scene. Throws SetError.
+/// Stores a value given as KEY=VALUE in the scene. Throws SetError.
 void set(toml::table& root, const std::string& key_and_value);
 
 }  // namespace csgsim::scene

@@ -1,3 +1,5 @@
+// Values and keys of scene files.
+// Used by scene.h and schema.h.
 #pragma once
 
 #include <cstdint>
@@ -10,10 +12,10 @@
 
 namespace csgsim::scene {
 
-/// Rows of colours, all of one length.
+/// Rows of colours, all of the same length.
 using ColourTable = std::vector<std::vector<glm::dvec3>>;
 
-/// A value of a scene file; a choice is the number of its name.
+/// A value of a scene file; a choice is stored as the index of its name.
 using Value = std::variant<bool, std::int64_t, double, glm::dvec3, ColourTable>;
 
 enum class ValueKind : std::uint8_t {
@@ -30,8 +32,8 @@ enum class ValueKind : std::uint8_t {
 struct Key {
   std::string_view name;
   ValueKind kind = ValueKind::boolean;
-  std::string_view unit;  ///< empty for what has none
-  double least = 0;       ///< of an integer or number, or of each of a vector's
+  std::string_view unit;  ///< empty if it has no unit
+  double least = 0;       ///< limit of an integer or number, or of each component of a vector
   double most = 0;
   std::string_view meaning;
   std::span<const std::string_view> names{};
@@ -39,10 +41,10 @@ struct Key {
 
 struct KeyValue {
   Key key;
-  std::optional<Value> value;  ///< nothing where none is said
+  std::optional<Value> value;  ///< nothing if not given
 };
 
-/// A table of a scene file: each key of its section, in order, with its value as said, or else the default.
+/// A table of a scene file: each key of its section, in order, with the given value or the default.
 using Values = std::vector<KeyValue>;
 
 }  // namespace csgsim::scene

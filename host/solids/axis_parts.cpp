@@ -8,7 +8,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// A side of the area that is not horizontal.
+/// A non-horizontal side of the area.
 struct AreaSide {
   glm::dvec2 low;
   glm::dvec2 high;
@@ -20,13 +20,13 @@ struct AreaSide {
   }
 };
 
-/// One end of a convex polygon that grows upwards.
+/// The left or right boundary of a convex polygon that grows upwards.
 struct Chain {
   std::vector<glm::dvec2> corners;
-  AreaSide last;  ///< the side of the area that it ends with
+  AreaSide last;  ///< side of the area on which the chain ends
 };
 
-/// A convex polygon from below up to some height.
+/// A convex polygon whose top can still grow.
 struct Stack {
   Chain left;
   Chain right;
@@ -38,7 +38,7 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
   return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
 
-/// How a chain turns where a side goes on from its end: to the left if above 0, and not at all if 0.
+/// Turn of a chain where `side` continues it: positive to the left, 0 if straight.
 double turn(const Chain& chain, const AreaSide& side, double high) {
   if (chain.last == side) return 0;
   return turn(chain.corners[chain.corners.size() - 2], chain.corners.back(), side.at(high));
@@ -50,9 +50,9 @@ void extend(Chain& chain, const AreaSide& side, double high) {
   chain.last = side;
 }
 
-class Stacking {
+class TrapezoidStacker {
  public:
-  explicit Stacking(const flat::Area& area) {
+  explicit TrapezoidStacker(const flat::Area& area) {
     for (const flat::Outline& outline : area.outlines) {
       for (std::size_t i = 0; i < outline.size(); ++i) add(outline[i], outline[(i + 1) % outline.size()]);
     }
@@ -98,7 +98,7 @@ class Stacking {
     open_ = std::move(grown);
   }
 
-  /// Puts a trapezoid on top of the stack that it is convex with, if there is one.
+  /// Appends a trapezoid to an open stack that stays convex with it, or starts a new stack.
   Stack grow(const AreaSide& left, const AreaSide& right, double low, double high) {
     for (Stack& stack : open_) {
       if (stack.left.corners.empty() || left.at(low) == right.at(low)) continue;
@@ -128,6 +128,6 @@ class Stacking {
 
 }  // namespace
 
-std::vector<flat::Outline> axis_parts(const flat::Area& area) { return Stacking(area)(); }
+std::vector<flat::Outline> axis_parts(const flat::Area& area) { return TrapezoidStacker(area)(); }
 
 }  // namespace csgsim::solids

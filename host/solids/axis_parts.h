@@ -1,3 +1,5 @@
+// Division of a profile into convex parts that suit rotation about the y axis.
+// Used by rotate_extrude.cpp.
 #pragma once
 
 #include <vector>
@@ -6,9 +8,10 @@
 
 namespace csgsim::solids {
 
-/// An area to the right of the y axis in convex polygons, counter-clockwise, that cover it and do not overlap, made so
-/// that few of them turn about the axis as one: horizontal cuts through the area's corners, where what is above is not
-/// convex with what is below. New corners are on the area's sides, to rounding.
+/// Divides an area to the right of the y axis into convex, counter-clockwise polygons that cover it without overlap.
+/// The cuts are horizontal, through the area's corners, and only where the parts above and below are not convex
+/// together: a part along the axis can then often be turned about it as one piece. New corners lie on the area's sides,
+/// to rounding.
 std::vector<flat::Outline> axis_parts(const flat::Area& area);
 
 }  // namespace csgsim::solids

@@ -14,17 +14,17 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-/// Before solids meet, corners are moved towards 0 to a grid of this step.
+/// Grid step of corners, in model units, when solids are combined; OpenSCAD truncates coordinates to it.
 constexpr double point_grid = 0x1p-20;
 
-class Cutting {
+class FaceCutter {
  public:
-  Cutting(const Mesh& mesh, const Standing& standing)
+  FaceCutter(const Mesh& mesh, const MeshPlacement& placement)
       : mesh_(mesh),
-        standing_(standing),
-        is_reversed_((glm::determinant(standing.transform) < 0) != standing.runs_back) {}
+        placement_(placement),
+        is_reversed_((glm::determinant(placement.transform) < 0) != placement.is_reversed) {}
 
-  /// None if the face crosses itself.
+  /// Returns the triangles of a face; empty if the face crosses itself.
   [[nodiscard]] std::vector<Face> operator()(Face face) const {
     if (is_reversed_) std::ranges::reverse(face);
     std::vector<glm::vec3> outline;
@@ -40,32 +40,32 @@ class Cutting {
 
  private:
   [[nodiscard]] glm::vec3 placed(const glm::dvec3& point) const {
-    const glm::dvec3 moved(standing_.transform * glm::dvec4(point, 1));
-    return glm::vec3(standing_.meets_others ? glm::trunc(moved / point_grid) * point_grid : moved);
+    const glm::dvec3 moved(placement_.transform * glm::dvec4(point, 1));
+    return glm::vec3(placement_.meets_others ? glm::trunc(moved / point_grid) * point_grid : moved);
   }
 
   const Mesh& mesh_;
-  const Standing& standing_;
+  const MeshPlacement& placement_;
   bool is_reversed_;
 };
 
 }  // namespace
 
-BentFaces cut_bent_faces(Numbered& numbered, double tolerance, const Standing& standing) {
+BentFaces cut_bent_faces(NumberedMesh& numbered, double tolerance, const MeshPlacement& placement) {
   BentFaces bent;
-  const Cutting cutting(numbered.mesh, standing);
+  const FaceCutter cutting(numbered.mesh, placement);
   std::vector<Face> faces;
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < numbered.mesh.faces.size(); ++i) {
     Face& face = numbered.mesh.faces[i];
     const std::uint32_t number = numbered.face_numbers[i];
-    const double off = face.size() > 3 ? off_plane(numbered.mesh, face) : 0;
+    const double off = face.size() > 3 ? max_plane_distance(numbered.mesh, face) : 0;
     std::vector<Face> parts;
     if (off > tolerance) {
       parts = cutting(face);
       if (bent.count++ == 0) bent.first = number;
-      bent.most_off = std::max(bent.most_off, off);
-      if (parts.empty() && !bent.unlike) bent.unlike = number;
+      bent.max_deviation = std::max(bent.max_deviation, off);
+      if (parts.empty() && !bent.first_different) bent.first_different = number;
     }
     if (parts.empty()) parts.push_back(std::move(face));
     numbers.insert(numbers.end(), parts.size(), number);

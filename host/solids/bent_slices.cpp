@@ -27,7 +27,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// A cross-section: how it comes from the area.
+/// A cross-section: maps the area's corners to one end of a slice.
 struct SliceEnd {
   double z = 0;
   double turn = 0;  ///< degrees, clockwise
@@ -44,8 +44,8 @@ struct Slice {
   SliceEnd low;
   SliceEnd high;
 
-  [[nodiscard]] bool ends_in_nothing() const { return high.scale.x == 0.0 || high.scale.y == 0.0; }
-  [[nodiscard]] bool ends_in_line() const { return ends_in_nothing() && high.scale.x != high.scale.y; }
+  [[nodiscard]] bool has_no_top() const { return high.scale.x == 0.0 || high.scale.y == 0.0; }
+  [[nodiscard]] bool ends_in_line() const { return has_no_top() && high.scale.x != high.scale.y; }
 };
 
 Slice slice_at(const LinearExtrude& extrusion, std::uint32_t index, std::uint32_t count) {
@@ -59,7 +59,7 @@ Slice slice_at(const LinearExtrude& extrusion, std::uint32_t index, std::uint32_
   return {level(index), level(index + 1)};
 }
 
-/// What a side of the outline sweeps: between its ends below and above.
+/// The surface swept by one side of the outline, given by its lower and upper ends.
 struct Quad {
   glm::dvec3 low_from;
   glm::dvec3 low_to;
@@ -67,8 +67,9 @@ struct Quad {
   glm::dvec3 high_to;
 };
 
-/// Whether the quad's diagonal rises along the side. OpenSCAD takes the shorter one as seen from above, but the longer
-/// one below a top of no area; of equal ones, within 1e-5 of their mean, the twist and the kind of outline decide.
+/// Whether the quad's diagonal rises along the side. OpenSCAD takes the diagonal that is shorter in plan view, but the
+/// longer one below a top without area. If the lengths differ by less than 1e-5 of their mean, the twist and the kind
+/// of outline decide.
 bool diagonal_rises(const Quad& quad, const Slice& slice, bool is_hole) {
   constexpr double equal = 1e-5;
   const double rising = glm::length(glm::dvec2(quad.high_to) - glm::dvec2(quad.low_from));
@@ -76,16 +77,16 @@ bool diagonal_rises(const Quad& quad, const Slice& slice, bool is_hole) {
   const bool are_equal = 2.0 * std::abs(rising - falling) <= equal * (rising + falling);
   const bool turns_back = slice.high.turn <= slice.low.turn;
   const bool rises = are_equal ? is_hole == turns_back : rising < falling;
-  return rises != slice.ends_in_nothing();
+  return rises != slice.has_no_top();
 }
 
 constexpr double relative_tolerance = double_precision_tolerance;
 
-/// Pieces may have this much more or less volume than the slice, in cubes of its size: convex::clip() loses sheets
-/// thinner than 1e-10.
+/// Maximum difference between the volumes of the pieces and the slice, in cubes of the slice's size: convex::clip()
+/// loses sheets thinner than 1e-10.
 constexpr double volume_tolerance = 1e-8;
 
-/// The sides of a slice as a soup of triangles, and the planes that they are in.
+/// The surface of a slice as triangles and caps, and their planes.
 class SliceSides {
  public:
   SliceSides(const flat::Area& area, const Slice& slice, const Work& work)
@@ -95,9 +96,9 @@ class SliceSides {
     for (const flat::Outline& part : flat::convex_parts(area)) add_caps(part);
   }
 
-  /// What is between the slice's ends, in convex polytopes.
+  /// The slice's interior as convex polytopes.
   std::vector<convex::Polytope> pieces() {
-    const convex::Polytope space = around();
+    const convex::Polytope space = make_cell();
     std::optional<std::vector<convex::Polytope>> found = uncrossed(space);
     if (!found) found = enclosed(soup_, space, planes_, convex::tolerance(planes_), limits_);
     convex::merge(*found, planes_, limits_.work);
@@ -110,13 +111,13 @@ class SliceSides {
   struct Triangle {
     std::array<std::uint32_t, 3> corners{};
     facet::Plane plane;
-    bool is_flat = true;  ///< has no area
+    bool is_flat = true;  ///< the triangle has no area
   };
 
-  /// A side's triangles: one with its end below, one with its end above.
+  /// The two triangles of a side.
   struct Pair {
-    Triangle first;   ///< holds the edge that rises from the start of the side, if that one has area
-    Triangle second;  ///< holds that from its end
+    Triangle first;   ///< holds the edge that rises from the start of the side, if that triangle has area
+    Triangle second;  ///< holds the edge that rises from the end of the side
     bool rises = false;
   };
 
@@ -133,7 +134,7 @@ class SliceSides {
 
   [[nodiscard]] double size() const { return box_.diagonal(); }
 
-  /// Nothing if sides cross each other: they leave holes then, or enclose space twice or from the wrong side.
+  /// Nothing if sides cross each other: they then leave holes, or enclose space twice or with the wrong orientation.
   [[nodiscard]] std::optional<std::vector<convex::Polytope>> uncrossed(const convex::Polytope& space) const {
     try {
       std::vector<convex::Polytope> found = partition(soup_, space, {}, planes_, convex::tolerance(planes_), limits_);
@@ -144,12 +145,12 @@ class SliceSides {
     } catch (const WorkError&) {
       throw;
     } catch (const InputError&) {
-      return std::nullopt;  // and if there are too many pieces, so there are of those that cross
+      return std::nullopt;  // crossing sides would give too many pieces as well
     }
     return std::nullopt;
   }
 
-  /// The volume that the faces enclose, by the divergence theorem.
+  /// The volume enclosed by the faces, by the divergence theorem.
   [[nodiscard]] double volume() const {
     double six_times = 0;
     for (const Fragment& fragment : soup_.fragments) {
@@ -160,10 +161,10 @@ class SliceSides {
     return six_times / 6.0;
   }
 
-  /// The slice's space, with room around it.
-  convex::Polytope around() {
+  /// A cell around the slice, with a margin of a tenth of its size.
+  convex::Polytope make_cell() {
     const double margin = 0.1 * size();
-    return convex::intersection(box_, convex::walls_of({box_.low - margin, box_.high + margin}, planes_), planes_);
+    return convex::intersection(box_, convex::box_walls({box_.low - margin, box_.high + margin}, planes_), planes_);
   }
 
   void add(const flat::Outline& outline) {
@@ -188,13 +189,13 @@ class SliceSides {
     }
   }
 
-  /// A part of the slice's ends, as far as they have area.
+  /// Adds one convex part of the slice's lower and upper cap; a cap without area is omitted.
   void add_caps(const flat::Outline& part) {
     std::vector<glm::dvec3> corners;
     for (const glm::dvec2& corner : part) corners.emplace_back(slice_.low(corner), slice_.low.z);
     std::reverse(corners.begin(), corners.end());
     add_cap(corners, {{0, 0, -1}, slice_.low.z});
-    if (slice_.ends_in_nothing()) return;
+    if (slice_.has_no_top()) return;
     corners.clear();
     for (const glm::dvec2& corner : part) corners.emplace_back(slice_.high(corner), slice_.high.z);
     add_cap(corners, {{0, 0, 1}, -slice_.high.z});
@@ -209,7 +210,7 @@ class SliceSides {
     soup_.fragments.push_back({planes_.add(plane), begin, static_cast<std::uint32_t>(soup_.corners.size())});
   }
 
-  /// The triangles over the side between two corners; a corner's point above is the one after that below.
+  /// The triangles over the side between two lower corners. The upper point of a corner has the next index.
   Pair pair(std::uint32_t from, std::uint32_t to, bool is_hole) {
     const Quad quad{soup_.points[from], soup_.points[to], soup_.points[from + 1], soup_.points[to + 1]};
     Pair made;
@@ -221,7 +222,7 @@ class SliceSides {
       made.first = triangle({from, to, from + 1});
       made.second = triangle({to, to + 1, from + 1});
     }
-    // A side that does not bend is in one plane.
+    // The triangles of an unbent side share one plane.
     const std::uint32_t beyond = made.rises ? from + 1 : to + 1;
     const facet::Plane& plane = made.rises ? made.second.plane : made.first.plane;
     const bool both = !made.first.is_flat && !made.second.is_flat;
@@ -239,7 +240,7 @@ class SliceSides {
     return {corners, {normal / length, -glm::dot(normal, origin) / length}, false};
   }
 
-  /// Whether the solid has more than 180 degrees where the second triangle joins the first.
+  /// Whether the dihedral angle of the solid exceeds 180 degrees where the second triangle joins the first.
   [[nodiscard]] bool is_reflex(const Triangle& first, const Triangle& second) const {
     if (first.is_flat || second.is_flat) return true;
     const double near = convex::tolerance(planes_);
@@ -260,8 +261,9 @@ class SliceSides {
     }
   }
 
-  /// The triangles of a side below a line. Those with their end above and the same corner below are in one plane, and
-  /// may be folded back on each other: one takes their place, between the ends that they do not share.
+  /// The triangles of a side below a top that is a line. Triangles with an upper edge that share their lower corner lie
+  /// in one plane and may be folded back on each other. One triangle replaces them, between the ends that they do not
+  /// share.
   void emit_at_line(const Pair& before, const Pair& here) {
     const std::array<bool, 3> unknown{true, true, true};
     emit(here.rises ? here.second : here.first, unknown);
@@ -271,7 +273,7 @@ class SliceSides {
     emit(triangle({corner, end, start}), unknown);
   }
 
-  /// Each flag is of the edge from that corner to the next.
+  /// `reflex[i]` is for the edge from corner i to the next one.
   void emit(const Triangle& triangle, const std::array<bool, 3>& reflex) {
     if (triangle.is_flat) return;
     const auto begin = static_cast<std::uint32_t>(soup_.corners.size());
@@ -293,11 +295,11 @@ std::vector<model::Polyhedron> cut(const flat::Area& area, const Slice& slice, c
   for (const flat::Outline& outline : area.outlines) work.charge(corner_steps * outline.size(), cutting_slices);
   SliceSides sides(area, slice, work);
   std::vector<model::Polyhedron> pieces;
-  for (const convex::Polytope& polytope : sides.pieces()) pieces.push_back(polyhedron_of(polytope, sides.planes()));
+  for (const convex::Polytope& polytope : sides.pieces()) pieces.push_back(to_polyhedron(polytope, sides.planes()));
   return pieces;
 }
 
-/// A piece of one slice, moved to its place in another slice, which differs by its height and turn alone.
+/// Moves a piece of one slice into another slice that differs only in height and turn.
 model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const Slice& to) {
   const SliceEnd turned{0, to.low.turn - from.low.turn, glm::dvec2(1)};
   const double shift = to.low.z - from.low.z;
@@ -316,7 +318,7 @@ model::Polyhedron moved(const model::Polyhedron& piece, const Slice& from, const
   return result;
 }
 
-/// Whether every side runs the same way at both ends, so that none bends.
+/// Whether every side has the same direction at both ends, so that no side bends.
 bool is_straight(const flat::Area& area, const LinearExtrude& extrusion) {
   if (extrusion.twist != 0.0) return false;
   return std::all_of(area.outlines.begin(), area.outlines.end(), [](const flat::Outline& outline) {
@@ -328,12 +330,12 @@ bool is_straight(const flat::Area& area, const LinearExtrude& extrusion) {
   });
 }
 
-/// Pieces that there are, or will be at least: one a slice.
+/// Throws InputError if there are too many pieces. `pieces` may be a lower bound: each slice has at least one.
 void require_few(std::size_t pieces) {
-  const std::size_t most = Limits{}.most_pieces;
+  const std::size_t most = Limits{}.max_pieces;
   if (pieces <= most) return;
-  throw InputError("linear_extrude() falls into more than " + std::to_string(most) +
-                   " convex pieces; ask for fewer slices, or raise $fa or $fs");
+  throw InputError("linear_extrude() needs more than " + std::to_string(most) +
+                   " convex pieces; use fewer slices, or raise $fa or $fs");
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Linear extrusion with bent sides, slice by slice.
+// Used by linear_extrude.cpp.
 #pragma once
 
 #include <vector>
@@ -8,8 +10,8 @@
 
 namespace csgsim::solids {
 
-/// linear_extrude() where sides bend: twisted, or scaled by other factors in x than in y. The height is above 0. Throws
-/// as linear_extrude() does.
+/// linear_extrude() with bent sides: twisted, or scaled differently in x and y. The height is above 0. Throws as
+/// linear_extrude() does.
 std::vector<model::Polyhedron> extrude_bent(const flat::Area& area, const LinearExtrude& extrusion, const Work& work);
 
 }  // namespace csgsim::solids

@@ -21,7 +21,7 @@ namespace {
 
 using Face = std::vector<std::uint32_t>;
 
-/// For each point the index of the first one equal to it.
+/// Maps each point to the first point equal to it.
 std::vector<std::uint32_t> first_equals(const std::vector<glm::dvec3>& points) {
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -36,13 +36,13 @@ std::vector<std::uint32_t> first_equals(const std::vector<glm::dvec3>& points) {
   return first;
 }
 
-/// Drops corners that repeat the one before them, around the end too.
+/// Drops corners that repeat the previous one, also around the end.
 void drop_repeats(Face& face) {
   face.erase(std::unique(face.begin(), face.end()), face.end());
   while (face.size() > 1 && face.front() == face.back()) face.pop_back();
 }
 
-/// From its least corner on.
+/// Rotates the corners so that the smallest index comes first.
 Face rotated(Face face) {
   std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
   return face;
@@ -53,7 +53,7 @@ Face reversed(Face face) {
   return rotated(std::move(face));
 }
 
-/// Which faces cancel out: each with another that has the same corners the other way around.
+/// Marks faces that cancel out: each pairs with another that has the same corners in reverse order.
 std::vector<bool> cancelled(const std::vector<Face>& faces) {
   std::vector<std::pair<Face, std::uint32_t>> by_corners;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
@@ -76,7 +76,7 @@ std::vector<bool> cancelled(const std::vector<Face>& faces) {
   return gone;
 }
 
-/// The median length of the faces' edges, counted once for each face; 0 if there are none.
+/// The median length of the faces' edges, with shared edges counted once per face; 0 without edges.
 double median_edge(const Mesh& mesh) {
   std::vector<double> lengths;
   for (const Face& face : mesh.faces) {
@@ -89,13 +89,13 @@ double median_edge(const Mesh& mesh) {
   return *middle;
 }
 
-std::string open_edge(const Numbered& numbered, const EdgeSide& side) {
+std::string open_edge(const NumberedMesh& numbered, const EdgeSide& side) {
   const auto [from, to] = side.forward ? std::pair(side.low, side.high) : std::pair(side.high, side.low);
   return fmt::format("the mesh is open: no face joins faces[{}] from points[{}] to points[{}]; add one",
                      numbered.face_numbers[side.face], numbered.point_numbers[from], numbered.point_numbers[to]);
 }
 
-std::string same_way(const Numbered& numbered, const EdgeSide& one, const EdgeSide& other) {
+std::string same_way(const NumberedMesh& numbered, const EdgeSide& one, const EdgeSide& other) {
   const auto [from, to] = one.forward ? std::pair(one.low, one.high) : std::pair(one.high, one.low);
   return fmt::format("faces[{}] and faces[{}] both run from points[{}] to points[{}]; reverse one",
                      numbered.face_numbers[one.face], numbered.face_numbers[other.face], numbered.point_numbers[from],
@@ -104,7 +104,7 @@ std::string same_way(const Numbered& numbered, const EdgeSide& one, const EdgeSi
 
 }  // namespace
 
-Numbered join_points(const Mesh& mesh) {
+NumberedMesh join_points(const Mesh& mesh) {
   const std::vector<std::uint32_t> first = first_equals(mesh.points);
   std::vector<Face> faces = mesh.faces;
   for (Face& face : faces) {
@@ -113,7 +113,7 @@ Numbered join_points(const Mesh& mesh) {
   }
   const std::vector<bool> gone = cancelled(faces);
   std::vector<std::uint32_t> index(mesh.points.size(), none);
-  Numbered made;
+  NumberedMesh made;
   for (std::uint32_t i = 0; i < faces.size(); ++i) {
     Face& face = faces[i];
     if (face.size() < 3 || gone[i]) continue;
@@ -131,7 +131,7 @@ Numbered join_points(const Mesh& mesh) {
   return made;
 }
 
-std::optional<Defect> find_far_point(const Numbered& numbered) {
+std::optional<Defect> find_far_point(const NumberedMesh& numbered) {
   const Mesh& mesh = numbered.mesh;
   const auto is_far = [&](std::uint32_t corner) {
     const glm::dvec3 size = glm::abs(mesh.points[corner]);
@@ -146,7 +146,7 @@ std::optional<Defect> find_far_point(const Numbered& numbered) {
   return std::nullopt;
 }
 
-std::optional<Defect> find_open_edge(const Numbered& numbered) {
+std::optional<Defect> find_open_edge(const NumberedMesh& numbered) {
   std::optional<Defect> found;
   for_edges(sorted_sides(numbered.mesh), [&](auto begin, auto end) {
     const auto forward = std::count_if(begin, end, [](const EdgeSide& side) { return side.forward; });
@@ -162,8 +162,8 @@ std::optional<Defect> find_open_edge(const Numbered& numbered) {
 }
 
 void turn_shells(Mesh& mesh) {
-  const std::vector<FaceList> shells = faces_of_shells(mesh);
-  const std::vector<std::uint32_t> depths = depths_of(mesh, shells);
+  const std::vector<FaceList> shells = collect_shells(mesh);
+  const std::vector<std::uint32_t> depths = nesting_depths(mesh, shells);
   for (std::size_t i = 0; i < shells.size(); ++i) {
     const bool faces_out = six_volumes(mesh, shells[i]) >= 0;
     if (faces_out == (depths[i] % 2 == 0)) continue;
@@ -171,14 +171,14 @@ void turn_shells(Mesh& mesh) {
   }
 }
 
-Checked check(const Mesh& mesh, double tolerance, const Standing& standing) {
-  Numbered numbered = join_points(mesh);
+Checked check(const Mesh& mesh, double tolerance, const MeshPlacement& placement) {
+  NumberedMesh numbered = join_points(mesh);
   if (std::optional<Defect> defect = find_far_point(numbered)) return {std::move(numbered.mesh), std::move(defect)};
   Checked checked;
   const double rounding = tolerance * largest_coordinate(numbered.mesh);
   checked.bent = cut_bent_faces(
-      numbered, std::min(rounding, largest_tolerance * facet::box_of(numbered.mesh.points).diagonal()), standing);
-  const double distance = std::min(rounding, largest_part_of_edge * median_edge(numbered.mesh));
+      numbered, std::min(rounding, max_tolerance * facet::box_of(numbered.mesh.points).diagonal()), placement);
+  const double distance = std::min(rounding, max_edge_fraction * median_edge(numbered.mesh));
   join_near_points(numbered, distance);
   join_edges(numbered, distance);
   checked.defect = find_open_edge(numbered);

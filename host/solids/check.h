@@ -1,3 +1,5 @@
+// Checks and repairs that turn a mesh into the closed surface of a solid.
+// Used throughout host/solids and by host/read.
 #pragma once
 
 #include <cstddef>
@@ -11,93 +13,95 @@
 
 namespace csgsim::solids {
 
-/// What keeps a mesh from being a solid, and the face (its number in the file) to point at.
+/// The reason why a mesh is not a solid, and the number in the file of the face to report.
 struct Defect {
   std::uint32_t face = 0;
   std::string what;
 };
 
-/// A mesh and where it comes from.
-struct Numbered {
+/// A mesh, with the numbers that its points and faces have in the file.
+struct NumberedMesh {
   Mesh mesh;
-  std::vector<std::uint32_t> point_numbers;  ///< of each point, its number in the file
-  std::vector<std::uint32_t> face_numbers;   ///< of each face, its number in the file
+  std::vector<std::uint32_t> point_numbers;  ///< file number of each point
+  std::vector<std::uint32_t> face_numbers;   ///< file number of each face
 };
 
-/// Joins equal points, drops unused ones, and drops faces that collapse to an edge or a point by that, and pairs of
-/// faces that are one and its back. Points and faces are numbered as they are given.
-Numbered join_points(const Mesh& mesh);
+/// Joins equal points and drops unused ones. Drops faces that thereby collapse to an edge or a point, and pairs of
+/// faces that are each other's reverse. Points and faces are numbered in the given order.
+NumberedMesh join_points(const Mesh& mesh);
 
-/// An edge that faces do not run along as often in one direction as in the other.
-std::optional<Defect> find_open_edge(const Numbered& numbered);
+/// Finds an edge along which faces do not run equally often in both directions.
+std::optional<Defect> find_open_edge(const NumberedMesh& numbered);
 
-/// A point so far from the origin that numbers end (limits.h).
-std::optional<Defect> find_far_point(const Numbered& numbered);
+/// Finds a point beyond the range of coordinates (limits.h).
+std::optional<Defect> find_far_point(const NumberedMesh& numbered);
 
-/// Joins points of edges that are open and nearer to each other than the tolerance, in model units, each with the first
-/// one that it is near. Where nothing is open, nothing is joined, so that closed meshes stay as they are.
-void join_near_points(Numbered& numbered, double tolerance);
+/// Joins end points of open edges that are closer to each other than the tolerance, in model units: each joins the
+/// first point near it. Closed meshes stay unchanged.
+void join_near_points(NumberedMesh& numbered, double tolerance);
 
-/// Where an edge of a face runs along edges of others that meet on it, within the tolerance in model units, gives the
-/// face corners there. Only edges that nothing joins are looked at, so that closed meshes stay as they are.
-void join_edges(Numbered& numbered, double tolerance);
+/// Inserts corners into a face where one of its edges runs along edges of other faces that end on it, within the
+/// tolerance in model units. Only open edges are considered, so closed meshes stay unchanged.
+void join_edges(NumberedMesh& numbered, double tolerance);
 
-/// Faces that were turned.
+/// Faces whose orientation was reversed.
 struct TurnedFaces {
   std::uint32_t count = 0;
-  std::uint32_t first = 0;  ///< the lowest of their numbers in the file
+  std::uint32_t first = 0;  ///< lowest of their numbers in the file
 };
 
-/// Turns faces that run along an edge the same way as the only other face there: of all that are joined so, the fewer,
-/// or those that run against the first. Where no turning helps, as on a surface with one side, they stay.
-TurnedFaces turn_faces(Numbered& numbered);
+/// Reverses faces that run along an edge in the same direction as the only other face there. Of each connected group it
+/// reverses the minority, or those that run against the first face. Groups without a consistent orientation, such as a
+/// one-sided surface, stay unchanged.
+TurnedFaces turn_faces(NumberedMesh& numbered);
 
-/// Turns shells that face the wrong way: those within an even number of others face outwards, those within an odd
-/// number inwards. No other solid has this surface. Shells have to be closed and may not cross.
+/// Reverses shells with the wrong orientation: shells within an even number of others have to face outwards, those
+/// within an odd number inwards. No other solid has the same surface. Shells have to be closed and may not cross.
 void turn_shells(Mesh& mesh);
 
-/// Where a mesh stands when OpenSCAD cuts its faces into triangles.
-struct Standing {
-  glm::dmat4 transform{1};    ///< from the mesh to where it is shown alone or first meets others
-  bool runs_back = false;     ///< faces run the other way than OpenSCAD's do, as those of polyhedron()
-  bool meets_others = false;  ///< in a union, a difference or an intersection, where corners are on a grid of 2^-20
+/// The placement of a mesh where OpenSCAD cuts its faces into triangles.
+struct MeshPlacement {
+  glm::dmat4 transform{1};    ///< maps the mesh to the space where it is shown alone or first combined with others
+  bool is_reversed = false;   ///< faces run opposite to OpenSCAD's, as those of polyhedron()
+  bool meets_others = false;  ///< part of a union, difference or intersection, where corners lie on a grid of 2^-20
 };
 
-/// What was cut.
+/// Faces that were cut because they are not flat.
 struct BentFaces {
   std::uint32_t count = 0;
-  std::uint32_t first = 0;              ///< its number in the file
-  double most_off = 0;                  ///< the farthest that a corner of one is off its face's plane, in model units
-  std::optional<std::uint32_t> unlike;  ///< the first, by its number, of which OpenSCAD may make other triangles
+  std::uint32_t first = 0;                       ///< file number of the first one
+  double max_deviation = 0;                      ///< maximum distance of a corner from its face's plane, in model units
+  std::optional<std::uint32_t> first_different;  ///< number of the first face that OpenSCAD may triangulate differently
 };
 
 /// Cuts faces with a corner farther off their plane than the tolerance, in model units, into the triangles that
-/// OpenSCAD 2021.01 shows (tessellation.h). One that crosses itself, as OpenSCAD looks at it, stays.
-BentFaces cut_bent_faces(Numbered& numbered, double tolerance, const Standing& standing);
+/// OpenSCAD 2021.01 shows (tessellation.h). A face that crosses itself in OpenSCAD's projection stays unchanged.
+BentFaces cut_bent_faces(NumberedMesh& numbered, double tolerance, const MeshPlacement& placement);
 
 /// Faces that cross each other.
 struct Crossing {
-  std::uint32_t one = 0;    ///< of the two that cross deepest, by their numbers in the file
-  std::uint32_t other = 0;  ///< the larger number
-  double depth = 0;         ///< how far these reach past each other, or cross along if that is less, in model units
-  std::size_t count = 0;    ///< pairs of faces that cross
+  std::uint32_t one = 0;    ///< lower file number of the pair that crosses deepest
+  std::uint32_t other = 0;  ///< higher file number of that pair
+  double depth = 0;  ///< how far the two reach past each other, or the length of their crossing if less, in model units
+  std::size_t count = 0;  ///< number of crossing pairs of faces
 };
 
-/// Two faces cross if, of triangles of both, cut as in flat_faces.h, each reaches farther than the tolerance, in model
-/// units, to either side of the other's plane, and they meet along more than that. What lies flat on another or only
-/// touches it does not cross.
-std::optional<Crossing> find_crossing(const Numbered& numbered, double tolerance);
+/// Finds crossing faces. Two faces cross if two of their triangles (cut as in flat_faces.h) each reach farther than the
+/// tolerance, in model units, to both sides of the other's plane, and intersect along a line longer than the tolerance.
+/// Faces that lie flat on each other or only touch do not cross.
+std::optional<Crossing> find_crossing(const NumberedMesh& numbered, double tolerance);
 
-/// All of these in turn: a mesh that is closed, whose shells face the right way and do not cross; or what is wrong. The
-/// tolerance is in units of the largest coordinate, and a part of an edge at most (limits.h).
+/// The result of all these checks in turn: a closed mesh whose shells are correctly oriented and do not cross, or the
+/// reason why it is not. The tolerance is in units of the largest coordinate, and is limited to a fraction of the
+/// median edge (limits.h).
 struct Checked {
   Mesh mesh;
   std::optional<Defect> defect;
-  std::optional<Crossing> crossing{};  ///< of a closed mesh, whose shells are then as they are given
+  std::optional<Crossing> crossing{};  ///< set for a closed mesh only; the shells are then unchanged
   BentFaces bent{};
   TurnedFaces turned{};
 };
 
-Checked check(const Mesh& mesh, double tolerance, const Standing& standing = {});
+Checked check(const Mesh& mesh, double tolerance, const MeshPlacement& placement = {});
 
 }  // namespace csgsim::solids

@@ -13,18 +13,18 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Which side of a plane points are on, a bit each: of several points, on which sides there are some.
+/// Sides of a plane as a bit set: the side of one point, or all sides on which several points lie.
 using Sides = std::uint8_t;
 constexpr Sides on = 0;
 constexpr Sides back = 1;
 constexpr Sides front = 2;
 
-std::uint64_t key_of(facet::Halfspace halfspace) {
+std::uint64_t sort_key(facet::Halfspace halfspace) {
   return std::uint64_t{halfspace.plane} << 1U | (halfspace.positive ? 1U : 0U);
 }
 
-/// A step that visits all of `count` places in turn, the first few of them far apart.
-std::size_t stride_of(std::size_t count) {
+/// A step coprime to `count`: it visits all indices, and the first ones are far apart.
+std::size_t coprime_stride(std::size_t count) {
   std::size_t stride = static_cast<std::size_t>(static_cast<double>(count) * 0.381966) | 1U;
   const auto divides = [&](std::size_t a, std::size_t b) {
     while (b != 0) a = std::exchange(b, a % b);
@@ -34,9 +34,9 @@ std::size_t stride_of(std::size_t count) {
   return stride;
 }
 
-class Choice {
+class PlaneChooser {
  public:
-  Choice(const Soup& soup, const Choices& from) : soup_(soup), from_(from), sides_(soup.points.size()) {
+  PlaneChooser(const Soup& soup, const Choices& from) : soup_(soup), from_(from), sides_(soup.points.size()) {
     for (const Fragment& fragment : soup_.fragments) {
       for (std::uint32_t i = fragment.begin; i < fragment.end; ++i) {
         if (soup_.corners[i].reflex) reflex_edges_.push_back({corner(i), corner(next(fragment, i))});
@@ -46,16 +46,16 @@ class Choice {
 
   std::optional<facet::Halfspace> operator()() {
     std::vector<facet::Halfspace> candidates = at_reflex_edges();
-    std::optional<Found> found = best_of(candidates);
+    std::optional<Found> found = choose_best(candidates);
     if (!found) {
       candidates.clear();
       for (const Fragment& fragment : soup_.fragments) candidates.push_back(fragment.halfspace);
       sort_unique(candidates);
-      found = best_of(candidates);
+      found = choose_best(candidates);
     }
     if (!found) return std::nullopt;
-    const std::optional<Found> level = best_of(levels_inside());
-    constexpr double gain = 0.7;  // A level of about the same cost leaves more to cut.
+    const std::optional<Found> level = choose_best(levels_inside());
+    constexpr double gain = 0.7;  // a level of about the same cost leaves more to cut
     return level && level->cost < gain * found->cost ? level->halfspace : found->halfspace;
   }
 
@@ -65,14 +65,14 @@ class Choice {
     double cost = 0;
   };
 
-  /// The point of a corner of a fragment.
+  /// The point index of a fragment's corner.
   [[nodiscard]] std::uint32_t corner(std::uint32_t i) const { return soup_.corners[i].point; }
 
   static std::uint32_t next(const Fragment& fragment, std::uint32_t corner) {
     return corner + 1 < fragment.end ? corner + 1 : fragment.begin;
   }
 
-  /// The levels next to the middle of each axis that have something of the surface on both sides.
+  /// The levels nearest to the middle of each axis that have part of the surface on both sides.
   [[nodiscard]] std::vector<facet::Halfspace> levels_inside() const {
     constexpr std::ptrdiff_t each_way = 4;
     const std::span<const Level> levels = from_.levels;
@@ -110,17 +110,18 @@ class Choice {
     return found;
   }
 
-  /// The best of the candidates that have something of the surface in front of them; of many, some are looked at.
-  std::optional<Found> best_of(const std::vector<facet::Halfspace>& candidates) {
+  /// The best candidate that has part of the surface in front of it. If there are many candidates, only a sample is
+  /// evaluated.
+  std::optional<Found> choose_best(const std::vector<facet::Halfspace>& candidates) {
     constexpr std::size_t work = 200'000;
     const std::size_t size = soup_.points.size() + soup_.corners.size();
     const std::size_t most = std::max<std::size_t>(12, work / (size + 1));
     std::optional<Found> best;
     std::size_t looked_at = 0;
-    const std::size_t stride = stride_of(candidates.size());
+    const std::size_t stride = coprime_stride(candidates.size());
     for (std::size_t i = 0; i < candidates.size() && looked_at < most; ++i) {
       const facet::Halfspace candidate = candidates[i * stride % candidates.size()];
-      from_.work.charge(size, "choosing planes to cut a solid by");
+      from_.work.charge(size, "choosing planes to cut a solid");
       if (!find_sides(candidate)) continue;
       ++looked_at;
       const double cost = cost_below(best ? best->cost : std::numeric_limits<double>::infinity());
@@ -129,7 +130,7 @@ class Choice {
     return best;
   }
 
-  /// Whether something of the surface is in front of the plane.
+  /// Finds the side of every point. Returns whether part of the surface is in front of the plane.
   bool find_sides(facet::Halfspace candidate) {
     const facet::Plane plane = convex::outward_plane(candidate, from_.planes);
     const double near = from_.near;
@@ -142,8 +143,9 @@ class Choice {
     return (any & front) != 0;
   }
 
-  /// Few fragments should be cut, and many reflex edges be in the plane; large surfaces are halved. The cost of the
-  /// plane whose sides have been found, or as soon as it shows that it is not below `most`, some number that is not.
+  /// The cost of the plane whose sides were found last: it rises with the number of fragments cut and falls with the
+  /// number of reflex edges in the plane; large surfaces should be halved. Stops early and returns a value that is not
+  /// below `most` once the cost cannot be below it.
   [[nodiscard]] double cost_below(double most) const {
     const auto in_plane = [&](const ReflexEdge& edge) { return (sides_[edge.from] | sides_[edge.to]) == on; };
     const auto resolved = std::count_if(reflex_edges_.begin(), reflex_edges_.end(), in_plane);
@@ -167,26 +169,26 @@ class Choice {
   static double balance_weight(double count) { return count > 1000 ? 0.1 : 0.0; }
 
   struct ReflexEdge {
-    std::uint32_t from;  ///< points
+    std::uint32_t from;  ///< point index
     std::uint32_t to;
   };
 
   const Soup& soup_;
   const Choices& from_;
   std::vector<ReflexEdge> reflex_edges_;
-  std::vector<Sides> sides_;  ///< of each point
+  std::vector<Sides> sides_;  ///< side of each point
 };
 
 }  // namespace
 
 void sort_unique(std::vector<facet::Halfspace>& halfspaces) {
   std::sort(halfspaces.begin(), halfspaces.end(),
-            [](facet::Halfspace a, facet::Halfspace b) { return key_of(a) < key_of(b); });
+            [](facet::Halfspace a, facet::Halfspace b) { return sort_key(a) < sort_key(b); });
   halfspaces.erase(std::unique(halfspaces.begin(), halfspaces.end()), halfspaces.end());
 }
 
 std::optional<facet::Halfspace> choose_plane(const Soup& soup, const Choices& choices) {
-  return Choice(soup, choices)();
+  return PlaneChooser(soup, choices)();
 }
 
 }  // namespace csgsim::solids

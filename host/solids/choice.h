@@ -1,3 +1,5 @@
+// Choice of the planes by which a solid is cut into convex pieces.
+// Used by partition.cpp.
 #pragma once
 
 #include <optional>
@@ -10,19 +12,20 @@
 
 namespace csgsim::solids {
 
-/// What the plane to cut a cell by is chosen from, besides the cell's surface.
+/// Inputs to the choice of a cutting plane, in addition to the cell's surface.
 struct Choices {
-  std::span<const Level> levels;  ///< in order of axis and place
+  std::span<const Level> levels;  ///< sorted by axis and place
   const facet::PlaneTable& planes;
-  double near = 0;  ///< points nearer to a plane, in model units, are on it
+  double near = 0;  ///< points closer to a plane than this, in model units, count as on it
   const Work& work;
 };
 
-/// The plane to cut a cell by: of a face with a reflex edge, of any face, or a level, that cuts few faces and holds
-/// many reflex edges. None if the surface in the cell is convex. Throws WorkError past the limit on work.
+/// Chooses the plane that cuts a cell: the plane of a face with a reflex edge, of any face, or a level. Prefers planes
+/// that cut few faces and contain many reflex edges. None if the surface in the cell is convex. Throws WorkError past
+/// the limit on work.
 std::optional<facet::Halfspace> choose_plane(const Soup& soup, const Choices& choices);
 
-/// Sorts by plane and side, and keeps each once.
+/// Sorts by plane and side, and removes duplicates.
 void sort_unique(std::vector<facet::Halfspace>& halfspaces);
 
 }  // namespace csgsim::solids

@@ -15,24 +15,24 @@ namespace csgsim::solids {
 
 namespace {
 
-constexpr std::uint64_t most_points_times_faces = std::uint64_t{1} << 30U;
+constexpr std::uint64_t max_points_times_faces = std::uint64_t{1} << 30U;
 
-/// What is left by the rounding of doubles, in units of the size.
+/// Residue of rounding in doubles, in units of the size.
 constexpr double rounding = 1e-12;
 
-/// Degrees.
-constexpr double most_dent = 0.1;
+/// Maximum angle of a concave edge, in degrees.
+constexpr double max_dent_degrees = 0.1;
 
-/// Planes of the faces of a mesh whose points are scaled to [-1, 1] and moved to the origin.
+/// The planes of a mesh's faces; points are scaled to [-1, 1] and centred at the origin.
 struct Planes {
   double size = 0;  ///< diagonal of the bounding box
   std::vector<glm::dvec3> points;
-  std::vector<glm::dvec3> normals;  ///< of length 1, or 0 for a face without area
+  std::vector<glm::dvec3> normals;  ///< unit normals; 0 for a face without area
   std::vector<double> distances;    ///< normal · point on the plane
   std::vector<double> areas;
 
-  /// How far a point may be off a face.
-  [[nodiscard]] double tolerance() const { return std::min(printed_tolerance, largest_tolerance * size); }
+  /// Maximum distance of a point from its face.
+  [[nodiscard]] double tolerance() const { return std::min(printed_tolerance, max_tolerance * size); }
 
   /// Distance of a point from the plane of a face, positive outside.
   [[nodiscard]] double height(std::size_t face, std::uint32_t point) const {
@@ -50,7 +50,7 @@ Mesh scaled(const Mesh& mesh, double& size) {
   return made;
 }
 
-/// Newell's, through the mean of the corners.
+/// Fits planes with Newell's normal through the mean of the corners.
 Planes fit_planes(const Mesh& mesh) {
   Planes planes;
   const Mesh made = scaled(mesh, planes.size);
@@ -73,7 +73,7 @@ Planes fit_planes(const Mesh& mesh) {
   return planes;
 }
 
-/// Whether all points are in one plane, give or take the rounding of doubles.
+/// Whether all points are in one plane, to the rounding of doubles.
 bool is_flat(const Planes& planes) {
   const auto largest = std::ranges::max_element(planes.areas) - planes.areas.begin();
   for (std::uint32_t i = 0; i < planes.points.size(); ++i) {
@@ -82,7 +82,7 @@ bool is_flat(const Planes& planes) {
   return true;
 }
 
-/// Reverses all faces if they run clockwise seen from outside.
+/// Reverses all faces if they run clockwise as seen from outside.
 void turn_outwards(Mesh& mesh, Planes& planes) {
   double volume = 0;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) volume += planes.areas[i] * planes.distances[i];
@@ -116,7 +116,7 @@ double angle_between(const glm::dvec3& one, const glm::dvec3& other) {
 }  // namespace
 
 std::optional<model::Polyhedron> as_convex_faces(Mesh mesh) {
-  if (mesh.faces.empty() || std::uint64_t{mesh.points.size()} * mesh.faces.size() > most_points_times_faces) {
+  if (mesh.faces.empty() || std::uint64_t{mesh.points.size()} * mesh.faces.size() > max_points_times_faces) {
     return std::nullopt;
   }
   if (std::ranges::count(find_neighbours(mesh).face, none) > 0) return std::nullopt;
@@ -139,7 +139,7 @@ bool is_nearly_convex(const Mesh& mesh) {
       if (beyond == none) return false;
       const glm::dvec3 there = area_vector(mesh, mesh.faces[beyond]);
       const glm::dvec3 across = mesh.points[face[(k + 2) % face.size()]] - mesh.points[face[k]];
-      if (glm::dot(there, across) > 0 && angle_between(here, there) > glm::radians(most_dent)) return false;
+      if (glm::dot(there, across) > 0 && angle_between(here, there) > glm::radians(max_dent_degrees)) return false;
     }
   }
   return true;

@@ -1,3 +1,5 @@
+// Recognition of convex and nearly convex meshes.
+// Used by host/read.
 #pragma once
 
 #include <optional>
@@ -7,14 +9,14 @@
 
 namespace csgsim::solids {
 
-/// A mesh as one convex solid with the faces that it has, turned outwards, if it is one by their look: two faces join
-/// at every edge, each is flat, and no point is farther outside of one than printed_tolerance allows. Points have to be
-/// each once, and used (join_points in check.h). Nothing otherwise, if it is flat or a face has no area, and if points
-/// times faces, which is what this takes, are more than 2^30.
+/// Converts a mesh into one convex solid with the same faces, oriented outwards. The mesh qualifies if exactly two
+/// faces join at every edge, each face is flat, and no point is farther outside a face than printed_tolerance allows.
+/// Points have to be unique and used (join_points() in check.h). Returns nothing otherwise, if the mesh is flat, if a
+/// face has no area, or if the running time, points times faces, exceeds 2^30.
 std::optional<model::Polyhedron> as_convex_faces(Mesh mesh);
 
-/// Whether no edge is dented by more than 0.1 degrees, each edge is between two faces, and all faces hang together:
-/// OpenSCAD 2021.01 takes such a mesh for its convex hull where it meets others.
+/// Whether every edge is shared by two faces, the mesh has one shell, and no edge is concave by more than 0.1 degrees:
+/// OpenSCAD 2021.01 replaces such a mesh by its convex hull where it is combined with others.
 bool is_nearly_convex(const Mesh& mesh);
 
 }  // namespace csgsim::solids

@@ -27,13 +27,13 @@ class Shell {
     }
     middle /= count;
     const bool is_locally = std::all_of(faces_.begin(), faces_.end(), [&](std::uint32_t face) {
-      return plane_of(face).height(middle) < -near_ && holds_neighbours(face);
+      return face_plane(face).height(middle) < -near_ && holds_neighbours(face);
     });
     return is_locally && std::abs(winding(mesh_, faces_, middle) - 1.0) < 0.5;
   }
 
   [[nodiscard]] std::optional<model::Polyhedron> polyhedron() const {
-    std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> outlines;  // by region: from corner to corner
+    std::map<std::uint32_t, std::map<std::uint32_t, std::uint32_t>> outlines;  // region, corner, next corner
     for (const std::uint32_t face : faces_) {
       const std::vector<std::uint32_t>& corners = mesh_.faces[face];
       for (std::uint32_t k = 0; k < corners.size(); ++k) {
@@ -49,7 +49,7 @@ class Shell {
  private:
   using Outline = std::map<std::uint32_t, std::uint32_t>;
 
-  [[nodiscard]] const facet::Plane& plane_of(std::uint32_t face) const {
+  [[nodiscard]] const facet::Plane& face_plane(std::uint32_t face) const {
     return regions_.planes[regions_.of_face[face]];
   }
 
@@ -58,13 +58,13 @@ class Shell {
       const std::uint32_t beyond = neighbours_.face[side];
       if (beyond == none) return false;
       for (const std::uint32_t corner : mesh_.faces[beyond]) {
-        if (plane_of(face).height(mesh_.points[corner]) > near_) return false;
+        if (face_plane(face).height(mesh_.points[corner]) > near_) return false;
       }
     }
     return true;
   }
 
-  /// Corners where only two regions meet are on an edge, and left out.
+  /// Omits corners at which only two regions meet: they lie on an edge.
   [[nodiscard]] std::optional<model::Polyhedron> assemble(const std::map<std::uint32_t, Outline>& outlines) const {
     std::map<std::uint32_t, std::uint32_t> degrees;
     for (const auto& [region, outline] : outlines) {

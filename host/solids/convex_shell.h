@@ -1,3 +1,5 @@
+// Recognition of convex shells, which need no cutting.
+// Used by pieces.cpp.
 #pragma once
 
 #include <optional>
@@ -8,9 +10,9 @@
 
 namespace csgsim::solids {
 
-/// A shell as it is, if it is convex: no corner is farther than `near` in front of a neighbour's plane, all planes have
-/// the middle behind them, and the shell runs around it once. Regions are its faces, where their outlines are one each.
-/// Takes time in proportion to its size.
+/// Returns a shell unchanged if it is convex: no corner is more than `near` in front of a neighbour's plane, the centre
+/// is behind all planes, and the shell winds around it once. The faces of the result are the regions; a region with
+/// more than one outline gives nothing. Runs in time proportional to the size of the shell.
 std::optional<model::Polyhedron> as_convex(const Mesh& mesh, const FaceList& shell, const Neighbours& neighbours,
                                            const Regions& regions, double near);
 

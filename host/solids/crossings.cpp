@@ -29,8 +29,8 @@ struct TriangleBox : Box {
   std::uint32_t triangle;
 };
 
-/// The mesh in triangles, and the face that each is of.
-std::vector<Triangle> triangles_of(const Mesh& mesh, double tolerance) {
+/// The mesh as triangles, each with the index of its face.
+std::vector<Triangle> make_triangles(const Mesh& mesh, double tolerance) {
   std::vector<Triangle> triangles;
   for (std::uint32_t i = 0; i < mesh.faces.size(); ++i) {
     for (const auto& face : flat_convex_parts(mesh, mesh.faces[i], tolerance)) {
@@ -47,24 +47,24 @@ struct Plane {
   [[nodiscard]] double height(const glm::dvec3& point) const { return glm::dot(normal, point - origin); }
 };
 
-/// Where a triangle crosses a plane, along a line in it.
+/// The interval in which a triangle crosses a plane, along a line in that plane.
 struct Interval {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
-  double depth = 0;  ///< how far the triangle reaches to the side where it reaches less
+  double depth = 0;  ///< how far the triangle reaches, on the side where it reaches less
 
-  void hold(double place) {
+  void extend(double place) {
     low = std::min(low, place);
     high = std::max(high, place);
   }
 };
 
-class Crossings {
+class CrossingFinder {
  public:
-  Crossings(const Mesh& mesh, double tolerance)
-      : mesh_(mesh), tolerance_(tolerance), triangles_(triangles_of(mesh, tolerance)) {}
+  CrossingFinder(const Mesh& mesh, double tolerance)
+      : mesh_(mesh), tolerance_(tolerance), triangles_(make_triangles(mesh, tolerance)) {}
 
-  /// How deep the faces cross that do.
+  /// The pairs of faces that cross, with the depth of each crossing.
   [[nodiscard]] std::map<FacePair, double> find() const {
     std::map<FacePair, double> found;
     std::vector<TriangleBox> boxes;
@@ -93,14 +93,15 @@ class Crossings {
     return box;
   }
 
-  [[nodiscard]] Plane plane_of(const Triangle& triangle) const {
+  [[nodiscard]] Plane triangle_plane(const Triangle& triangle) const {
     const glm::dvec3& origin = point(triangle, 0);
     const glm::dvec3 vector = glm::cross(point(triangle, 1) - origin, point(triangle, 2) - origin);
     const double size = glm::length(vector);
     return {size > 0 ? vector / size : glm::dvec3(0), origin};
   }
 
-  /// Where a triangle crosses a plane; empty if it does not reach farther than the tolerance to either side.
+  /// The crossing of a triangle with a plane; empty unless the triangle reaches farther than the tolerance to both
+  /// sides.
   [[nodiscard]] Interval crossed(const Triangle& triangle, const Plane& plane, const glm::dvec3& along) const {
     std::array<double, 3> heights{};
     std::array<double, 3> places{};
@@ -114,23 +115,23 @@ class Crossings {
     interval.depth = std::min(-*least, *most);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t next = (i + 1) % 3;
-      if (heights[i] == 0) interval.hold(places[i]);
+      if (heights[i] == 0) interval.extend(places[i]);
       if (heights[i] * heights[next] >= 0) continue;
-      interval.hold(places[i] + (places[next] - places[i]) * heights[i] / (heights[i] - heights[next]));
+      interval.extend(places[i] + (places[next] - places[i]) * heights[i] / (heights[i] - heights[next]));
     }
     return interval;
   }
 
-  /// How far two triangles reach past each other, or how long the line is along which they cross, if that is less and
-  /// more than the tolerance; or 0.
+  /// How far two triangles reach past each other, or the length of their crossing if that is less; 0 if they do not
+  /// cross or the crossing is no longer than the tolerance.
   [[nodiscard]] double crossing_depth(const Triangle& one, const Triangle& other) const {
     if (shared_corners(one, other) > 1) return 0;
-    const Plane first = plane_of(one);
-    const Plane second = plane_of(other);
+    const Plane first = triangle_plane(one);
+    const Plane second = triangle_plane(other);
     const glm::dvec3 along = glm::cross(first.normal, second.normal);
     const double slant = glm::length(along);
     if (slant == 0) return 0;
-    // Places along the line are measured from the same point.
+    // Both intervals are measured along the same line; `shift` aligns their origins.
     const Interval a = crossed(one, second, along / slant);
     const Interval b = crossed(other, first, along / slant);
     const double shift = glm::dot(along / slant, second.origin - first.origin);
@@ -153,8 +154,8 @@ class Crossings {
 
 }  // namespace
 
-std::optional<Crossing> find_crossing(const Numbered& numbered, double tolerance) {
-  const std::map<FacePair, double> found = Crossings(numbered.mesh, tolerance).find();
+std::optional<Crossing> find_crossing(const NumberedMesh& numbered, double tolerance) {
+  const std::map<FacePair, double> found = CrossingFinder(numbered.mesh, tolerance).find();
   if (found.empty()) return std::nullopt;
   const auto deepest = std::ranges::max_element(found, {}, &std::pair<const FacePair, double>::second);
   const auto [one, other] =

@@ -17,9 +17,9 @@ namespace csgsim::solids {
 
 namespace {
 
-constexpr std::string_view dividing = "dividing what a surface that crosses itself encloses";
+constexpr std::string_view dividing = "dividing the space inside a self-intersecting surface";
 
-/// The cost of a part of the surface that is cut, or seen from a point.
+/// Cost of clipping one sheet, or of computing its solid angle from a point.
 constexpr std::uint64_t sheet_steps = 50;
 
 /// A part of the surface.
@@ -28,15 +28,15 @@ struct Sheet {
   std::vector<glm::dvec3> corners;
 };
 
-/// A part of space, and what of the surface is within it.
+/// A part of space, and the sheets inside it.
 struct SheetCell {
   convex::Polytope space;
   std::vector<Sheet> sheets;
 };
 
-class Enclosing {
+class EnclosedDivision {
  public:
-  Enclosing(const Soup& soup, const facet::PlaneTable& planes, double near, const Limits& limits)
+  EnclosedDivision(const Soup& soup, const facet::PlaneTable& planes, double near, const Limits& limits)
       : soup_(soup), planes_(planes), limits_(limits), near_(near) {}
 
   std::vector<convex::Polytope> operator()(convex::Polytope space) {
@@ -70,8 +70,8 @@ class Enclosing {
   void add(SheetCell cell) {
     if (cell.space.empty()) return;
     fragments_ += cell.sheets.size();
-    if (fragments_ > limits_.most_fragments) {
-      throw InputError("the solid's faces fall into more than " + std::to_string(limits_.most_fragments) + " parts");
+    if (fragments_ > limits_.max_fragments) {
+      throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) + " parts");
     }
     open_.push_back(std::move(cell));
   }
@@ -97,7 +97,7 @@ class Enclosing {
     return result;
   }
 
-  /// The plane of a sheet that cuts the fewest others; of many, some are looked at.
+  /// The plane of the sheet that cuts the fewest others. If there are many sheets, only a sample is evaluated.
   [[nodiscard]] facet::Halfspace best_wall(const std::vector<Sheet>& sheets) const {
     constexpr std::size_t most = 32;
     const std::size_t step = sheets.size() / most + 1;
@@ -117,7 +117,7 @@ class Enclosing {
     return best;
   }
 
-  /// Nothing of the surface is within the piece: it is all inside or all outside.
+  /// Keeps a piece that is inside the surface. No sheet is within the piece, so its centre decides for all of it.
   void keep(convex::Polytope piece) {
     limits_.work.charge(sheet_steps * soup_.fragments.size(), dividing);
     glm::dvec3 middle(0);
@@ -125,8 +125,8 @@ class Enclosing {
     middle /= static_cast<double>(piece.vertices.size());
     if (std::lround(winding(middle)) == 0) return;
     pieces_.push_back(std::move(piece));
-    if (pieces_.size() > limits_.most_pieces) {
-      throw InputError("the solid falls into more than " + std::to_string(limits_.most_pieces) + " convex pieces");
+    if (pieces_.size() > limits_.max_pieces) {
+      throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) + " convex pieces");
     }
   }
 
@@ -144,7 +144,7 @@ class Enclosing {
   const facet::PlaneTable& planes_;
   const Limits& limits_;
   double near_;
-  std::size_t fragments_ = 0;  ///< so far
+  std::size_t fragments_ = 0;  ///< total number of sheets added
   std::vector<SheetCell> open_;
   std::vector<convex::Polytope> pieces_;
 };
@@ -153,7 +153,7 @@ class Enclosing {
 
 std::vector<convex::Polytope> enclosed(const Soup& soup, convex::Polytope cell, const facet::PlaneTable& planes,
                                        double near, const Limits& limits) {
-  return Enclosing(soup, planes, near, limits)(std::move(cell));
+  return EnclosedDivision(soup, planes, near, limits)(std::move(cell));
 }
 
 }  // namespace csgsim::solids

@@ -1,3 +1,5 @@
+// Space enclosed by a self-intersecting surface, as convex polytopes.
+// Used by bent_slices.cpp and pieces.cpp.
 #pragma once
 
 #include <vector>
@@ -9,11 +11,11 @@
 
 namespace csgsim::solids {
 
-/// What a closed surface winds around, however often and which way, as convex polytopes that do not overlap:
-/// partition() for surfaces that cross themselves. The cell has to hold the surface. Space is divided by planes of its
-/// fragments until nothing of the surface is within a cell, so that there are more pieces and it takes longer. Throws
+/// Convex polytopes, without overlap, that fill the space where the winding number of a closed surface is not 0:
+/// partition() for surfaces that cross themselves. The cell has to contain the surface. Space is divided by planes of
+/// the fragments until no part of the surface is inside a cell, so there are more pieces and it takes longer. Throws
 /// InputError if there are more pieces or fragments than the limits allow, and WorkError past the limit on work. Points
-/// nearer to a plane than `near`, in model units, are on it.
+/// closer to a plane than `near`, in model units, count as on it.
 std::vector<convex::Polytope> enclosed(const Soup& soup, convex::Polytope cell, const facet::PlaneTable& planes,
                                        double near, const Limits& limits);
 

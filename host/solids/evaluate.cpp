@@ -18,12 +18,12 @@ bool is_union(const model::Tree& tree) {
 
 }  // namespace
 
-std::vector<model::Polyhedron> pieces_of(const model::Tree& tree, const Work& work) {
+std::vector<model::Polyhedron> evaluate_pieces(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
   const facet::Geometry scene = facet::make_geometry(tree);
   std::vector<model::Polyhedron> made;
   const auto add = [&](const convex::Polytope& polytope) {
-    if (!polytope.empty()) made.push_back(polyhedron_of(polytope, scene.planes));
+    if (!polytope.empty()) made.push_back(to_polyhedron(polytope, scene.planes));
   };
   if (is_union(tree)) {
     for (const facet::Convex& solid : scene.solids) add(convex::make_polytope(solid, scene.planes, work));
@@ -34,7 +34,7 @@ std::vector<model::Polyhedron> pieces_of(const model::Tree& tree, const Work& wo
   return made;
 }
 
-std::vector<glm::dvec3> vertices_of(const model::Tree& tree, const Work& work) {
+std::vector<glm::dvec3> evaluate_vertices(const model::Tree& tree, const Work& work) {
   std::vector<glm::dvec3> vertices;
   if (tree.root == model::no_index) return vertices;
   if (is_union(tree)) {
@@ -43,7 +43,7 @@ std::vector<glm::dvec3> vertices_of(const model::Tree& tree, const Work& work) {
     }
     return vertices;
   }
-  for (const model::Polyhedron& piece : pieces_of(tree, work)) {
+  for (const model::Polyhedron& piece : evaluate_pieces(tree, work)) {
     vertices.insert(vertices.end(), piece.points.begin(), piece.points.end());
   }
   return vertices;

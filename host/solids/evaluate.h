@@ -1,3 +1,5 @@
+// Evaluation of a CSG tree to convex pieces or to points.
+// Used by host/read.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,12 +10,12 @@
 
 namespace csgsim::solids {
 
-/// What a tree leaves of its primitives, as convex pieces in model space: those of one product do not overlap, but
-/// those of a union may (host/convex/pieces.h). A tree that is a union has its primitives as they are faceted. Throws
-/// InputError if there are too many pieces, and WorkError past the limit on work.
-std::vector<model::Polyhedron> pieces_of(const model::Tree& tree, const Work& work = {});
+/// The solid of a tree as convex pieces in model space. Pieces of one product do not overlap, but those of a union may
+/// (host/convex/pieces.h). If all operators are unions, the pieces are the faceted primitives. Throws InputError if
+/// there are too many pieces, and WorkError past the limit on work.
+std::vector<model::Polyhedron> evaluate_pieces(const model::Tree& tree, const Work& work = {});
 
-/// Points of the same solid that hold all of its corners: its hull is theirs.
-std::vector<glm::dvec3> vertices_of(const model::Tree& tree, const Work& work = {});
+/// Points of the same solid, including all its corners: both have the same convex hull.
+std::vector<glm::dvec3> evaluate_vertices(const model::Tree& tree, const Work& work = {});
 
 }  // namespace csgsim::solids

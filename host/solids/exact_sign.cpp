@@ -11,8 +11,8 @@ namespace csgsim::solids {
 
 namespace {
 
-// Numbers as sums of doubles that do not overlap, the least first, without zeros: Shewchuk, Adaptive Precision
-// Floating-Point Arithmetic and Fast Robust Geometric Predicates (1997), whose theorems these steps are.
+// Numbers as sums of non-overlapping doubles, smallest first, without zeros. The steps follow the theorems of J.
+// Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates" (1997).
 
 /// A sum of up to `capacity` components.
 template <std::size_t capacity>
@@ -92,7 +92,7 @@ int exact_sign(const std::array<Difference, 3>& rows) {
   return sum.count == 0 ? 0 : sign(sum.parts[sum.count - 1]);
 }
 
-/// Whether products of three differences of such a coordinate, and what rounding takes from them, are doubles.
+/// Whether products of three differences of such coordinates, and their rounding errors, stay in the range of doubles.
 bool is_moderate(double coordinate) {
   const double size = std::abs(coordinate);
   return size == 0.0 || (size < 1e90 && size > 1e-75);
@@ -117,7 +117,8 @@ std::optional<int> sign_of_determinant(const std::array<Difference, 3>& rows) {
   const double determinant = a.x * (yz - zy) + a.y * (zx - xz) + a.z * (xy - yx);
   const double sizes = std::abs(a.x) * (std::abs(yz) + std::abs(zy)) + std::abs(a.y) * (std::abs(zx) + std::abs(xz)) +
                        std::abs(a.z) * (std::abs(xy) + std::abs(yx));
-  // Shewchuk's bound for differences, products and sums that are each rounded once: (7 + 56 e) e, e half a last place.
+  // Shewchuk's bound for differences, products and sums that are each rounded once: (7 + 56 e) e, where e is half a
+  // unit in the last place.
   constexpr double e = std::numeric_limits<double>::epsilon() / 2;
   if (std::abs(determinant) > (7 + 56 * e) * e * sizes && sizes > 1e-200) return sign(determinant);
   for (const Difference& row : rows) {

@@ -1,3 +1,5 @@
+// Exact signs of 3x3 determinants of point differences.
+// Used by hull.cpp and hull_faces.cpp.
 #pragma once
 
 #include <array>
@@ -6,14 +8,14 @@
 
 namespace csgsim::solids {
 
-/// The difference of two points, not yet worked out.
+/// The difference of two points, not yet evaluated.
 struct Difference {
   glm::dvec3 to;
   glm::dvec3 from;
 };
 
-/// The sign of the determinant of three differences of points: -1, 0 or 1, exactly. None where coordinates are so
-/// large or small (beyond 1e90, or other than 0 and below 1e-75) that a step of the sum might leave what doubles hold.
+/// The exact sign of the determinant of three differences of points: -1, 0 or 1. None if coordinates are so large or
+/// small (beyond 1e90, or below 1e-75 but not 0) that an intermediate result might leave the range of doubles.
 std::optional<int> sign_of_determinant(const std::array<Difference, 3>& rows);
 
 }  // namespace csgsim::solids

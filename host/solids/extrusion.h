@@ -1,3 +1,5 @@
+// OpenSCAD's linear_extrude() and rotate_extrude() of 2-D areas.
+// Used throughout host/solids and by host/read.
 #pragma once
 
 #include <cstdint>
@@ -11,44 +13,45 @@
 
 namespace csgsim::solids {
 
-/// How an area is extruded along z.
+/// Parameters of an extrusion along z.
 struct LinearExtrude {
   double height = 100;
-  bool center = false;       ///< from -height / 2, not from 0
-  double twist = 0;          ///< degrees that the upper end is turned, clockwise as seen from above
-  std::uint32_t slices = 0;  ///< 0 leaves their number to `facets`
-  glm::dvec2 scale{1};       ///< of the upper end, after the turn; less than 0 counts as 0
+  bool center = false;       ///< the extrusion starts at -height / 2 instead of 0
+  double twist = 0;          ///< rotation of the upper end in degrees, clockwise as seen from above
+  std::uint32_t slices = 0;  ///< 0: derived from `facets`
+  glm::dvec2 scale{1};       ///< scale of the upper end, applied after the rotation; negative values count as 0
   model::FacetControl facets{};
 };
 
-/// How an area of the x, z plane is turned around the z axis.
+/// Parameters of a rotation of an area in the x, z plane around the z axis.
 struct RotateExtrude {
-  double angle = 360;  ///< degrees from the x axis, counter-clockwise; past a full turn either way it is one full turn
+  double angle = 360;  ///< degrees from the x axis, counter-clockwise; limited to one full turn either way
   model::FacetControl facets{};
 };
 
-/// The solid between an area and its turned and scaled copy, as OpenSCAD 2021.01 facets it: convex pieces that do not
-/// overlap, whose faces say their planes. Straight sides: a piece a convex part of the area. Bent sides: each slice's
-/// are two triangles a side of the outline, and what is between them is divided by planes of these triangles. None if
-/// the height is not above 0. Throws InputError if there are too many slices or pieces, or they reach too far from the
-/// origin (model/limits.h), and WorkError past the limit on work.
+/// The solid between an area and its rotated and scaled copy, faceted as in OpenSCAD 2021.01: convex pieces that do not
+/// overlap, with the planes of their faces. Straight sides give one piece per convex part of the area. Bent sides give
+/// two triangles per slice and side of the outline; the space between them is divided by the planes of these triangles.
+/// Empty if the height is not above 0. Throws InputError if there are too many slices or pieces, or if they reach too
+/// far from the origin (model/limits.h), and WorkError past the limit on work.
 std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& extrusion,
                                               const Work& work = {});
 
-/// A convex prism, frustum or pyramid less others.
+/// A convex prism, frustum or pyramid, minus others.
 struct HoledPrism {
   model::Polyhedron whole;
   std::vector<model::Polyhedron> holes;
 };
 
-/// linear_extrude() as a difference: if sides are straight, all outlines convex and all but one holes, and if convex
-/// pieces would have twice as many half-spaces at least. The machine then draws the difference in fewer clocks.
+/// linear_extrude() as a difference. Requires straight sides and convex outlines, all but one of them holes. The convex
+/// pieces must have at least twice the half-spaces of the difference: the machine then draws the difference in fewer
+/// clocks. None otherwise.
 std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& extrusion);
 
-/// The solid that an area turns through, as OpenSCAD 2021.01 facets it, in convex pieces as above: a convex part that
-/// touches the axis along a side, and is nowhere narrower nearer to the axis, is one piece a half turn at most, or one
-/// for a full turn; any other is one piece a fragment of the turn. None if the angle is 0. Throws InputError if the
-/// area is on both sides of the axis, as OpenSCAD has it, or if there are too many pieces.
+/// The solid that an area sweeps around the z axis, faceted as in OpenSCAD 2021.01, in convex pieces as above. A convex
+/// part that touches the axis along a side, and never narrows towards the axis, becomes one piece per half turn at
+/// most, or one for a full turn; any other part becomes one piece per fragment of the turn. Empty if the angle is 0.
+/// Throws InputError if the area is on both sides of the axis, as OpenSCAD does, or if there are too many pieces.
 std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& extrusion);
 
 }  // namespace csgsim::solids

@@ -17,7 +17,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using FlatPoint = Kernel::Point_2;
 using Face = std::vector<std::uint32_t>;
 
-/// A face seen along the axis that it faces most, counter-clockwise.
+/// A face projected along its dominant axis, counter-clockwise.
 std::vector<FlatPoint> projection(const Mesh& mesh, const Face& face, const glm::dvec3& normal) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -58,10 +58,10 @@ bool holds(const std::array<FlatPoint, 3>& triangle, const FlatPoint& point) {
   return point != triangle[0] && point != triangle[1] && point != triangle[2];
 }
 
-/// Cuts a face into triangles. Holes may be joined to the outline by edges that it runs along both ways.
-class Ears {
+/// Triangulates a face by ear clipping. Holes may be joined to the outline by edges that it follows in both directions.
+class EarClipper {
  public:
-  Ears(const Face& face, const std::vector<FlatPoint>& points) : face_(face), points_(points) {
+  EarClipper(const Face& face, const std::vector<FlatPoint>& points) : face_(face), points_(points) {
     for (std::size_t i = 0; i < face.size(); ++i) left_.push_back(i);
   }
 
@@ -77,7 +77,7 @@ class Ears {
     return {left_[(i + count - 1) % count], left_[i % count], left_[(i + 1) % count]};
   }
 
-  /// The next ear after the last one. If a face that crosses itself has none, the next corner.
+  /// The next ear after the last one, or the next corner if a face that crosses itself has no ear.
   [[nodiscard]] std::size_t next() const {
     for (std::size_t k = 0; k < left_.size(); ++k) {
       const std::size_t i = (from_ + k) % left_.size();
@@ -101,12 +101,13 @@ class Ears {
 
   const Face& face_;
   const std::vector<FlatPoint>& points_;
-  std::vector<std::size_t> left_;  ///< corners that no ear has taken away
+  std::vector<std::size_t> left_;  ///< corners not yet cut off
   std::size_t from_ = 0;
   std::vector<Face> triangles_;
 };
 
-/// Triangles from the first corner, of a face whose parts cancel each other as a bow's do; itself if all have no area.
+/// A triangle fan from the first corner, for a face whose parts cancel out, like a bow tie; the face itself if no
+/// triangle has area.
 std::vector<Face> fan(const Mesh& mesh, const Face& face) {
   std::vector<Face> triangles;
   bool has_area = false;
@@ -129,7 +130,7 @@ glm::dvec3 area_vector(const Mesh& mesh, const Face& face) {
   return sum;
 }
 
-double off_plane(const Mesh& mesh, const Face& face) {
+double max_plane_distance(const Mesh& mesh, const Face& face) {
   const glm::dvec3 vector = area_vector(mesh, face);
   const double length = glm::length(vector);
   if (length == 0) return 0;
@@ -155,8 +156,8 @@ std::vector<Face> flat_convex_parts(const Mesh& mesh, const Face& face, double t
   const glm::dvec3 vector = area_vector(mesh, face);
   if (glm::length(vector) == 0) return fan(mesh, face);
   const std::vector<FlatPoint> points = projection(mesh, face, vector);
-  if (off_plane(mesh, face) <= tolerance && is_convex(points)) return {face};
-  return Ears(face, points)();
+  if (max_plane_distance(mesh, face) <= tolerance && is_convex(points)) return {face};
+  return EarClipper(face, points)();
 }
 
 Mesh with_flat_convex_faces(const Mesh& mesh, double tolerance) {

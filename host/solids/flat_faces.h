@@ -1,3 +1,5 @@
+// Face normals, planarity, and division of faces into flat convex parts.
+// Used throughout host/solids.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -6,22 +8,22 @@
 
 namespace csgsim::solids {
 
-/// Newell's vector: normal to the face, as long as twice its area.
+/// Newell's vector: normal to the face, with twice its area as length.
 glm::dvec3 area_vector(const Mesh& mesh, const std::vector<std::uint32_t>& face);
 
-/// The farthest that a corner of a face is off the plane through the mean of its corners, across that vector.
-double off_plane(const Mesh& mesh, const std::vector<std::uint32_t>& face);
+/// Maximum distance of a face's corners from the plane through their mean that is normal to area_vector().
+double max_plane_distance(const Mesh& mesh, const std::vector<std::uint32_t>& face);
 
 /// The largest magnitude of a coordinate.
 double largest_coordinate(const Mesh& mesh);
 
-/// A face in parts that are flat and convex: itself, if it is. A face with a corner farther off its plane than the
-/// tolerance, in model units, or with a reflex corner is cut into triangles, ear by ear: the first ear from the first
-/// corner on. One that crosses itself so that its area is 0 is cut into triangles too.
+/// Divides a face into flat convex parts; a flat convex face is returned unchanged. A face with a reflex corner, or
+/// with a corner farther off its plane than the tolerance, in model units, is cut into triangles by ear clipping that
+/// starts at the first corner. A face that crosses itself with a total area of 0 is also cut into triangles.
 std::vector<std::vector<std::uint32_t>> flat_convex_parts(const Mesh& mesh, const std::vector<std::uint32_t>& face,
                                                           double tolerance);
 
-/// The same surface with all faces in such parts.
+/// The same surface with all faces divided that way.
 Mesh with_flat_convex_faces(const Mesh& mesh, double tolerance);
 
 }  // namespace csgsim::solids

@@ -13,14 +13,14 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The points before and after each along the sides.
-struct Around {
+/// The predecessor and successor of each point along the sides.
+struct PathNeighbours {
   std::vector<std::uint32_t> previous;
   std::vector<std::uint32_t> next;
 };
 
-Around around(std::size_t points, std::span<const Link> sides) {
-  Around made{std::vector<std::uint32_t>(points, none), std::vector<std::uint32_t>(points, none)};
+PathNeighbours link_path(std::size_t points, std::span<const Link> sides) {
+  PathNeighbours made{std::vector<std::uint32_t>(points, none), std::vector<std::uint32_t>(points, none)};
   for (const auto& [from, to] : sides) {
     made.next[from] = to;
     made.previous[to] = from;
@@ -28,25 +28,25 @@ Around around(std::size_t points, std::span<const Link> sides) {
   return made;
 }
 
-bool within_box(const SeenPoint& a, const SeenPoint& b, const SeenPoint& point) {
+bool within_box(const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& point) {
   return std::min(a.s, b.s) <= point.s && point.s <= std::max(a.s, b.s) && std::min(a.t, b.t) <= point.t &&
          point.t <= std::max(a.t, b.t);
 }
 
-bool is_on(const SeenPoint& a, const SeenPoint& b, const SeenPoint& point) {
+bool is_on(const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& point) {
   return turn(a, b, point) == 0 && within_box(a, b, point);
 }
 
 /// Two sides of an outline.
 class SidePair {
  public:
-  SidePair(std::span<const SeenPoint> points, const Link& one, const Link& other)
+  SidePair(std::span<const ProjectedPoint> points, const Link& one, const Link& other)
       : points_(points), one_(one), other_(other) {}
 
   [[nodiscard]] bool meet() const {
     const auto [a, b] = one_;
     const auto [c, d] = other_;
-    // Sides that have an end in common may not run along each other.
+    // Sides with a common end may not overlap.
     if (b == c) return is_on(at(a), at(b), at(d)) || is_on(at(c), at(d), at(a));
     if (a == d) return is_on(at(a), at(b), at(c)) || is_on(at(c), at(d), at(b));
     const bool parts_second = (turn(at(a), at(b), at(c)) > 0) != (turn(at(a), at(b), at(d)) > 0);
@@ -56,25 +56,25 @@ class SidePair {
   }
 
  private:
-  [[nodiscard]] const SeenPoint& at(std::uint32_t point) const { return points_[point]; }
+  [[nodiscard]] const ProjectedPoint& at(std::uint32_t point) const { return points_[point]; }
 
-  std::span<const SeenPoint> points_;
+  std::span<const ProjectedPoint> points_;
   Link one_;
   Link other_;
 };
 
-/// What is inside between two sides that the sweep has come by.
+/// The interior between two sides that the sweep has reached.
 struct Region {
-  Link upper;              ///< from its left to its right end
-  Link lower;              ///< the same
-  std::uint32_t last = 0;  ///< the last point of it that the sweep has come by
-  bool is_owed = false;    ///< whether that point has no side to its right yet
+  Link upper;                   ///< left end, right end
+  Link lower;                   ///< left end, right end
+  std::uint32_t last = 0;       ///< last point of the region that the sweep has visited
+  bool needs_diagonal = false;  ///< `last` is a reflex corner that still needs a diagonal to its right
 };
 
 class OutlineSweep {
  public:
-  OutlineSweep(std::span<const SeenPoint> points, std::span<const Link> sides)
-      : points_(points), around_(around(points.size(), sides)) {
+  OutlineSweep(std::span<const ProjectedPoint> points, std::span<const Link> sides)
+      : points_(points), around_(link_path(points.size(), sides)) {
     for (const Link& side : sides) order_.push_back(side.first);
     std::stable_sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
       return std::tie(points[a].s, points[a].t) < std::tie(points[b].s, points[b].t);
@@ -82,16 +82,16 @@ class OutlineSweep {
   }
 
   std::vector<Link> operator()() {
-    for (const std::uint32_t point : order_) come_by(point);
+    for (const std::uint32_t point : order_) visit(point);
     return std::move(diagonals_);
   }
 
  private:
-  void come_by(std::uint32_t point) {
+  void visit(std::uint32_t point) {
     const std::uint32_t previous = around_.previous[point];
     const std::uint32_t next = around_.next[point];
-    const bool from_left = comes_before(points_[previous], points_[point]);
-    const bool to_left = comes_before(points_[next], points_[point]);
+    const bool from_left = precedes(points_[previous], points_[point]);
+    const bool to_left = precedes(points_[next], points_[point]);
     const bool is_convex = turn(points_[previous], points_[point], points_[next]) > 0;
     if (!from_left && !to_left) {
       if (!is_convex) return split(point);
@@ -108,16 +108,16 @@ class OutlineSweep {
 
   using At = std::vector<Region>::iterator;
 
-  /// The region whose upper or lower side ends there.
+  /// The region whose upper or lower side ends at the point.
   At ending(Link Region::*side, std::uint32_t point) {
     return std::find_if(regions_.begin(), regions_.end(),
                         [&](const Region& region) { return (region.*side).second == point; });
   }
 
-  /// Gives the last point of a region its side to the right.
+  /// Adds the pending diagonal of a region's last point, if any.
   At settled(At region, std::uint32_t point) {
-    if (region->is_owed) diagonals_.emplace_back(region->last, point);
-    region->is_owed = false;
+    if (region->needs_diagonal) diagonals_.emplace_back(region->last, point);
+    region->needs_diagonal = false;
     return region;
   }
 
@@ -138,7 +138,7 @@ class OutlineSweep {
     diagonals_.emplace_back(region->last, point);
     const Link upper = std::exchange(region->upper, {point, around_.previous[point]});
     region->last = point;
-    region->is_owed = false;
+    region->needs_diagonal = false;
     regions_.push_back({upper, {point, around_.next[point]}, point});
   }
 
@@ -147,12 +147,12 @@ class OutlineSweep {
     const At below = settled(ending(&Region::upper, point), point);
     below->upper = above.upper;
     below->last = point;
-    below->is_owed = true;
+    below->needs_diagonal = true;
     regions_.erase(ending(&Region::lower, point));
   }
 
-  std::span<const SeenPoint> points_;
-  Around around_;
+  std::span<const ProjectedPoint> points_;
+  PathNeighbours around_;
   std::vector<std::uint32_t> order_;
   std::vector<Region> regions_;
   std::vector<Link> diagonals_;
@@ -160,13 +160,13 @@ class OutlineSweep {
 
 }  // namespace
 
-int turn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c) {
+int turn(const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c) {
   using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
-  const auto exact = [](const SeenPoint& point) { return model::exact_point<Point>(point.s, point.t); };
+  const auto exact = [](const ProjectedPoint& point) { return model::exact_point<Point>(point.s, point.t); };
   return CGAL::orientation(exact(a), exact(b), exact(c));
 }
 
-bool is_simple(std::span<const SeenPoint> points, std::span<const Link> sides) {
+bool is_simple(std::span<const ProjectedPoint> points, std::span<const Link> sides) {
   std::vector<std::uint32_t> leaving(points.size(), 0);
   std::vector<std::uint32_t> ending(points.size(), 0);
   for (const auto& [from, to] : sides) {
@@ -181,7 +181,7 @@ bool is_simple(std::span<const SeenPoint> points, std::span<const Link> sides) {
   return true;
 }
 
-std::vector<Link> monotone_diagonals(std::span<const SeenPoint> points, std::span<const Link> sides) {
+std::vector<Link> monotone_diagonals(std::span<const ProjectedPoint> points, std::span<const Link> sides) {
   return OutlineSweep(points, sides)();
 }
 

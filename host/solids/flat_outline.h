@@ -1,3 +1,5 @@
+// Tests and monotone division of a projected outline, with exact predicates.
+// Used by seen_outline.h, tessellation.cpp and triangle_net.h.
 #pragma once
 
 #include <cstdint>
@@ -7,31 +9,31 @@
 
 namespace csgsim::solids {
 
-/// A corner of an outline as it is seen.
-struct SeenPoint {
+/// A corner of an outline, projected to a plane.
+struct ProjectedPoint {
   float s = 0;
   float t = 0;
 
-  bool operator==(const SeenPoint&) const = default;
+  bool operator==(const ProjectedPoint&) const = default;
 };
 
-/// The order in which a sweep from left to right comes by them; a point comes before itself.
-inline bool comes_before(const SeenPoint& one, const SeenPoint& other) {
+/// Sweep order, from left to right; reflexive.
+inline bool precedes(const ProjectedPoint& one, const ProjectedPoint& other) {
   return one.s < other.s || (one.s == other.s && one.t <= other.t);
 }
 
-/// 1 where a triangle runs counter-clockwise, -1 clockwise, 0 where it is flat; exact.
-int turn(const SeenPoint& a, const SeenPoint& b, const SeenPoint& c);
+/// 1 if a triangle runs counter-clockwise, -1 if clockwise, 0 if it has no area; exact.
+int turn(const ProjectedPoint& a, const ProjectedPoint& b, const ProjectedPoint& c);
 
-/// Between two points, by their numbers.
+/// A line between two points, given by their indices.
 using Link = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Whether sides meet at their ends alone, and at each point that is used one side ends and one begins.
-bool is_simple(std::span<const SeenPoint> points, std::span<const Link> sides);
+/// Whether sides meet only at their ends, and each used point has exactly one incoming and one outgoing side.
+bool is_simple(std::span<const ProjectedPoint> points, std::span<const Link> sides);
 
-/// Diagonals that divide what is to the left of the sides, which have to be simple, into parts that a line across the
-/// sweep cuts once: from each reflex corner that has no side to its left, to the last point before it of the part that
-/// it is in; from one that has none to its right, to the first point after it.
-std::vector<Link> monotone_diagonals(std::span<const SeenPoint> points, std::span<const Link> sides);
+/// Diagonals that divide the region to the left of the sides into monotone parts. The sides have to be simple. A reflex
+/// corner that lacks a side to its left is connected to the last point before it in its part; one that lacks a side to
+/// its right is connected to the first point after it.
+std::vector<Link> monotone_diagonals(std::span<const ProjectedPoint> points, std::span<const Link> sides);
 
 }  // namespace csgsim::solids

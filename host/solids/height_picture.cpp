@@ -14,7 +14,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The bytes that libpng reads. It is C, so nothing may be thrown through it.
+/// The input of libpng. libpng is C code, so its callbacks may not throw.
 struct Stream {
   std::string_view bytes;
   char error[128] = "";  // NOLINT(modernize-avoid-c-arrays)
@@ -28,16 +28,16 @@ extern "C" [[noreturn]] void height_picture_failed(png_structp png, png_const_ch
 
 extern "C" void height_picture_warned(png_structp /*png*/, png_const_charp /*message*/) {}
 
-extern "C" void give_png_bytes(png_structp png, png_bytep to, std::size_t count) {
+extern "C" void read_png_bytes(png_structp png, png_bytep to, std::size_t count) {
   auto* const stream = static_cast<Stream*>(png_get_io_ptr(png));
-  if (count > stream->bytes.size()) png_error(png, "it ends too early");
+  if (count > stream->bytes.size()) png_error(png, "the file ends too early");
   std::memcpy(to, stream->bytes.data(), count);
   stream->bytes.remove_prefix(count);
 }
 
-/// Has nothing to destroy: libpng leaves it by a jump when something fails.
+/// Holds no object with a destructor, because libpng reports errors by longjmp.
 bool read_header(png_structp png, png_infop info) {
-  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng's way to tell of errors
+  if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp): libpng reports errors this way
   png_read_info(png, info);
   png_set_strip_16(png);
   png_set_packing(png);
@@ -49,7 +49,7 @@ bool read_header(png_structp png, png_infop info) {
   return true;
 }
 
-/// The same.
+/// Holds no object with a destructor either.
 bool read_rows(png_structp png, png_bytepp rows) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;  // NOLINT(cert-err52-cpp)
   png_read_image(png, rows);
@@ -57,7 +57,7 @@ bool read_rows(png_structp png, png_bytepp rows) {
   return true;
 }
 
-/// Frees what libpng has made.
+/// Frees libpng's structures.
 struct Reader {
   png_structp png = nullptr;
   png_infop info = nullptr;
@@ -73,19 +73,20 @@ struct Reader {
 
 }  // namespace
 
-Pixels read_png(std::string_view bytes, std::string_view name, std::size_t most) {
+Pixels read_png(std::string_view bytes, std::string_view name, std::size_t max_pixels) {
   Stream stream{bytes};
   const Reader reader(stream);
   const auto fail = [&] {
-    throw InputError(fmt::format("{}: it is no PNG file, or damaged ({}); save it again", printable(name),
+    throw InputError(fmt::format("{}: not a PNG file, or damaged ({}); save it again", printable(name),
                                  printable(&stream.error[0])));
   };
-  if (reader.info == nullptr) throw InputError("there is not enough memory to read a picture");
-  png_set_read_fn(reader.png, &stream, give_png_bytes);
+  if (reader.info == nullptr) throw InputError("not enough memory to read a picture");
+  png_set_read_fn(reader.png, &stream, read_png_bytes);
   if (!read_header(reader.png, reader.info)) fail();
   Pixels pixels{png_get_image_width(reader.png, reader.info), png_get_image_height(reader.png, reader.info), {}};
-  if (std::uint64_t{pixels.width} * pixels.height > most) {
-    throw InputError(fmt::format("{}: it has more than {} pixels; scale it down", printable(name), most));
+  if (std::uint64_t{pixels.width} * pixels.height > max_pixels) {
+    throw InputError(
+        fmt::format("{}: the picture has more than {} pixels; scale it down", printable(name), max_pixels));
   }
   const std::size_t row = std::size_t{3} * pixels.width;
   pixels.bytes.resize(row * pixels.height);

@@ -1,3 +1,5 @@
+// PNG decoding for surface().
+// Used by surface.cpp and sim/web.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +16,7 @@ struct Pixels {
   std::vector<unsigned char> bytes;
 };
 
-/// Throws InputError if the file is damaged or has more than `most` pixels.
-Pixels read_png(std::string_view bytes, std::string_view name, std::size_t most);
+/// Throws InputError if the file is damaged or has more than `max_pixels` pixels.
+Pixels read_png(std::string_view bytes, std::string_view name, std::size_t max_pixels);
 
 }  // namespace csgsim::solids

@@ -19,7 +19,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The cost of a point.
+/// Cost per point, in steps of work.
 constexpr std::uint64_t hull_steps = 3'000;
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -51,7 +51,7 @@ struct IsFartherBehind {
   }
 };
 
-/// Solids have many points in one plane, where CGAL's own tests take rational numbers.
+/// Replaces CGAL's own predicates, which fall back to rational numbers for the many coplanar points of solids.
 struct Traits : CGAL::Convex_hull_traits_3<Kernel, Surface, CGAL::Tag_false> {
   using Has_on_positive_side_3 = InFront;
   using Less_signed_distance_to_plane_3 = IsFartherBehind;
@@ -60,7 +60,7 @@ struct Traits : CGAL::Convex_hull_traits_3<Kernel, Surface, CGAL::Tag_false> {
   [[nodiscard]] IsFartherBehind less_signed_distance_to_plane_3_object() const { return {}; }
 };
 
-/// Four of the points that are not in one plane are needed for a hull with a volume.
+/// Whether four of the points are not in one plane.
 bool have_volume(const std::vector<Point>& points) {
   if (points.empty()) return false;
   const auto end = points.end();
@@ -93,7 +93,7 @@ Mesh hull(std::span<const glm::dvec3> points, const Work& work) {
       corners.push_back(static_cast<std::uint32_t>(vertex.idx()));
     }
   }
-  // CGAL keeps edges in the order of their addresses: which triangles it makes of a face depends on those.
+  // CGAL orders edges by address, and the triangles of a face depend on that order.
   return with_sorted_faces(made);
 }
 

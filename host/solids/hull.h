@@ -1,3 +1,5 @@
+// Convex hulls of points, computed with exact predicates.
+// Used by minkowski.cpp and host/read.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -10,12 +12,12 @@
 
 namespace csgsim::solids {
 
-/// The convex hull, of triangles, with exact signs: it holds every point. It is the same for the same points in any
-/// order. Empty if all points are in one plane. Throws WorkError past the limit on work.
+/// The convex hull as triangles, computed with exact predicates, so it contains every point. The result does not depend
+/// on the order of the points. Empty if all points are in one plane. Throws WorkError past the limit on work.
 Mesh hull(std::span<const glm::dvec3> points, const Work& work = {});
 
-/// The same, with triangles in one plane, give or take rounding, joined to one face. Nothing if the hull is empty or
-/// no thicker than that.
+/// The same, with triangles that are coplanar, to rounding, joined into one face. Nothing if the hull is empty or no
+/// thicker than rounding.
 std::optional<model::Polyhedron> hull_piece(std::span<const glm::dvec3> points, const Work& work = {});
 
 }  // namespace csgsim::solids

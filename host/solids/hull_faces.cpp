@@ -27,10 +27,12 @@ bool are_in_one_plane(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3
   return CGAL::coplanar(exact(a), exact(b), exact(c), exact(d));
 }
 
-/// Finds, for each triangle, the first triangle of its face. A face is all that lies in one plane.
-class Grouping {
+/// Finds, for each triangle, the first triangle of its face. A face is a maximal set of adjacent triangles in one
+/// plane.
+class CoplanarGroups {
  public:
-  explicit Grouping(const Mesh& hull) : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
+  explicit CoplanarGroups(const Mesh& hull)
+      : hull_(hull), neighbours_(find_neighbours(hull)), parent_(hull.faces.size()) {
     std::iota(parent_.begin(), parent_.end(), 0U);
     for (std::uint32_t face = 0; face < parent_.size(); ++face) {
       for (std::uint32_t side = 0; side < 3; ++side) join(face, beyond(face, side));
@@ -41,7 +43,7 @@ class Grouping {
     return neighbours_.face[neighbours_.first_side[face] + side];
   }
 
-  std::uint32_t of(std::uint32_t face) {
+  std::uint32_t find(std::uint32_t face) {
     while (parent_[face] != face) face = parent_[face] = parent_[parent_[face]];
     return face;
   }
@@ -54,7 +56,7 @@ class Grouping {
     for (const std::uint32_t corner : hull_.faces[other]) {
       if (!are_in_one_plane(at(face[0]), at(face[1]), at(face[2]), at(corner))) return;
     }
-    const auto [low, high] = std::minmax({of(one), of(other)});
+    const auto [low, high] = std::minmax({find(one), find(other)});
     parent_[high] = low;
   }
 
@@ -63,7 +65,7 @@ class Grouping {
   std::vector<std::uint32_t> parent_;
 };
 
-/// An edge where two faces meet, as the one whose number it has runs along it.
+/// An edge between two faces, in the direction in which `face` runs along it.
 struct Rim {
   std::uint32_t face = 0;
   std::uint32_t from = 0;
@@ -74,13 +76,13 @@ struct Rim {
   }
 };
 
-std::vector<Rim> rims_of(const Mesh& hull) {
-  Grouping grouping(hull);
+std::vector<Rim> collect_rims(const Mesh& hull) {
+  CoplanarGroups grouping(hull);
   std::vector<Rim> rims;
   for (std::uint32_t face = 0; face < hull.faces.size(); ++face) {
     for (std::uint32_t side = 0; side < 3; ++side) {
-      const std::uint32_t own = grouping.of(face);
-      if (grouping.of(grouping.beyond(face, side)) == own) continue;
+      const std::uint32_t own = grouping.find(face);
+      if (grouping.find(grouping.beyond(face, side)) == own) continue;
       rims.push_back({own, hull.faces[face][side], hull.faces[face][(side + 1) % 3]});
     }
   }
@@ -88,8 +90,8 @@ std::vector<Rim> rims_of(const Mesh& hull) {
   return rims;
 }
 
-/// The corners of each face in turn.
-std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
+/// The corners of each face in order.
+std::vector<Loop> collect_loops(const std::vector<Rim>& rims) {
   std::vector<Loop> loops;
   for (auto begin = rims.begin(); begin != rims.end();) {
     const auto end = std::find_if(begin, rims.end(), [&](const Rim& rim) { return rim.face != begin->face; });
@@ -104,9 +106,9 @@ std::vector<Loop> loops_of(const std::vector<Rim>& rims) {
   return loops;
 }
 
-/// Numbers the points where three faces or more meet, in the order of their coordinates. Other points, which are within
-/// a face or an edge, get `none`.
-std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
+/// Numbers the points at which at least three faces meet, in the order of their coordinates. Other points, inside a
+/// face or an edge, get `none`.
+std::vector<std::uint32_t> number_corners(const Mesh& hull, const std::vector<Loop>& loops, Mesh& made) {
   std::vector<std::uint32_t> uses(hull.points.size());
   for (const Loop& loop : loops) {
     for (const std::uint32_t corner : loop) ++uses[corner];
@@ -131,9 +133,9 @@ std::vector<std::uint32_t> numbers_of_corners(const Mesh& hull, const std::vecto
 }  // namespace
 
 Mesh with_sorted_faces(const Mesh& hull) {
-  std::vector<Loop> loops = loops_of(rims_of(hull));
+  std::vector<Loop> loops = collect_loops(collect_rims(hull));
   Mesh made;
-  const std::vector<std::uint32_t> numbers = numbers_of_corners(hull, loops, made);
+  const std::vector<std::uint32_t> numbers = number_corners(hull, loops, made);
   for (Loop& loop : loops) {
     for (std::uint32_t& corner : loop) corner = numbers[corner];
     std::erase(loop, none);

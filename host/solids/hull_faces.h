@@ -1,13 +1,15 @@
+// Canonical form of a convex hull.
+// Used by hull.cpp.
 #pragma once
 
 #include "host/solids/mesh.h"
 
 namespace csgsim::solids {
 
-/// The hull of the same points in the one form that depends on nothing but the solid: `hull` is a convex surface of
-/// triangles with exact signs, of which there are many where more than three of its points are in one plane. Points are
-/// those at a corner of the solid, in the order of their coordinates; a face of more than three corners is a fan around
-/// the first of them.
+/// A canonical form of a convex hull, which depends only on the solid. `hull` is a convex surface of triangles with
+/// exact orientation; its triangulation is not unique if more than three points are in one plane. The result has only
+/// the points at corners of the solid, sorted by their coordinates; a face with more than three corners is a fan around
+/// its first corner.
 Mesh with_sorted_faces(const Mesh& hull);
 
 }  // namespace csgsim::solids

@@ -18,7 +18,7 @@ namespace {
 using Face = std::vector<std::uint32_t>;
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
-/// Edges that no face runs back along.
+/// Edges along which no face runs in the opposite direction.
 std::set<Edge> unjoined_edges(const Mesh& mesh) {
   std::vector<std::pair<Edge, int>> sides;
   for (const Face& face : mesh.faces) {
@@ -40,12 +40,12 @@ std::set<Edge> unjoined_edges(const Mesh& mesh) {
   return found;
 }
 
-/// Finds, for each point that is to be joined, the first point near it, which may be itself.
+/// Finds, for each point to be joined, the first point near it, which may be the point itself.
 class Nearest {
  public:
   Nearest(const Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance) {}
 
-  /// The first point that was added near to this one; if there is none, this one is added.
+  /// The first added point near this one; if there is none, adds this one.
   std::uint32_t first_near(std::uint32_t point) {
     const Cell at = cell_of(mesh_.points[point]);
     std::uint32_t first = point;
@@ -61,8 +61,8 @@ class Nearest {
  private:
   static constexpr std::array<double, 3> beside = {-1, 0, 1};
 
-  /// Whole numbers: what is near is in the same cell or one beside it. From 2^53 on the coordinates lie further apart
-  /// than the tolerance, so that only equal ones are near, and those are in the same cell.
+  /// Integral cell coordinates: points near each other are in the same or in adjacent cells. From 2^53 on, adjacent
+  /// doubles differ by more than the tolerance, so only equal points are near each other, and these share a cell.
   using Cell = std::array<double, 3>;
 
   [[nodiscard]] Cell cell_of(const glm::dvec3& point) const {
@@ -81,12 +81,12 @@ class Nearest {
 
   const Mesh& mesh_;
   double tolerance_;
-  std::map<Cell, std::vector<std::uint32_t>> cells_;  ///< points that were added, in ascending order
+  std::map<Cell, std::vector<std::uint32_t>> cells_;  ///< added points, in ascending order
 };
 
-class Joining {
+class EdgeJoiner {
  public:
-  Joining(Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance), open_(unjoined_edges(mesh)) {}
+  EdgeJoiner(Mesh& mesh, double tolerance) : mesh_(mesh), tolerance_(tolerance), open_(unjoined_edges(mesh)) {}
 
   void operator()() {
     if (open_.empty()) return;
@@ -102,7 +102,8 @@ class Joining {
   }
 
  private:
-  /// Other faces run back from the edge's end to its beginning by these corners, which are returned in its direction.
+  /// The corners of a chain of other faces' edges that runs from the end of the edge back to its start; returned in the
+  /// direction of the edge.
   [[nodiscard]] Face corners_on(const Edge& edge) const {
     if (!open_.contains(edge)) return {};
     Face corners;
@@ -118,7 +119,7 @@ class Joining {
     return {};
   }
 
-  /// The end of an edge from there, if it is on the first edge and nearer to its beginning.
+  /// The end of an open edge from `at`, if that end lies on the given edge and is closer to its start.
   [[nodiscard]] std::optional<std::uint32_t> next_on(const Edge& edge, std::uint32_t at) const {
     const glm::dvec3& origin = mesh_.points[edge.first];
     const glm::dvec3 along = glm::normalize(mesh_.points[edge.second] - origin);
@@ -139,7 +140,7 @@ class Joining {
 
 }  // namespace
 
-void join_near_points(Numbered& numbered, double tolerance) {
+void join_near_points(NumberedMesh& numbered, double tolerance) {
   if (tolerance <= 0) return;
   std::set<std::uint32_t> ends;
   for (const auto& [from, to] : unjoined_edges(numbered.mesh)) ends.insert({from, to});
@@ -147,12 +148,12 @@ void join_near_points(Numbered& numbered, double tolerance) {
   Mesh moved = numbered.mesh;
   for (const std::uint32_t end : ends) moved.points[end] = numbered.mesh.points[nearest.first_near(end)];
   if (moved.points == numbered.mesh.points) return;
-  Numbered joined = join_points(moved);
+  NumberedMesh joined = join_points(moved);
   for (std::uint32_t& number : joined.point_numbers) number = numbered.point_numbers[number];
   for (std::uint32_t& number : joined.face_numbers) number = numbered.face_numbers[number];
   numbered = std::move(joined);
 }
 
-void join_edges(Numbered& numbered, double tolerance) { Joining(numbered.mesh, tolerance)(); }
+void join_edges(NumberedMesh& numbered, double tolerance) { EdgeJoiner(numbered.mesh, tolerance)(); }
 
 }  // namespace csgsim::solids

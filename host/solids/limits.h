@@ -1,3 +1,5 @@
+// Tolerances of meshes, and limits of their division into convex pieces.
+// Used throughout host/solids and by host/commands.
 #pragma once
 
 #include <cstddef>
@@ -7,33 +9,35 @@
 
 namespace csgsim::solids {
 
-/// How far, in units of the largest coordinate, rounding may have moved a point. OpenSCAD prints 6 digits, which moves
-/// a coordinate by up to 5e-6 of itself; of 20,000 boxes printed so, turned and moved at random, the worst, cut into
-/// triangles, was bent by 1.1e-5.
+/// Maximum distance, in units of the largest coordinate, by which rounding may have moved a point. OpenSCAD prints 6
+/// digits, which moves a coordinate by up to 5e-6 of its value. In a test of 20,000 boxes printed that way and rotated
+/// and translated at random, the worst one, cut into triangles, was bent by 1.1e-5.
 inline constexpr double printed_tolerance = 2e-5;
 
-/// The same of single precision, as in STL files: half a last place a coordinate, of which eight may add up.
+/// The same for single precision, as in STL files: half a unit in the last place per coordinate; eight such errors may
+/// add up.
 inline constexpr double single_precision_tolerance = 0x1p-22;
 
-/// What is left by the rounding of doubles.
+/// Residue of rounding in doubles.
 inline constexpr double double_precision_tolerance = 1e-12;
 
-/// What has lost more than this part of its size, far from the origin, is not to be trusted.
-inline constexpr double largest_tolerance = 1e-3;
+/// Upper bound of tolerances, as a fraction of the size: a mesh far from the origin that lost more precision is
+/// rejected.
+inline constexpr double max_tolerance = 1e-3;
 
-/// Points that are apart by more than this part of an edge of the middle length are not what rounding has moved: a
-/// corner far from all others would make the tolerance that of its own coordinates.
-inline constexpr double largest_part_of_edge = 0.01;
+/// Upper bound of the joining distance, as a fraction of the median edge. Points farther apart were not separated by
+/// rounding: without this bound a single far corner would set the tolerance of all others.
+inline constexpr double max_edge_fraction = 0.01;
 
-/// Farther from the origin, products of coordinates leave the range of doubles.
+/// Beyond this distance from the origin, products of coordinates leave the range of doubles.
 inline constexpr double most_coordinate = model::most_coordinate;
 
-/// How a solid is cut into convex pieces.
+/// Limits and tolerances of the division of a solid into convex pieces.
 struct Limits {
-  double tolerance = printed_tolerance;  ///< how far points may be off a flat face, in units of the largest coordinate
-  bool watches_cover = true;             ///< pieces that have grown past the surface are a hole
-  std::size_t most_pieces = 100'000;
-  std::size_t most_fragments = 4'000'000;  ///< parts of faces that cuts have made
+  double tolerance = printed_tolerance;  ///< distance of points from a flat face, in units of the largest coordinate
+  bool checks_coverage = true;           ///< reject pieces that extend past the surface, as a hole
+  std::size_t max_pieces = 100'000;
+  std::size_t max_fragments = 4'000'000;  ///< parts of faces produced by cuts
   Work work{};
 };
 

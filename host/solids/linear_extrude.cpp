@@ -13,14 +13,14 @@ namespace csgsim::solids {
 
 namespace {
 
-/// A frustum's lower and upper end.
+/// The lower and upper ends of a frustum.
 struct Ends {
   double low = 0;
   double high = 0;
-  double scale = 1;  ///< of the upper end
+  double scale = 1;  ///< scale of the upper end
 };
 
-/// The plane that holds a line in the lower end and the line scaled in the upper one.
+/// The plane through a line in the lower end and the scaled line in the upper end.
 glm::dvec4 side_plane(const glm::dvec3& line, const Ends& ends) {
   const double slope = -line.z * (1.0 - ends.scale) / (ends.high - ends.low);
   const double length = model::hypotenuse(1.0, slope);
@@ -55,8 +55,8 @@ model::Polyhedron frustum(const flat::Outline& part, const Ends& ends, SideLines
   return piece;
 }
 
-/// With scales that are used; none if there is nothing of it.
-std::optional<LinearExtrude> used(const flat::Area& area, LinearExtrude extrusion) {
+/// Clamps the scale to 0 and above; none if the result is empty.
+std::optional<LinearExtrude> normalized(const flat::Area& area, LinearExtrude extrusion) {
   extrusion.scale = glm::max(extrusion.scale, glm::dvec2(0));
   if (area.empty() || !(extrusion.height > 0.0)) return std::nullopt;
   return extrusion;
@@ -66,12 +66,12 @@ bool is_straight(const LinearExtrude& extrusion) {
   return extrusion.twist == 0.0 && extrusion.scale.x == extrusion.scale.y;
 }
 
-Ends ends_of(const LinearExtrude& extrusion) {
+Ends make_ends(const LinearExtrude& extrusion) {
   const double low = extrusion.center ? -extrusion.height / 2.0 : 0.0;
   return {low, extrusion.center ? extrusion.height / 2.0 : extrusion.height, extrusion.scale.x};
 }
 
-/// An outline by itself, counter-clockwise; none if it is not convex.
+/// One outline as a counter-clockwise convex polygon; none if it is not convex.
 std::optional<flat::Outline> as_convex(flat::Outline outline, bool is_hole) {
   if (is_hole) std::reverse(outline.begin(), outline.end());
   std::vector<flat::Outline> parts = flat::convex_parts({{std::move(outline)}});
@@ -79,7 +79,7 @@ std::optional<flat::Outline> as_convex(flat::Outline outline, bool is_hole) {
   return std::move(parts.front());
 }
 
-/// The outer outline, then the holes; none if there are two outer ones, no holes, or one is not convex.
+/// The outer outline, then the holes. Empty unless there is one outer outline, at least one hole, and all are convex.
 std::vector<flat::Outline> convex_outlines(const flat::Area& area) {
   std::vector<flat::Outline> found;
   std::size_t outer = 0;
@@ -92,7 +92,7 @@ std::vector<flat::Outline> convex_outlines(const flat::Area& area) {
   return outer == 1 && found.size() > 1 ? found : std::vector<flat::Outline>{};
 }
 
-/// Half-spaces of prisms over outlines.
+/// Number of half-spaces of prisms over the outlines.
 std::size_t halfspaces_over(const std::vector<flat::Outline>& outlines) {
   std::size_t count = 0;
   for (const flat::Outline& outline : outlines) count += outline.size() + 2;
@@ -103,25 +103,25 @@ std::size_t halfspaces_over(const std::vector<flat::Outline>& outlines) {
 
 std::vector<model::Polyhedron> linear_extrude(const flat::Area& area, const LinearExtrude& extrusion,
                                               const Work& work) {
-  const std::optional<LinearExtrude> made = used(area, extrusion);
+  const std::optional<LinearExtrude> made = normalized(area, extrusion);
   if (!made) return {};
   if (!is_straight(*made)) return extrude_bent(area, *made, work);
   std::vector<model::Polyhedron> pieces;
   SideLines lines(area);
-  for (const flat::Outline& part : flat::convex_parts(area)) pieces.push_back(frustum(part, ends_of(*made), lines));
+  for (const flat::Outline& part : flat::convex_parts(area)) pieces.push_back(frustum(part, make_ends(*made), lines));
   return pieces;
 }
 
 std::optional<HoledPrism> holed_prism(const flat::Area& area, const LinearExtrude& extrusion) {
-  const std::optional<LinearExtrude> made = used(area, extrusion);
+  const std::optional<LinearExtrude> made = normalized(area, extrusion);
   if (!made || area.outlines.size() < 2 || !is_straight(*made)) return std::nullopt;
   const std::vector<flat::Outline> outlines = convex_outlines(area);
   if (outlines.empty() || 2 * halfspaces_over(outlines) > halfspaces_over(flat::convex_parts(area)))
     return std::nullopt;
   SideLines lines(area);
-  HoledPrism prism{frustum(outlines.front(), ends_of(*made), lines), {}};
+  HoledPrism prism{frustum(outlines.front(), make_ends(*made), lines), {}};
   for (std::size_t i = 1; i < outlines.size(); ++i) {
-    prism.holes.push_back(frustum(outlines[i], ends_of(*made), lines));
+    prism.holes.push_back(frustum(outlines[i], make_ends(*made), lines));
   }
   return prism;
 }

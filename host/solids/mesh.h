@@ -1,3 +1,5 @@
+// A polygon mesh.
+// Used throughout host/solids and by host/read and host/swept.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +8,8 @@
 
 namespace csgsim::solids {
 
-/// The surface of a solid: faces of three or more corners each, which index `points` and run counter-clockwise as seen
-/// from outside. Whether it is closed and does not meet itself is another matter.
+/// The surface of a solid: faces with three or more corners each, which index `points` and run counter-clockwise as
+/// seen from outside. The surface need not be closed and may intersect itself; check.h tests both.
 struct Mesh {
   std::vector<glm::dvec3> points;
   std::vector<std::vector<std::uint32_t>> faces;

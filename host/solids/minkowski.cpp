@@ -16,13 +16,13 @@ namespace csgsim::solids {
 
 namespace {
 
-std::size_t corners_of(const Pieces& pieces) {
+std::size_t count_corners(const Pieces& pieces) {
   std::size_t count = 0;
   for (const model::Polyhedron& piece : pieces) count += piece.points.size();
   return count;
 }
 
-/// Whether a piece's planes have all of another's points behind them, give or take rounding.
+/// Whether all points of `other` are behind all planes of `piece`, to rounding.
 bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, double near) {
   return std::all_of(piece.planes.begin(), piece.planes.end(), [&](const glm::dvec4& plane) {
     return std::all_of(other.points.begin(), other.points.end(),
@@ -30,7 +30,7 @@ bool holds(const model::Polyhedron& piece, const model::Polyhedron& other, doubl
   });
 }
 
-/// Leaves out pieces that another one holds; of equal pieces the last one stays.
+/// Removes pieces inside other pieces; of equal pieces the last one stays.
 Pieces without_covered(Pieces pieces, const Work& work) {
   std::vector<facet::Box> boxes;
   facet::Box whole;
@@ -45,7 +45,7 @@ Pieces without_covered(Pieces pieces, const Work& work) {
   };
   std::vector<bool> covered(pieces.size(), false);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    work.charge(4 * pieces.size(), "finding pieces of a Minkowski sum within others");
+    work.charge(4 * pieces.size(), "removing nested pieces of a Minkowski sum");
     for (std::size_t other = 0; other < pieces.size() && !covered[i]; ++other) {
       covered[i] =
           other != i && !covered[other] && box_holds(boxes[other], boxes[i]) && holds(pieces[other], pieces[i], near);
@@ -59,9 +59,9 @@ Pieces without_covered(Pieces pieces, const Work& work) {
 }
 
 Pieces sum(const Pieces& first, const Pieces& second, const Work& work) {
-  if (corners_of(first) > most_sums / std::max<std::size_t>(corners_of(second), 1)) {
-    throw InputError("the Minkowski sum takes more than " + std::to_string(most_sums) +
-                     " sums of corners; give its solids fewer facets ($fn)");
+  if (count_corners(first) > max_sums / std::max<std::size_t>(count_corners(second), 1)) {
+    throw InputError("the Minkowski sum needs more than " + std::to_string(max_sums) +
+                     " sums of corners; use fewer facets ($fn)");
   }
   Pieces made;
   std::vector<glm::dvec3> sums;

@@ -1,3 +1,5 @@
+// Minkowski sums of solids in convex pieces.
+// Used by host/read.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +11,14 @@
 
 namespace csgsim::solids {
 
-using Pieces = std::vector<model::Polyhedron>;  ///< convex; their union is a solid
+using Pieces = std::vector<model::Polyhedron>;  ///< convex pieces; their union is a solid
 
-/// Sums of two corners that are looked at, at most.
-inline constexpr std::size_t most_sums = 20'000'000;
+/// Maximum number of corner pairs to be added.
+inline constexpr std::size_t max_sums = 20'000'000;
 
-/// The Minkowski sum of solids, from first to last, as in OpenSCAD: what is empty is passed over. Of convex solids it
-/// is the hull of the sums of their corners; of others the union of those of their pieces, pair by pair, which overlap.
-/// Pieces within others are left out. Throws InputError if there are more sums than `most_sums`, and WorkError past the
+/// The Minkowski sum of solids, from first to last, as in OpenSCAD; empty solids are skipped. For convex solids it is
+/// the hull of the sums of their corners; otherwise the union of the pairwise sums of their pieces, which may overlap.
+/// Pieces inside others are removed. Throws InputError if there are more than `max_sums` sums, and WorkError past the
 /// limit on work.
 Pieces minkowski(std::span<const Pieces> solids, const Work& work = {});
 

@@ -8,7 +8,7 @@ namespace csgsim::solids {
 
 namespace {
 
-std::uint32_t root_of(std::vector<std::uint32_t>& parents, std::uint32_t at) {
+std::uint32_t union_root(std::vector<std::uint32_t>& parents, std::uint32_t at) {
   while (parents[at] != at) at = parents[at] = parents[parents[at]];
   return at;
 }
@@ -60,15 +60,15 @@ std::vector<std::uint32_t> find_shells(const Mesh& mesh) {
   std::iota(parents.begin(), parents.end(), 0U);
   for_edges(sorted_sides(mesh), [&](auto begin, auto end) {
     for (auto side = begin; side != end; ++side) {
-      const std::uint32_t one = root_of(parents, begin->face);
-      const std::uint32_t other = root_of(parents, side->face);
+      const std::uint32_t one = union_root(parents, begin->face);
+      const std::uint32_t other = union_root(parents, side->face);
       parents[std::max(one, other)] = std::min(one, other);
     }
   });
   std::vector<std::uint32_t> shells(mesh.faces.size());
   std::uint32_t count = 0;
   for (std::uint32_t face = 0; face < parents.size(); ++face) {
-    const std::uint32_t root = root_of(parents, face);
+    const std::uint32_t root = union_root(parents, face);
     shells[face] = root == face ? count++ : shells[root];
   }
   return shells;

@@ -1,3 +1,5 @@
+// Adjacency of faces, and connected shells.
+// Used throughout host/solids.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +12,23 @@ namespace csgsim::solids {
 
 inline constexpr std::uint32_t none = 0xffffffffU;
 
-/// Which faces join which. The sides of faces are numbered on: side k of a face is from its corner k to the next one.
+/// Adjacency of faces. Sides are numbered consecutively over all faces; side k of a face runs from its corner k to the
+/// next one.
 struct Neighbours {
-  std::vector<std::uint32_t> first_side;  ///< of each face, and one past the last
-  std::vector<std::uint32_t> face;        ///< of each side the face beyond it; `none` if it is not just one other
+  std::vector<std::uint32_t> first_side;  ///< first side of each face, plus one past the last
+  std::vector<std::uint32_t> face;        ///< face beyond each side; `none` unless there is exactly one
 };
 
 /// A side of a face.
 struct EdgeSide {
-  std::uint32_t low;     ///< of its corners the lower one
-  std::uint32_t high;    ///< the higher one
-  std::uint32_t number;  ///< among the sides of all faces
+  std::uint32_t low;     ///< lower index of its two corners
+  std::uint32_t high;    ///< higher index
+  std::uint32_t number;  ///< index among the sides of all faces
   std::uint32_t face;
-  bool forward;  ///< from the lower corner to the higher one
+  bool forward;  ///< runs from the lower corner to the higher one
 };
 
-/// Sides along the same edge stand together, in the order of their numbers.
+/// All sides, sorted by edge, then by number.
 std::vector<EdgeSide> sorted_sides(const Mesh& mesh);
 
 /// Calls visit(begin, end) for the sides along each edge.
@@ -39,21 +42,21 @@ void for_edges(const std::vector<EdgeSide>& sides, const Visit& visit) {
   }
 }
 
-/// An edge that just two sides of faces run along.
+/// An edge with exactly two sides along it.
 struct Joint {
-  std::uint32_t one;    ///< face
-  std::uint32_t other;  ///< face; the same one, if it runs along the edge twice
-  bool same_way;        ///< both run along the edge in the same direction
+  std::uint32_t one;    ///< face index
+  std::uint32_t other;  ///< face index; equal to `one` if that face runs along the edge twice
+  bool same_way;        ///< both sides run in the same direction
 };
 
-/// In order of the edges' corners.
+/// The edges with exactly two sides, sorted by their corners.
 std::vector<Joint> find_joints(const Mesh& mesh);
 
-/// Two faces join at an edge that both run along, in opposite directions, and no third does.
+/// Two faces are neighbours at an edge if they run along it in opposite directions and no third face does.
 Neighbours find_neighbours(const Mesh& mesh);
 
-/// The number of each face's shell. Faces that have an edge in common are of one shell; shells are numbered in the
-/// order of their first faces.
+/// The shell number of each face. Faces with a common edge belong to one shell; shells are numbered in the order of
+/// their first faces.
 std::vector<std::uint32_t> find_shells(const Mesh& mesh);
 
 }  // namespace csgsim::solids

@@ -19,58 +19,58 @@ namespace {
 
 enum class Side : std::uint8_t { back, on, front };
 
-/// The width below which nothing is seen, as a part of the model's diagonal. The line where two hardly tilted planes
-/// cross is not known much better.
-constexpr double seen = 1e-6;
+/// Minimum width that the coverage check resolves, as a fraction of the model's diagonal. The intersection of two
+/// nearly parallel planes is not known much more accurately.
+constexpr double min_visible_width = 1e-6;
 
 constexpr std::string_view cutting = "cutting a solid into convex pieces";
 
-/// The cost of a corner of the surface when a plane cuts it.
+/// Cost per corner of the surface for one cut.
 constexpr std::uint64_t cut_steps = 20;
 
-/// A part of space, and what of the surface is in it.
+/// A part of space, and the surface inside it.
 struct Cell {
   Soup soup;
   convex::Polytope space;
 };
 
-Side side_of(double height, double near) {
+Side classify(double height, double near) {
   return height > near ? Side::front : height < -near ? Side::back : Side::on;
 }
 
 /// The area of a convex polygon whose corners are `corner(i)`.
 template <class Corner>
-double area_of(std::size_t corners, const Corner& corner) {
+double compute_area(std::size_t corners, const Corner& corner) {
   glm::dvec3 sum(0);
   for (std::size_t i = 1; i + 1 < corners; ++i) sum += glm::cross(corner(i) - corner(0), corner(i + 1) - corner(0));
   return glm::length(sum) / 2;
 }
 
-double area_of(const Soup& soup, const Fragment& fragment) {
-  return area_of(fragment.end - fragment.begin,
-                 [&](std::size_t i) { return soup.points[soup.corners[fragment.begin + i].point]; });
+double compute_area(const Soup& soup, const Fragment& fragment) {
+  return compute_area(fragment.end - fragment.begin,
+                      [&](std::size_t i) { return soup.points[soup.corners[fragment.begin + i].point]; });
 }
 
-/// Whether a surface covers those faces of a piece that lie in none of the walls. Their areas are compared as a whole,
-/// since planes that are hardly tilted to each other share what they cover by chance; what is missing may be slivers
-/// that are no wider than `near`, in model units, a few along each side. A piece that is not covered has grown past the
-/// surface, where a part of that was lost.
+/// Whether the surface covers the faces of a piece that do not lie in a wall. The total areas are compared, because
+/// nearly parallel planes share their area arbitrarily. Missing area may consist of slivers, at most `near` wide in
+/// model units, a few along each side. A piece that is not covered extends past the surface where part of the surface
+/// was lost.
 bool is_covered(const convex::Polytope& piece, std::span<const facet::Halfspace> walls, const Soup& surface,
                 double near) {
-  constexpr double slivers = 8;  // along a side, that may be lost
+  constexpr double slivers = 8;  // maximum number of lost slivers along a side
   double missing = 0;
   for (const convex::Face& face : piece.faces) {
     if (std::ranges::find(walls, face.halfspace) != walls.end()) continue;
     const auto corner = [&](std::size_t i) { return piece.vertices[face.corners[i % face.corners.size()]]; };
     double around = 0;
     for (std::size_t i = 0; i < face.corners.size(); ++i) around += glm::distance(corner(i), corner(i + 1));
-    missing += area_of(face.corners.size(), corner) - slivers * near * around;
+    missing += compute_area(face.corners.size(), corner) - slivers * near * around;
   }
-  for (const Fragment& fragment : surface.fragments) missing -= area_of(surface, fragment);
+  for (const Fragment& fragment : surface.fragments) missing -= compute_area(surface, fragment);
   return missing <= 0;
 }
 
-/// One side of a cut, with the points that it needs alone.
+/// One side of a cut, with only the points that it needs.
 class Half {
  public:
   explicit Half(const std::vector<glm::dvec3>& points) : points_(points), places_(points.size(), none) {}
@@ -92,11 +92,11 @@ class Half {
   Soup soup;
 
  private:
-  const std::vector<glm::dvec3>& points_;  ///< of both sides
-  std::vector<std::uint32_t> places_;      ///< of those in the soup
+  const std::vector<glm::dvec3>& points_;  ///< points of both sides of the cut
+  std::vector<std::uint32_t> places_;      ///< index of each point in the soup, or `none`
 };
 
-/// Cuts a soup in two by a plane.
+/// Divides a soup into the parts behind and in front of a plane.
 class Cut {
  public:
   Cut(Soup soup, facet::Halfspace halfspace, const facet::PlaneTable& planes, double near)
@@ -108,16 +108,16 @@ class Cut {
         front(soup_.points) {
     for (const glm::dvec3& point : soup_.points) {
       heights_.push_back(plane_.height(point));
-      sides_.push_back(side_of(heights_.back(), near));
+      sides_.push_back(classify(heights_.back(), near));
     }
   }
 
-  /// Fragments in the plane count as in it however far rounding has put their corners off it: on neither side is one
-  /// left that this plane cuts again.
+  /// Divides all fragments. Fragments whose plane is the cutting plane count as in it regardless of rounding, so
+  /// neither half keeps a fragment that the same plane would cut again.
   void operator()() {
     for (const Fragment& fragment : soup_.fragments) {
       if (fragment.halfspace.plane == number_) {
-        weigh(fragment);
+        accumulate(fragment);
         continue;
       }
       bool is_front = false;
@@ -128,20 +128,20 @@ class Cut {
       }
       if (is_front) part(fragment, Side::front, front);
       if (is_back) part(fragment, Side::back, back);
-      if (!is_front && !is_back) weigh(fragment);
+      if (!is_front && !is_back) accumulate(fragment);
     }
   }
 
  private:
   [[nodiscard]] Side side(std::uint32_t corner) const { return sides_[soup_.corners[corner].point]; }
 
-  /// The area of faces in the plane says which of its sides is solid.
-  void weigh(const Fragment& fragment) {
-    facing +=
-        area_of(soup_, fragment) * glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
+  /// Accumulates the area of faces in the plane; its sign shows which side of the plane is solid.
+  void accumulate(const Fragment& fragment) {
+    facing += compute_area(soup_, fragment) *
+              glm::dot(convex::outward_plane(fragment.halfspace, planes_).normal, plane_.normal);
   }
 
-  /// What of a fragment is on one side.
+  /// Adds the part of a fragment on one side to `half`.
   void part(const Fragment& fragment, Side kept, Half& half) {
     for (std::uint32_t i = fragment.begin; i < fragment.end; ++i) {
       const std::uint32_t next = i + 1 < fragment.end ? i + 1 : fragment.begin;
@@ -149,7 +149,7 @@ class Cut {
       const Side there = side(next);
       const bool is_out = here != kept && here != Side::on;
       const bool leaves = there != kept && there != Side::on;
-      // An edge in the plane is no longer reflex on either side, and the edge that the cut makes never is.
+      // An edge in the plane is no longer reflex on either side, and the edge made by the cut never is.
       const bool stays = here == kept || there == kept;
       if (!is_out) half.add(soup_.corners[i].point, soup_.corners[i].reflex && stays);
       if ((here == kept && leaves) || (is_out && there == kept)) {
@@ -173,7 +173,7 @@ class Cut {
 
   Soup soup_;
   const facet::PlaneTable& planes_;
-  std::uint32_t number_;  ///< of the plane
+  std::uint32_t number_;  ///< index of the cutting plane
   facet::Plane plane_;
   std::vector<double> heights_;
   std::vector<Side> sides_;
@@ -182,7 +182,7 @@ class Cut {
  public:
   Half back;
   Half front;
-  double facing = 0;  ///< area of faces in the plane that face its front, less that of those that face its back
+  double facing = 0;  ///< area of faces in the plane that face its front, minus the area of those that face its back
 };
 
 class Partition {
@@ -226,14 +226,14 @@ class Partition {
       return;
     }
     open_fragments_ += cell.soup.fragments.size();
-    if (open_fragments_ > limits_.most_fragments) {
-      throw InputError("the solid's faces fall into more than " + std::to_string(limits_.most_fragments) +
+    if (open_fragments_ > limits_.max_fragments) {
+      throw InputError("the solid's faces are cut into more than " + std::to_string(limits_.max_fragments) +
                        " parts; give it fewer faces, or divide it");
     }
     open_.push_back(std::move(cell));
   }
 
-  /// What is behind all of the surface's planes.
+  /// Keeps the part of the cell that is behind all planes of the surface in it.
   void finish(Cell cell) {
     std::vector<facet::Halfspace> halfspaces;
     for (const Fragment& fragment : cell.soup.fragments) halfspaces.push_back(fragment.halfspace);
@@ -245,12 +245,13 @@ class Partition {
       cell.space = convex::clip(std::move(cell.space), halfspace, planes_);
       if (cell.space.empty()) return;
     }
-    if (limits_.watches_cover && !is_covered(cell.space, walls, cell.soup, std::max(near_, seen * planes_.diagonal())))
+    if (limits_.checks_coverage &&
+        !is_covered(cell.space, walls, cell.soup, std::max(near_, min_visible_width * planes_.diagonal())))
       fail();
     keep(std::move(cell.space));
   }
 
-  [[noreturn]] static void fail() { throw HoleError("the faces leave a hole in the solid's surface; close it"); }
+  [[noreturn]] static void fail() { throw HoleError("the solid's surface has a hole; close it"); }
 
   void keep(convex::Polytope piece) {
     for (const convex::Face& face : piece.faces) {
@@ -258,8 +259,8 @@ class Partition {
       fail();
     }
     pieces_.push_back(std::move(piece));
-    if (pieces_.size() > limits_.most_pieces) {
-      throw InputError("the solid falls into more than " + std::to_string(limits_.most_pieces) +
+    if (pieces_.size() > limits_.max_pieces) {
+      throw InputError("the solid needs more than " + std::to_string(limits_.max_pieces) +
                        " convex pieces; give it fewer faces, or divide it");
     }
   }
@@ -270,7 +271,8 @@ class Partition {
   const Limits& limits_;
   std::vector<Cell> open_;
   std::vector<convex::Polytope> pieces_;
-  std::vector<bool> is_of_surface_;  ///< of each plane, and of levels: others are walls of the first cell
+  std::vector<bool> is_of_surface_;  ///< for each plane, whether it is of the surface or a level; other planes are
+                                     ///< walls of the first cell
   std::size_t open_fragments_ = 0;
 };
 

@@ -1,3 +1,5 @@
+// Division of a solid into convex polytopes by planes of its faces.
+// Used throughout host/solids.
 #pragma once
 
 #include <array>
@@ -13,8 +15,8 @@
 
 namespace csgsim::solids {
 
-/// A corner of a part of a face, and whether the edge from it to the next corner is reflex: the solid has more than 180
-/// degrees there.
+/// A corner of a fragment, and whether the edge to the next corner is reflex: the solid's dihedral angle there exceeds
+/// 180 degrees.
 struct Corner {
   std::uint32_t point = 0;
   bool reflex = false;
@@ -22,12 +24,12 @@ struct Corner {
 
 /// A convex part of a face.
 struct Fragment {
-  facet::Halfspace halfspace;  ///< the solid is on this side of it
-  std::uint32_t begin = 0;     ///< of its corners in Soup::corners
+  facet::Halfspace halfspace;  ///< the half-space on the solid's side of the plane
+  std::uint32_t begin = 0;     ///< first corner, an index into Soup::corners
   std::uint32_t end = 0;
 };
 
-/// The surface of a solid in parts that need not be joined.
+/// The surface of a solid as fragments that need not be connected.
 struct Soup {
   std::vector<glm::dvec3> points;  ///< relative to PlaneTable::centre()
   std::vector<Corner> corners;
@@ -42,25 +44,25 @@ void for_triangles(const Soup& soup, const Fragment& fragment, const Visit& visi
     visit(point(fragment.begin), point(i), point(i + 1));
 }
 
-/// A plane across an axis that many reflex edges are in, as between the slices of a twist: faces end there, so that it
-/// cuts few of them.
+/// A plane across an axis that contains many reflex edges, such as the planes between the slices of a twist. Faces end
+/// there, so the plane cuts few of them.
 struct Level {
   int axis = 0;
   double place = 0;  ///< relative to PlaneTable::centre()
   facet::Halfspace halfspace;
 };
 
-/// Faces leave a hole in the solid's surface; or planes that stand for several faces do.
+/// The surface has a hole, either in its faces or in the planes that replace several faces.
 class HoleError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// The solid within a surface, as convex polytopes that do not overlap. Space is divided by planes of the surface's
-/// faces, or by levels (in order of axis and place), until what of the surface is left in a cell is part of a convex
-/// solid's: each fragment is behind the planes of all. Points nearer to a plane than `near`, in model units, are on it.
-/// The cell has to hold the surface, at a distance. Throws InputError if there are more pieces or fragments than the
-/// limits allow, a HoleError if the surface is open, and a WorkError past the limit on work.
+/// The solid inside a surface, as convex polytopes that do not overlap. Space is divided by planes of the surface's
+/// faces, or by levels (sorted by axis and place), until the surface in each cell is part of a convex solid: each
+/// fragment is behind all planes of the others. Points closer to a plane than `near`, in model units, count as on it.
+/// The cell has to contain the surface with a margin. Throws InputError if there are more pieces or fragments than the
+/// limits allow, HoleError if the surface is open, and WorkError past the limit on work.
 std::vector<convex::Polytope> partition(Soup soup, convex::Polytope cell, std::span<const Level> levels,
                                         const facet::PlaneTable& planes, double near, const Limits& limits);
 

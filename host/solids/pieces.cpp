@@ -24,42 +24,42 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Counted as sides of faces: an edge has two.
-constexpr std::ptrdiff_t fewest_edges_in_level = 8;
+/// Minimum number of reflex sides in a level; an edge has two sides.
+constexpr std::ptrdiff_t min_sides_in_level = 8;
 
-double tolerance_of(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
-  return std::min(limits.tolerance * largest_coordinate(mesh), largest_tolerance * box.diagonal());
+double mesh_tolerance(const Mesh& mesh, const facet::Box& box, const Limits& limits) {
+  return std::min(limits.tolerance * largest_coordinate(mesh), max_tolerance * box.diagonal());
 }
 
 class Division {
  public:
   Division(const Mesh& mesh, const facet::Box& box, const Limits& limits)
-      : mesh_(with_flat_convex_faces(mesh, tolerance_of(mesh, box, limits))),
+      : mesh_(with_flat_convex_faces(mesh, mesh_tolerance(mesh, box, limits))),
         limits_(limits),
         neighbours_(find_neighbours(mesh_)),
-        regions_(find_regions(mesh_, neighbours_, tolerance_of(mesh, box, limits), limits.work)),
+        regions_(find_regions(mesh_, neighbours_, mesh_tolerance(mesh, box, limits), limits.work)),
         planes_(box.centre(), box.diagonal()),
         near_(2.0 * std::max(regions_.deviation, convex::tolerance(planes_))) {
     for (const facet::Plane& plane : regions_.planes) halfspaces_.push_back(planes_.add(plane));
   }
 
   std::vector<model::Polyhedron> operator()() {
-    for (const FaceList& solid : faces_of_solids(mesh_, limits_.work)) divide(solid);
+    for (const FaceList& solid : collect_solids(mesh_, limits_.work)) divide(solid);
     return std::move(pieces_);
   }
 
-  /// All faces at once, which may cross.
+  /// Treats all faces as one surface, which may cross itself.
   std::vector<model::Polyhedron> enclosed_pieces() {
     FaceList all(mesh_.faces.size());
     std::iota(all.begin(), all.end(), 0U);
-    std::vector<convex::Polytope> polytopes = enclosed(soup_of(all), cell_around(all), planes_, near_, limits_);
+    std::vector<convex::Polytope> polytopes = enclosed(make_soup(all), make_cell(all), planes_, near_, limits_);
     convex::merge(polytopes, planes_, limits_.work);
-    for (const convex::Polytope& polytope : polytopes) pieces_.push_back(polyhedron_of(polytope, planes_));
+    for (const convex::Polytope& polytope : polytopes) pieces_.push_back(to_polyhedron(polytope, planes_));
     return std::move(pieces_);
   }
 
-  /// Whether the pieces are as large as the solids that were cut, to within what corners off their planes may add or
-  /// take.
+  /// Whether the volume of the pieces matches that of the solids, within the error that corners off their planes may
+  /// cause.
   [[nodiscard]] bool keeps_volume() const { return std::abs(gain_) <= near_ * area_; }
 
  private:
@@ -69,23 +69,23 @@ class Division {
       return;
     }
     Limits left = limits_;
-    left.most_pieces -= std::min(left.most_pieces, pieces_.size());
-    Soup soup = soup_of(solid);
-    const std::vector<Level> levels = levels_of(soup);
+    left.max_pieces -= std::min(left.max_pieces, pieces_.size());
+    Soup soup = make_soup(solid);
+    const std::vector<Level> levels = find_levels(soup);
     std::vector<convex::Polytope> polytopes =
-        partition(std::move(soup), cell_around(solid), levels, planes_, near_, left);
+        partition(std::move(soup), make_cell(solid), levels, planes_, near_, left);
     convex::merge(polytopes, planes_, limits_.work);
-    weigh(solid, polytopes);
-    for (const convex::Polytope& polytope : polytopes) pieces_.push_back(polyhedron_of(polytope, planes_));
+    accumulate(solid, polytopes);
+    for (const convex::Polytope& polytope : polytopes) pieces_.push_back(to_polyhedron(polytope, planes_));
   }
 
-  void weigh(const FaceList& solid, std::span<const convex::Polytope> polytopes) {
+  void accumulate(const FaceList& solid, std::span<const convex::Polytope> polytopes) {
     gain_ -= six_volumes(mesh_, solid) / 6;
     for (const std::uint32_t face : solid) area_ += glm::length(area_vector(mesh_, mesh_.faces[face])) / 2;
     for (const convex::Polytope& polytope : polytopes) gain_ += convex::volume(polytope);
   }
 
-  [[nodiscard]] Soup soup_of(const FaceList& solid) const {
+  [[nodiscard]] Soup make_soup(const FaceList& solid) const {
     Soup soup;
     std::map<std::uint32_t, std::uint32_t> places;
     for (const std::uint32_t face : solid) {
@@ -103,7 +103,7 @@ class Division {
     return soup;
   }
 
-  /// Whether the face beyond a side rises in front of this one. It may where not just one face joins there.
+  /// Whether the face beyond a side rises in front of this one; true if the side has no unique neighbour.
   [[nodiscard]] bool is_reflex(std::uint32_t face, std::uint32_t side) const {
     const std::uint32_t beyond = neighbours_.face[neighbours_.first_side[face] + side];
     if (beyond == none) return true;
@@ -114,8 +114,8 @@ class Division {
                                [&](std::uint32_t corner) { return plane.height(mesh_.points[corner]) > near_; });
   }
 
-  /// In order of axis and place.
-  std::vector<Level> levels_of(const Soup& soup) {
+  /// Levels of the soup, sorted by axis and place.
+  std::vector<Level> find_levels(const Soup& soup) {
     std::vector<Level> levels;
     for (int axis = 0; axis < 3; ++axis) {
       const std::vector<double> places = edges_across(soup, axis);
@@ -123,7 +123,7 @@ class Division {
       normal[axis] = 1;
       for (auto begin = places.begin(); begin != places.end();) {
         const auto end = std::find_if(begin, places.end(), [&](double place) { return place > *begin + near_; });
-        if (end - begin >= fewest_edges_in_level) {
+        if (end - begin >= min_sides_in_level) {
           levels.push_back({axis, *begin, planes_.add({normal, -(*begin + planes_.centre()[axis])})});
         }
         begin = end;
@@ -132,7 +132,7 @@ class Division {
     return levels;
   }
 
-  /// Where reflex edges that run across an axis are along it, in order.
+  /// Sorted positions along an axis of the reflex edges perpendicular to it.
   [[nodiscard]] std::vector<double> edges_across(const Soup& soup, int axis) const {
     std::vector<double> places;
     for (const Fragment& fragment : soup.fragments) {
@@ -147,13 +147,13 @@ class Division {
     return places;
   }
 
-  /// A box with room around the solid.
-  convex::Polytope cell_around(const FaceList& solid) {
+  /// A box around the solid, with a margin of a tenth of the model's diagonal.
+  convex::Polytope make_cell(const FaceList& solid) {
     facet::Box box = box_of(mesh_, solid);
     const double margin = 0.1 * planes_.diagonal();
     box = {box.low - margin, box.high + margin};
     return convex::intersection({box.low - planes_.centre(), box.high - planes_.centre()},
-                                convex::walls_of(box, planes_), planes_);
+                                convex::box_walls(box, planes_), planes_);
   }
 
   Mesh mesh_;
@@ -162,16 +162,16 @@ class Division {
   Regions regions_;
   facet::PlaneTable planes_;
   double near_;
-  std::vector<facet::Halfspace> halfspaces_;  ///< of the regions
+  std::vector<facet::Halfspace> halfspaces_;  ///< half-space of each region
   std::vector<model::Polyhedron> pieces_;
-  double gain_ = 0;  ///< by how much the pieces have more volume than the solids that were cut
-  double area_ = 0;  ///< of the surface of what was cut
+  double gain_ = 0;  ///< volume of the pieces minus that of the solids
+  double area_ = 0;  ///< surface area of the solids
 };
 
-/// Each face in its own plane: what is lost or gained by tolerances shows in the volume.
+/// Divides with each face in its own plane; loss or gain by tolerances then shows in the volume.
 std::vector<model::Polyhedron> exact_pieces(const Mesh& mesh, const facet::Box& box, Limits limits) {
   limits.tolerance = double_precision_tolerance;
-  limits.watches_cover = false;
+  limits.checks_coverage = false;
   Division division(mesh, box, limits);
   std::vector<model::Polyhedron> pieces = division();
   if (!division.keeps_volume()) throw WindingError("the faces cross along their edges; make a union of their parts");
@@ -188,7 +188,7 @@ std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& lim
     std::vector<model::Polyhedron> pieces = division();
     if (division.keeps_volume()) return pieces;
   } catch (const HoleError&) {
-    // Each face in its own plane may leave none.
+    // division with each face in its own plane may leave no hole
   }
   return exact_pieces(mesh, box, limits);
 }

@@ -1,3 +1,5 @@
+// Division of a mesh into convex pieces.
+// Used by hull.cpp and host/read.
 #pragma once
 
 #include <vector>
@@ -9,29 +11,30 @@
 
 namespace csgsim::solids {
 
-/// The surface winds around a part of its solid more than once, though check.h finds no two faces that cross: they
-/// cross along their edges.
+/// The surface winds around part of the solid more than once although check.h finds no crossing pair of faces: the
+/// faces cross along their edges.
 class WindingError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// A solid as convex pieces that do not overlap, and say planes that they share in the same numbers. The mesh has to be
-/// closed and may not meet itself: check.h. A convex shell is one piece. Shells that face inwards are
-/// voids.
+/// Divides a solid into convex pieces that do not overlap; pieces that share a plane store it with the same numbers.
+/// The mesh has to be closed and free of self-intersections (check.h). A convex shell becomes one piece. Shells that
+/// face inwards are voids.
 ///
-/// Rounding: faces within the tolerance of one plane are in it (regions.h), and a flat face that is not is cut into
-/// triangles (flat_faces.h). Solids are divided by these planes alone. Corners are on planes that they are off by no
-/// more than twice the farthest that one is off its own: so bent faces make no slivers, and what is thinner is lost.
-/// Where that leaves a hole, or pieces that grow past the surface, as beside the turns of a tight spring, each face is
-/// in its own plane instead, in more pieces, of which the volume is held against the solid's.
+/// Rounding: faces within the tolerance of one plane are assigned to that plane (regions.h), and a face that is not
+/// flat within the tolerance is cut into triangles (flat_faces.h). Solids are divided by these planes only. A corner
+/// counts as on a plane within twice the maximum distance of any corner from its own plane, so that bent faces produce
+/// no slivers; thinner parts are lost. If this leaves a hole, or pieces that extend past the surface, as between the
+/// turns of a tight spring, each face gets its own plane instead. This gives more pieces, and their total volume is
+/// checked against the solid's.
 ///
-/// Throws InputError if the pieces are more than the limits allow, or if faces leave a hole, WindingError if the pieces
-/// are not as large as what the surface winds around, and WorkError past the limit on work.
+/// Throws InputError if there are more pieces than the limits allow or if faces leave a hole, WindingError if the
+/// volume of the pieces differs from the volume that the surface winds around, and WorkError past the limit on work.
 std::vector<model::Polyhedron> convex_pieces(const Mesh& mesh, const Limits& limits = {});
 
-/// The same of a closed mesh that crosses itself: all that it winds around, however often and which way, which is what
-/// is seen of its faces from outside (enclosed.h). There are more pieces and it takes longer.
+/// The same for a closed mesh that crosses itself: fills the space where its winding number is not 0, which is what its
+/// faces show from outside (enclosed.h). There are more pieces and it takes longer.
 std::vector<model::Polyhedron> enclosed_pieces(const Mesh& mesh, const Limits& limits = {});
 
 }  // namespace csgsim::solids

@@ -17,20 +17,20 @@ namespace {
 
 using Points = std::vector<glm::dvec2>;
 
-/// Solids are cut off where they reach farther than this many times the size of what is left of them, and parts are far
-/// apart along z that are farther apart than this many times their width. The tolerance of clip() is then within 1e-6
-/// of that size.
+/// Solids are truncated where they extend farther than this multiple of the size of the result, and parts count as far
+/// apart along z at more than this multiple of their width. This keeps the tolerance of clip() within 1e-6 of that
+/// size.
 constexpr double times_apart = 4096;
 
-/// A stretch along z of what a tree leaves, and how much its z are scaled for it to be about as high as wide.
+/// An interval along z of the result of a tree, and the scale along z that makes it about as high as wide.
 struct Slab {
   double low = 0;
   double high = 0;
   double scale = 1;
 };
 
-/// Stretches in which solids begin and end, and the long ones between them, from below to above.
-std::vector<Slab> slabs_of(const facet::Box& rest, std::span<const facet::Convex> solids) {
+/// The intervals in which solids begin and end, and the long ones between them, in ascending order.
+std::vector<Slab> split_into_slabs(const facet::Box& rest, std::span<const facet::Convex> solids) {
   const double width = std::max(rest.high.x - rest.low.x, rest.high.y - rest.low.y);
   std::vector<double> ends{rest.low.z, rest.high.z};
   for (const facet::Convex& solid : solids) {
@@ -63,7 +63,7 @@ facet::Plane scaled(const facet::Plane& plane, double scale) {
   return {normal / length, plane.offset / length};
 }
 
-/// The solids as far as they are in a slab, and near what is left there, in numbers of that size.
+/// The solids within a slab, truncated near the result, and scaled along z.
 facet::Geometry cut_off(const model::Tree& tree, const facet::Geometry& whole, const Slab& slab) {
   facet::Box region = whole.box;
   const double margin = glm::length(glm::dvec2(region.high - region.low));
@@ -82,7 +82,7 @@ facet::Geometry cut_off(const model::Tree& tree, const facet::Geometry& whole, c
     for (const facet::Face& face : facet::make_solid(tree.primitives[i]).faces)
       solid.halfspaces.push_back(cut.planes.add(scaled(face.plane, slab.scale)));
     if (solid.box != box) {
-      for (const facet::Halfspace& wall : convex::walls_of(region, cut.planes)) solid.halfspaces.push_back(wall);
+      for (const facet::Halfspace& wall : convex::box_walls(region, cut.planes)) solid.halfspaces.push_back(wall);
     }
     std::ranges::sort(solid.halfspaces, {},
                       [](const facet::Halfspace& side) { return std::pair(side.plane, side.positive); });
@@ -112,7 +112,7 @@ void add_term(std::vector<Points>& plan, const model::Tree& tree, const Work& wo
     return;
   }
   if (geometry.box.empty()) return;
-  const std::vector<Slab> slabs = slabs_of(geometry.box, geometry.solids);
+  const std::vector<Slab> slabs = split_into_slabs(geometry.box, geometry.solids);
   if (slabs.size() == 1 && !reaches_far(geometry)) {
     add_pieces(plan, geometry, tree, work);
     return;
@@ -120,13 +120,13 @@ void add_term(std::vector<Points>& plan, const model::Tree& tree, const Work& wo
   for (const Slab& slab : slabs) add_pieces(plan, cut_off(tree, geometry, slab), tree, work);
 }
 
-/// The first node below each, and the number of leaves before it.
+/// The first node of each subtree, and the number of leaves before it.
 struct Begin {
   std::uint32_t node = 0;
   std::uint32_t primitive = 0;
 };
 
-std::vector<Begin> begins_of(const model::Tree& tree) {
+std::vector<Begin> subtree_begins(const model::Tree& tree) {
   std::vector<Begin> begins(tree.nodes.size());
   for (std::uint32_t i = 0; i < tree.nodes.size(); ++i) {
     const model::Node& node = tree.nodes[i];
@@ -137,7 +137,7 @@ std::vector<Begin> begins_of(const model::Tree& tree) {
 
 }  // namespace
 
-std::vector<std::uint32_t> terms_of(const model::Tree& tree) {
+std::vector<std::uint32_t> union_terms(const model::Tree& tree) {
   std::vector<std::uint32_t> terms;
   if (tree.root == model::no_index) return terms;
   std::vector<std::uint32_t> waiting{tree.root};
@@ -154,10 +154,10 @@ std::vector<std::uint32_t> terms_of(const model::Tree& tree) {
   return terms;
 }
 
-std::vector<Points> plan_of_pieces(const model::Tree& tree, const Work& work) {
+std::vector<Points> project_pieces(const model::Tree& tree, const Work& work) {
   std::vector<Points> plan;
-  const std::vector<Begin> begins = begins_of(tree);
-  for (const std::uint32_t term : terms_of(tree))
+  const std::vector<Begin> begins = subtree_begins(tree);
+  for (const std::uint32_t term : union_terms(tree))
     add_term(plan, model::subtree(tree, term, begins[term].node, begins[term].primitive), work);
   return plan;
 }

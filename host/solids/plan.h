@@ -1,3 +1,5 @@
+// Projection of a solid's convex pieces to the x, y plane.
+// Used by projection.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +11,16 @@
 
 namespace csgsim::solids {
 
-/// What it takes, in steps of work, to make a corner of a solid and to find the hull of its x and y with others.
+/// Cost of making a corner of a solid and adding it to a hull in the x, y plane, in steps of work.
 inline constexpr std::uint64_t projected_corner_steps = 400;
 
-/// The operands of the unions at the root of a tree, by their nodes in order; none of an empty tree.
-std::vector<std::uint32_t> terms_of(const model::Tree& tree);
+/// The operands of the unions at the root of a tree, as node indices in order; empty for an empty tree.
+std::vector<std::uint32_t> union_terms(const model::Tree& tree);
 
-/// The corners of convex pieces whose union is the tree, along z on the x, y plane: a list a piece. Each operand of the
-/// unions is evaluated without the others, and where parts of it are far apart along z for its width, these without
-/// each other: the tolerances of host/convex/clip.h, which are relative to the size of what is evaluated, depend on
-/// nothing that cannot change the shadow. Throws as pieces_of() does (evaluate.h).
-std::vector<std::vector<glm::dvec2>> plan_of_pieces(const model::Tree& tree, const Work& work = {});
+/// Projects the corners of convex pieces, whose union is the tree, along z to the x, y plane: one list per piece. Each
+/// operand of the unions is evaluated separately. If its parts are far apart along z relative to their width, they are
+/// evaluated separately too. The tolerances of host/convex/clip.h are relative to the size of the evaluated geometry,
+/// so they then depend on nothing that cannot change the shadow. Throws as evaluate_pieces() does (evaluate.h).
+std::vector<std::vector<glm::dvec2>> project_pieces(const model::Tree& tree, const Work& work = {});
 
 }  // namespace csgsim::solids

@@ -9,13 +9,13 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Far below the 53 bits of doubles, with which Clipper finds where sides cross; far above what solids' corners that
-/// are meant to be the same may differ by.
+/// Far below the 53 bits of the doubles that Clipper uses to intersect sides; far above the difference between corners
+/// that are meant to coincide.
 constexpr int bits = 36;
 
 using Group = std::vector<std::uint32_t>;
 
-/// Splits a group where no box is along an axis; gives it back whole where there is no such gap.
+/// Splits a group at gaps along an axis; returns it whole if there is no gap.
 std::vector<Group> split(Group group, std::span<const facet::Box> boxes, int axis) {
   std::ranges::sort(group, {}, [&](std::uint32_t i) { return boxes[i].low[axis]; });
   std::vector<Group> parts;
@@ -33,11 +33,11 @@ std::vector<Group> split(Group group, std::span<const facet::Box> boxes, int axi
 
 }  // namespace
 
-std::vector<Group> groups_of(std::span<const facet::Box> boxes) {
+std::vector<Group> group_boxes(std::span<const facet::Box> boxes) {
   struct Open {
     Group group;
-    int axis = 0;        ///< along which it is to be split
-    bool tried = false;  ///< without effect along the other axis
+    int axis = 0;        ///< axis along which to split next
+    bool tried = false;  ///< the other axis had no gap
   };
   std::vector<Open> open(1);
   for (std::uint32_t i = 0; i < boxes.size(); ++i) {
@@ -68,7 +68,7 @@ PlaneGrid::PlaneGrid(const facet::Box& box) : origin_(0), step_(1) {
   origin_ = glm::round((low + size / 2.0) / step_) * step_;
 }
 
-ClipperLib::Path PlaneGrid::path_of(const flat::Outline& outline) const {
+ClipperLib::Path PlaneGrid::to_path(const flat::Outline& outline) const {
   ClipperLib::Path path;
   path.reserve(outline.size());
   for (const glm::dvec2& corner : outline) {
@@ -78,7 +78,7 @@ ClipperLib::Path PlaneGrid::path_of(const flat::Outline& outline) const {
   return path;
 }
 
-flat::Outline PlaneGrid::outline_of(const ClipperLib::Path& path) const {
+flat::Outline PlaneGrid::to_outline(const ClipperLib::Path& path) const {
   flat::Outline outline;
   outline.reserve(path.size());
   for (const ClipperLib::IntPoint& point : path)

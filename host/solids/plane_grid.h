@@ -1,3 +1,5 @@
+// Integer grids in the x, y plane for Clipper.
+// Used by projection.cpp.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +13,23 @@
 
 namespace csgsim::solids {
 
-/// Sorts boxes by their x and y into groups that lines along the x and y axes keep apart. Returns their numbers. What
-/// is in one group has no part in the outlines of another. Empty boxes are in none.
-std::vector<std::vector<std::uint32_t>> groups_of(std::span<const facet::Box> boxes);
+/// Groups boxes that lines parallel to the x or y axis cannot separate. Returns the indices in each group. Outlines of
+/// one group do not depend on another group. Empty boxes are in no group.
+std::vector<std::vector<std::uint32_t>> group_boxes(std::span<const facet::Box> boxes);
 
-/// A grid of whole numbers over a part of the x, y plane: its step is 2^-36 of the part's size, or up to twice as much,
-/// so that rounding depends on nothing outside of the part.
+/// A grid of integers over a part of the x, y plane. Its step is between 2^-36 and 2^-35 of the part's size, so
+/// rounding does not depend on anything outside the part.
 class PlaneGrid {
  public:
-  /// Over the x and y of a box that is not empty.
+  /// Covers the x and y range of a box that is not empty.
   explicit PlaneGrid(const facet::Box& box);
 
-  /// Model units between two numbers of the grid.
+  /// Grid step in model units.
   [[nodiscard]] double step() const { return step_; }
 
-  /// The corners, rounded. They may be outside of the box, by some times its size.
-  [[nodiscard]] ClipperLib::Path path_of(const flat::Outline& outline) const;
-  [[nodiscard]] flat::Outline outline_of(const ClipperLib::Path& path) const;
+  /// The corners, rounded. They may lie outside the box, by a small multiple of its size.
+  [[nodiscard]] ClipperLib::Path to_path(const flat::Outline& outline) const;
+  [[nodiscard]] flat::Outline to_outline(const ClipperLib::Path& path) const;
 
  private:
   glm::dvec2 origin_;

@@ -6,7 +6,7 @@
 
 namespace csgsim::solids {
 
-model::Polyhedron polyhedron_of(const convex::Polytope& polytope, const facet::PlaneTable& planes) {
+model::Polyhedron to_polyhedron(const convex::Polytope& polytope, const facet::PlaneTable& planes) {
   model::Polyhedron made;
   for (const glm::dvec3& vertex : polytope.vertices) made.points.push_back(vertex + planes.centre());
   for (const convex::Face& face : polytope.faces) {

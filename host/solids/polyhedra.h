@@ -1,3 +1,5 @@
+// Conversion of polytopes to model space.
+// Used by bent_slices.cpp, evaluate.cpp and pieces.cpp.
 #pragma once
 
 #include "host/convex/polytope.h"
@@ -5,7 +7,7 @@
 
 namespace csgsim::solids {
 
-/// A polytope in model space, with its planes as the table has them.
-model::Polyhedron polyhedron_of(const convex::Polytope& polytope, const facet::PlaneTable& planes);
+/// Converts a polytope to model space, with the planes as stored in the table.
+model::Polyhedron to_polyhedron(const convex::Polytope& polytope, const facet::PlaneTable& planes);
 
 }  // namespace csgsim::solids

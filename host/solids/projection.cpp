@@ -23,13 +23,13 @@ namespace {
 using ClipperLib::Path;
 using ClipperLib::Paths;
 
-/// Model units: OpenSCAD takes corners of solids to be the same within this.
+/// OpenSCAD treats corners of solids as equal within this distance, in model units.
 constexpr double same_corner = 0x1p-20;
 
-/// How far, in units of its x and y, rounding may have moved a corner along z.
+/// Maximum rounding error of a corner along z, in units of its x and y.
 constexpr double corner_rounding = 0x1p-47;
 
-/// The part of an outline's size that it may be rounded by without a warning.
+/// Maximum rounding step, as a fraction of an outline's size, that needs no warning.
 constexpr double fine_enough = 1e-6;
 
 bool is_in_plane(const glm::dvec3& corner) {
@@ -37,19 +37,19 @@ bool is_in_plane(const glm::dvec3& corner) {
          std::max(same_corner, corner_rounding * std::max(std::abs(corner.x), std::abs(corner.y)));
 }
 
-/// The point where an edge crosses the plane, from the end that is nearer to it.
+/// The intersection of an edge with the plane, computed from the end that is closer to the plane.
 glm::dvec2 crossing(const glm::dvec3& one, const glm::dvec3& other) {
   if (std::abs(other.z) < std::abs(one.z)) return crossing(other, one);
   return one + (other - one) * (one.z / (one.z - other.z));
 }
 
-flat::Outline hull_of(std::vector<glm::dvec2> points) {
+flat::Outline make_hull(std::vector<glm::dvec2> points) {
   const flat::Area made = flat::hull(std::array{flat::Area{{std::move(points)}}});
   return made.empty() ? flat::Outline{} : made.outlines.front();
 }
 
-/// The hull of the corners of a convex solid that are in the x, y plane, and of the points where its edges cross it.
-flat::Outline section_of(const facet::Convex& solid) {
+/// The hull of a convex solid's corners in the x, y plane and of its edges' intersections with the plane.
+flat::Outline make_section(const facet::Convex& solid) {
   std::vector<glm::dvec2> points;
   std::vector<bool> is_in;
   for (const glm::dvec3& vertex : solid.vertices) {
@@ -60,7 +60,7 @@ flat::Outline section_of(const facet::Convex& solid) {
     const bool crosses = !is_in[from] && !is_in[to] && (solid.vertices[from].z < 0) != (solid.vertices[to].z < 0);
     if (crosses) points.push_back(crossing(solid.vertices[from], solid.vertices[to]));
   }
-  return hull_of(std::move(points));
+  return make_hull(std::move(points));
 }
 
 facet::Box box_of(const flat::Outline& outline) {
@@ -69,7 +69,7 @@ facet::Box box_of(const flat::Outline& outline) {
   return box;
 }
 
-/// The part of a convex outline where a coordinate is at least, or at most, a limit.
+/// The part of a convex outline where a coordinate is at least, or at most, the limit.
 flat::Outline cut(const flat::Outline& outline, int axis, double limit, bool is_least) {
   const auto is_inside = [&](const glm::dvec2& corner) {
     return is_least ? corner[axis] >= limit : corner[axis] <= limit;
@@ -87,7 +87,7 @@ flat::Outline cut(const flat::Outline& outline, int axis, double limit, bool is_
   return made;
 }
 
-/// The part of a convex outline in a box and around it by the box's size: the rest has no part in what is in the box.
+/// The part of a convex outline inside a box enlarged by its size; the rest cannot affect the result in the box.
 flat::Outline cut_around(flat::Outline outline, const facet::Box& box) {
   const double margin = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
   for (int axis = 0; axis < 2; ++axis) {
@@ -127,7 +127,7 @@ void add_union(Projection& made, const Paths& paths, const PlaneGrid& grid, cons
   ClipperLib::CleanPolygons(united);
   for (const Path& path : united) {
     if (path.size() < 3) continue;
-    const flat::Outline& outline = made.area.outlines.emplace_back(grid.outline_of(path));
+    const flat::Outline& outline = made.area.outlines.emplace_back(grid.to_outline(path));
     const facet::Box box = box_of(outline);
     const double size = std::max(box.high.x - box.low.x, box.high.y - box.low.y);
     const bool is_coarser = made.coarse_size == 0 || grid.step() * made.coarse_size > made.coarse_step * size;
@@ -143,28 +143,28 @@ facet::Box box_of(std::span<const facet::Box> boxes, std::span<const std::uint32
   return box;
 }
 
-/// The section of a tree.
-class Section {
+/// Computes the section of a tree.
+class SectionBuilder {
  public:
-  Section(const model::Tree& tree, const Work& work) : tree_(tree), work_(work) {
+  SectionBuilder(const model::Tree& tree, const Work& work) : tree_(tree), work_(work) {
     const facet::Geometry scene = facet::make_geometry(tree);
     for (const facet::Convex& solid : scene.solids) {
       work.charge(projected_corner_steps * solid.vertices.size(), "projecting solids");
-      leaves_.push_back(section_of(solid));
+      leaves_.push_back(make_section(solid));
     }
     find_boxes();
-    terms_ = terms_of(tree);
+    terms_ = union_terms(tree);
   }
 
   Projection make() {
     std::vector<facet::Box> boxes;
     for (const std::uint32_t term : terms_) boxes.push_back(boxes_[term]);
     Projection made;
-    for (const std::vector<std::uint32_t>& group : groups_of(boxes)) {
+    for (const std::vector<std::uint32_t>& group : group_boxes(boxes)) {
       const PlaneGrid grid(box_of(boxes, group));
       Paths paths;
       for (const std::uint32_t number : group) {
-        const Paths more = paths_of(terms_[number], grid);
+        const Paths more = make_paths(terms_[number], grid);
         paths.insert(paths.end(), more.begin(), more.end());
       }
       add_union(made, paths, grid, work_);
@@ -173,7 +173,7 @@ class Section {
   }
 
  private:
-  /// What each node may leave.
+  /// Computes bounds of each node's result.
   void find_boxes() {
     for (const model::Node& node : tree_.nodes) {
       facet::Box box = node.is_leaf ? box_of(leaves_[node.primitive]) : boxes_[node.children.front()];
@@ -185,7 +185,7 @@ class Section {
     }
   }
 
-  /// The nodes below a term and the term, each before its operands, and the part of the plane that each is wanted in.
+  /// A node of a term, and the part of the plane in which its result is needed.
   struct Wanted {
     std::uint32_t node = 0;
     facet::Box box;
@@ -201,7 +201,7 @@ class Section {
     return found;
   }
 
-  Paths paths_of(std::uint32_t term, const PlaneGrid& grid) {
+  Paths make_paths(std::uint32_t term, const PlaneGrid& grid) {
     const std::vector<Wanted> nodes = nodes_below(term);
     for (auto one = nodes.rbegin(); one != nodes.rend(); ++one) {
       const model::Node& node = tree_.nodes[one->node];
@@ -209,7 +209,7 @@ class Section {
       if (one->box.empty()) {
         made.clear();
       } else if (node.is_leaf) {
-        made = {grid.path_of(cut_around(leaves_[node.primitive], one->box))};
+        made = {grid.to_path(cut_around(leaves_[node.primitive], one->box))};
       } else {
         std::vector<Paths> operands;
         for (const std::uint32_t child : node.children) operands.push_back(std::move(made_[child]));
@@ -221,10 +221,10 @@ class Section {
 
   const model::Tree& tree_;
   const Work& work_;
-  std::vector<flat::Outline> leaves_;  ///< by primitive
-  std::vector<facet::Box> boxes_;      ///< by node
+  std::vector<flat::Outline> leaves_;  ///< outline of each primitive
+  std::vector<facet::Box> boxes_;      ///< bounds of each node
   std::vector<std::uint32_t> terms_;
-  std::vector<Paths> made_ = std::vector<Paths>(tree_.nodes.size());  ///< by node, until its parent takes them
+  std::vector<Paths> made_ = std::vector<Paths>(tree_.nodes.size());  ///< node results, until used
 };
 
 }  // namespace
@@ -232,15 +232,15 @@ class Section {
 Projection shadow(const model::Tree& tree, const Work& work) {
   std::vector<flat::Outline> outlines;
   std::vector<facet::Box> boxes;
-  for (std::vector<glm::dvec2>& points : plan_of_pieces(tree, work)) {
-    outlines.push_back(hull_of(std::move(points)));
+  for (std::vector<glm::dvec2>& points : project_pieces(tree, work)) {
+    outlines.push_back(make_hull(std::move(points)));
     boxes.push_back(box_of(outlines.back()));
   }
   Projection made;
-  for (const std::vector<std::uint32_t>& group : groups_of(boxes)) {
+  for (const std::vector<std::uint32_t>& group : group_boxes(boxes)) {
     const PlaneGrid grid(box_of(boxes, group));
     Paths paths;
-    for (const std::uint32_t i : group) paths.push_back(grid.path_of(outlines[i]));
+    for (const std::uint32_t i : group) paths.push_back(grid.to_path(outlines[i]));
     add_union(made, paths, grid, work);
   }
   return made;
@@ -248,7 +248,7 @@ Projection shadow(const model::Tree& tree, const Work& work) {
 
 Projection section(const model::Tree& tree, const Work& work) {
   if (tree.root == model::no_index) return {};
-  return Section(tree, work).make();
+  return SectionBuilder(tree, work).make();
 }
 
 }  // namespace csgsim::solids

@@ -11,7 +11,7 @@
 
 namespace csgsim::solids {
 
-std::string ending_of(const std::filesystem::path& path) {
+std::string lower_case_extension(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   for (char& letter : ending) {
     if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter + ('a' - 'A'));
@@ -20,7 +20,7 @@ std::string ending_of(const std::filesystem::path& path) {
 }
 
 std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path) {
-  const std::string ending = ending_of(path);
+  const std::string ending = lower_case_extension(path);
   if (ending == ".stl") return {parse_stl(text, path.native())};
   if (ending == ".off") return {parse_off(text, path.native())};
   if (ending == ".obj") return {parse_obj(text, path.native())};

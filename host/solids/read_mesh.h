@@ -1,3 +1,5 @@
+// Readers of mesh files: STL, OFF, OBJ, AMF and 3MF.
+// Used throughout host/solids and by host/read and sim/web.
 #pragma once
 
 #include <cstddef>
@@ -9,33 +11,34 @@
 
 namespace csgsim::solids {
 
-inline constexpr std::size_t most_mesh_bytes = std::size_t{1} << 30U;  ///< of a file
-inline constexpr std::size_t most_mesh_faces = 4'000'000;
+inline constexpr std::size_t max_mesh_bytes = std::size_t{1} << 30U;  ///< maximum size of a mesh file
+inline constexpr std::size_t max_mesh_faces = 4'000'000;
 
-/// The ending of a file's name in small letters, as `.stl`.
-std::string ending_of(const std::filesystem::path& path);
+/// The extension of a file name in lower case, such as `.stl`.
+std::string lower_case_extension(const std::filesystem::path& path);
 
-/// The meshes of a file, by what its name ends with: .stl, .off, .obj, .amf or .3mf. An STL, OFF or OBJ file has one.
-/// They are as the file has them: points may repeat, and nothing is checked but that numbers are finite and corners are
-/// there. The text is the file's, and the name is for messages. Throws InputError that names the file, and the place in
-/// it where there is one.
+/// Parses the meshes of a file whose format follows from its name: .stl, .off, .obj, .amf or .3mf. An STL, OFF or OBJ
+/// file has one mesh. Points may repeat; only finite coordinates and valid corner indices are checked. `text` is the
+/// content of the file; its name appears in messages. Throws InputError with the file name, and the position in it
+/// where one is known.
 std::vector<Mesh> parse_meshes(std::string_view text, const std::filesystem::path& path);
 
-/// STL, both kinds. Normals are not looked at, as in OpenSCAD. A text has triangles only.
+/// STL, binary or text. Normals are ignored, as in OpenSCAD. Text files may contain triangles only.
 Mesh parse_stl(std::string_view text, std::string_view name);
 
-/// Object File Format in text. Colours and normals after a point's coordinates or a face's corners are not looked at.
+/// Object File Format as text. Colours and normals after a point's coordinates or a face's corners are ignored.
 Mesh parse_off(std::string_view text, std::string_view name);
 
-/// Wavefront's OBJ, all of its objects. Its looks are passed over; curves and surfaces are refused.
+/// Wavefront OBJ with all its objects. Materials and other attributes of appearance are ignored; curves and surfaces
+/// are rejected.
 Mesh parse_obj(std::string_view text, std::string_view name);
 
-/// Additive Manufacturing File: a mesh an object, of all its volumes, which may be zipped. As in OpenSCAD, curved
-/// triangles are flat, units and constellations are not looked at.
+/// Additive Manufacturing File, optionally zipped: one mesh per object, of all its volumes. As in OpenSCAD, curved
+/// triangles are treated as flat; units and constellations are ignored.
 std::vector<Mesh> parse_amf(std::string_view text, std::string_view name);
 
-/// 3D Manufacturing Format: a mesh an object that has one. As in OpenSCAD, units, components and the transforms of the
-/// build are not looked at.
+/// 3D Manufacturing Format: one mesh per object that has one. As in OpenSCAD, units, components and build transforms
+/// are ignored.
 std::vector<Mesh> parse_3mf(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::solids

@@ -12,17 +12,17 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Statements that do not say where faces are: normals, texture places, names, groups, materials, points and lines.
+/// Ignored statements: normals, texture coordinates, names, groups, materials, points and lines.
 constexpr std::array looks{"vn", "vt", "vp", "g", "o", "s", "l", "p", "mg", "usemtl", "mtllib", "usemap", "maplib"};
 
-/// A statement's next word. A backslash at the end of a line goes on in the next.
+/// The next word of a statement. A backslash at the end of a line continues the statement on the next line.
 std::string_view next_word(Words& words) {
   std::string_view word = words.next_on_line();
   while (word == "\\") word = words.next();
   return word;
 }
 
-/// The point of a corner `point`, `point/texture` or `point/texture/normal`: counted from 1, or back from -1.
+/// The point of a corner `point`, `point/texture` or `point/texture/normal`: counted from 1, or backwards from -1.
 std::uint32_t corner(const Words& words, std::string_view word, std::size_t points) {
   const std::string_view digits = word.substr(0, word.find('/'));
   std::int64_t number = 0;
@@ -32,7 +32,7 @@ std::uint32_t corner(const Words& words, std::string_view word, std::size_t poin
                         number >= -most && number <= most;
   if (!is_point) {
     words.fail(fmt::format(
-        "a corner has to be one of the {} points before it, counted from 1 or back from -1; correct it", points));
+        "a corner must be one of the {} points before it, counted from 1, or backwards from -1; correct it", points));
   }
   return static_cast<std::uint32_t>(number > 0 ? number - 1 : most + number);
 }
@@ -41,7 +41,7 @@ void read_point(Words& words, Mesh& mesh) {
   glm::dvec3& point = mesh.points.emplace_back();
   for (int axis = 0; axis < 3; ++axis) {
     const std::string_view word = next_word(words);
-    if (word.empty()) words.fail("a point has three coordinates; complete it");
+    if (word.empty()) words.fail("a point needs three coordinates; complete it");
     point[axis] = words.number_of(word, "a coordinate");
   }
 }
@@ -51,7 +51,7 @@ void read_face(Words& words, Mesh& mesh) {
   for (std::string_view word = next_word(words); !word.empty(); word = next_word(words)) {
     face.push_back(corner(words, word, mesh.points.size()));
   }
-  if (face.size() < 3) words.fail("a face needs at least 3 corners; take it out or complete it");
+  if (face.size() < 3) words.fail("a face needs at least 3 corners; complete or remove it");
 }
 
 }  // namespace
@@ -66,12 +66,11 @@ Mesh parse_obj(std::string_view text, std::string_view name) {
       read_face(words, mesh);
     } else if (std::find(looks.begin(), looks.end(), word) == looks.end()) {
       words.fail(
-          "an OBJ file may hold points, faces and their looks, and this is something else; export it as a mesh of flat "
-          "faces");
+          "unsupported statement: only points, faces and their appearance are read; export a mesh of flat faces");
     }
     words.skip_line();
-    if (mesh.faces.size() > most_mesh_faces)
-      words.fail(fmt::format("more than {} faces; make it coarser", most_mesh_faces));
+    if (mesh.faces.size() > max_mesh_faces)
+      words.fail(fmt::format("more than {} faces; make the mesh coarser", max_mesh_faces));
   }
   return mesh;
 }

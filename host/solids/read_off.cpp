@@ -9,21 +9,21 @@ namespace csgsim::solids {
 
 namespace {
 
-// The fewest bytes that a point and a face take: `0 0 0` and `3 0 1 2`, and a line end.
+// Minimum number of bytes of a point and a face: `0 0 0` and `3 0 1 2`, each with a line end.
 constexpr std::size_t point_bytes = 6;
 constexpr std::size_t face_bytes = 8;
 
-std::uint32_t most_of(std::size_t bytes, std::size_t each) {
-  return static_cast<std::uint32_t>(std::min((bytes + 1) / each, most_mesh_faces));
+std::uint32_t max_count(std::size_t bytes, std::size_t each) {
+  return static_cast<std::uint32_t>(std::min((bytes + 1) / each, max_mesh_faces));
 }
 
 void read_header(Words& words) {
   const std::string_view kind = words.next();
-  // Colours, normals and texture places of points come after their coordinates.
+  // Colours, normals and texture coordinates follow the coordinates of a point and are ignored.
   for (const std::string_view known : {"OFF", "COFF", "NOFF", "CNOFF", "STOFF"}) {
     if (kind == known) return;
   }
-  words.fail("an OFF file begins with OFF; export it as OFF again");
+  words.fail("an OFF file must start with OFF; export it as OFF again");
 }
 
 }  // namespace
@@ -31,9 +31,9 @@ void read_header(Words& words) {
 Mesh parse_off(std::string_view text, std::string_view name) {
   Words words(text, name, '#');
   read_header(words);
-  const std::uint32_t points = words.count("the number of points", most_of(text.size(), point_bytes));
-  const std::uint32_t faces = words.count("the number of faces", most_of(text.size(), face_bytes));
-  words.next_on_line();  // the number of edges, which may be missing and need not be right
+  const std::uint32_t points = words.count("the number of points", max_count(text.size(), point_bytes));
+  const std::uint32_t faces = words.count("the number of faces", max_count(text.size(), face_bytes));
+  words.next_on_line();  // number of edges: optional and often wrong
   Mesh mesh;
   mesh.points.resize(points);
   for (glm::dvec3& point : mesh.points) {
@@ -42,8 +42,8 @@ Mesh parse_off(std::string_view text, std::string_view name) {
   }
   mesh.faces.resize(faces);
   for (auto& face : mesh.faces) {
-    const std::uint32_t corners = words.count("the number of a face's corners", most_of(text.size(), 2));
-    if (corners < 3) words.fail("a face needs at least 3 corners; take it out or complete it");
+    const std::uint32_t corners = words.count("the number of a face's corners", max_count(text.size(), 2));
+    if (corners < 3) words.fail("a face needs at least 3 corners; complete or remove it");
     for (std::uint32_t k = 0; k < corners; ++k) {
       if (points == 0) words.fail("a face has corners, but there are no points; add them");
       face.push_back(words.count("the number of a point", points - 1));

@@ -17,7 +17,7 @@ namespace csgsim::solids {
 
 namespace {
 
-constexpr std::size_t head_bytes = 84;  ///< a comment of 80 and the number of triangles
+constexpr std::size_t head_bytes = 84;  ///< comment of 80 bytes and the number of triangles
 constexpr std::size_t triangle_bytes = 50;
 constexpr std::size_t normal_bytes = 12;
 
@@ -33,8 +33,8 @@ bool is_binary(std::string_view bytes) {
 }
 
 void require_few(std::size_t triangles, std::string_view name) {
-  if (triangles <= most_mesh_faces) return;
-  throw InputError(fmt::format("{}: more than {} triangles; make it coarser", printable(name), most_mesh_faces));
+  if (triangles <= max_mesh_faces) return;
+  throw InputError(fmt::format("{}: more than {} triangles; make the mesh coarser", printable(name), max_mesh_faces));
 }
 
 void add_triangle(Mesh& mesh, const std::array<glm::dvec3, 3>& corners) {
@@ -74,14 +74,14 @@ void expect(Words& words, std::string_view expected) {
   if (!is_word(words.next(), expected)) words.fail(fmt::format("expected '{}'; export it as STL again", expected));
 }
 
-/// STL holds single precision: what other programs print with more digits are the same points to a last place.
+/// STL has single precision: equal points printed by other programs with more digits may differ in the last place.
 double in_single_precision(Words& words, double number) {
   if (std::abs(number) > static_cast<double>(std::numeric_limits<float>::max()))
-    words.fail("a coordinate is more than single precision holds; scale the model");
+    words.fail("a coordinate exceeds the range of single precision; scale the model down");
   return static_cast<double>(static_cast<float>(number));
 }
 
-/// From after `facet` to `endfacet`.
+/// Reads a facet after its keyword `facet`, including `endfacet`.
 std::array<glm::dvec3, 3> read_facet(Words& words) {
   expect(words, "normal");
   for (int axis = 0; axis < 3; ++axis) words.next();
@@ -100,7 +100,7 @@ std::array<glm::dvec3, 3> read_facet(Words& words) {
 Mesh parse_text(std::string_view text, std::string_view name) {
   Words words(text, name);
   expect(words, "solid");
-  words.skip_line();  // its name
+  words.skip_line();  // name of the solid
   Mesh mesh;
   bool is_open = true;
   for (std::string_view word = words.next(); !word.empty() || is_open; word = words.next()) {
@@ -124,8 +124,7 @@ Mesh parse_stl(std::string_view text, std::string_view name) {
   if (is_binary(text)) return parse_binary(text, name);
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   if (is_word(text.substr(begin, 5), "solid")) return parse_text(text, name);
-  if (text.size() < head_bytes)
-    throw InputError(fmt::format("{}: this is no STL file; export it again", printable(name)));
+  if (text.size() < head_bytes) throw InputError(fmt::format("{}: not an STL file; export it again", printable(name)));
   const std::uint32_t count = word_at(text, head_bytes - 4);
   throw InputError(
       fmt::format("{}: a binary STL file of {} triangles has {} bytes, and this one has {}; export it again",

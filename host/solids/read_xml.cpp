@@ -16,13 +16,13 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Reads elements of an XML document; what fails names the place of an element in it.
+/// Reads elements of an XML document; errors report the position of the element.
 class Document {
  public:
   Document(std::string text, std::string_view name) : text_(std::move(text)), name_(name) {
-    if (text_.size() > most_unzipped_bytes) {
+    if (text_.size() > max_unzipped_bytes) {
       throw InputError(
-          fmt::format("{}: longer than {}; make the mesh coarser", printable(name_), binary_size(most_unzipped_bytes)));
+          fmt::format("{}: larger than {}; make the mesh coarser", printable(name_), binary_size(max_unzipped_bytes)));
     }
     const pugi::xml_parse_result result = document_.load_buffer(text_.data(), text_.size(), pugi::parse_minimal);
     if (!result) fail(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)), result.description());
@@ -30,7 +30,7 @@ class Document {
 
   [[nodiscard]] pugi::xml_node root(const char* name) const {
     const pugi::xml_node node = document_.child(name);
-    if (!node) fail(0, fmt::format("there is no <{}>", name));
+    if (!node) fail(0, fmt::format("no <{}> element", name));
     return node;
   }
 
@@ -40,8 +40,7 @@ class Document {
     double value = 0;
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || result.ptr != text.data() + text.size() || result.ec != std::errc{} || !std::isfinite(value)) {
-      fail(place(node),
-           fmt::format("a coordinate has to be a finite number, and is '{}'", printable(text.substr(0, 40))));
+      fail(place(node), fmt::format("a coordinate must be a finite number, not '{}'", printable(text.substr(0, 40))));
     }
     return value;
   }
@@ -51,13 +50,13 @@ class Document {
     const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || result.ptr != text.data() + text.size() || result.ec != std::errc{} || value >= points) {
       fail(place(node),
-           fmt::format("a corner has to be one of {} points, and is '{}'", points, printable(text.substr(0, 40))));
+           fmt::format("a corner must be one of {} points, not '{}'", points, printable(text.substr(0, 40))));
     }
     return static_cast<std::uint32_t>(value);
   }
 
   void require_few(const pugi::xml_node& node, std::size_t faces) const {
-    if (faces > most_mesh_faces) fail(place(node), fmt::format("more than {} triangles", most_mesh_faces));
+    if (faces > max_mesh_faces) fail(place(node), fmt::format("more than {} triangles", max_mesh_faces));
   }
 
  private:
@@ -77,14 +76,14 @@ class Document {
   pugi::xml_document document_;
 };
 
-/// `text(name)`: the node's text for a coordinate.
+/// `text(name)` returns the node's text for a coordinate.
 template <class Text>
 void add_point(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   const auto coordinate = [&](const char* name) { return document.coordinate(node, text(name)); };
   mesh.points.push_back({coordinate("x"), coordinate("y"), coordinate("z")});
 }
 
-/// `text(name)`: the node's text for a corner.
+/// `text(name)` returns the node's text for a corner.
 template <class Text>
 void add_triangle(Mesh& mesh, const Document& document, const pugi::xml_node& node, const Text& text) {
   auto& face = mesh.faces.emplace_back();
@@ -118,7 +117,7 @@ Mesh read_3mf_object(const Document& document, const pugi::xml_node& source) {
   return mesh;
 }
 
-/// The part of a 3MF package that its relationships name as the model.
+/// The name of the 3MF package part that the relationships declare as the model.
 std::string model_part(std::string_view text, std::string_view name) {
   const Document relations(unzip(text, name, "_rels/.rels"), name);
   for (const pugi::xml_node relation : relations.root("Relationships").children("Relationship")) {
@@ -128,7 +127,7 @@ std::string model_part(std::string_view text, std::string_view name) {
     if (target.starts_with('/')) target.erase(0, 1);
     return target;
   }
-  throw InputError(fmt::format("{}: its relationships name no model; export it again", printable(name)));
+  throw InputError(fmt::format("{}: the package's relationships name no model; export it again", printable(name)));
 }
 
 }  // namespace
@@ -143,7 +142,7 @@ std::vector<Mesh> parse_amf(std::string_view text, std::string_view name) {
 }
 
 std::vector<Mesh> parse_3mf(std::string_view text, std::string_view name) {
-  if (!is_zip(text)) throw InputError(fmt::format("{}: this is no 3MF package; export it again", printable(name)));
+  if (!is_zip(text)) throw InputError(fmt::format("{}: not a 3MF package; export it again", printable(name)));
   const Document document(unzip(text, name, model_part(text, name)), name);
   std::vector<Mesh> meshes;
   for (const pugi::xml_node object : document.root("model").child("resources").children("object")) {

@@ -12,15 +12,15 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The cost of a face that is gathered, and of one that is held against its region's plane again.
+/// Cost of adding a face to a region, and of testing a face against the region's final plane.
 constexpr std::uint64_t gather_steps = 40;
 constexpr std::uint64_t settle_steps = 8;
 constexpr std::string_view gathering = "gathering the faces of a plane";
 
-/// What is summed up over faces to fit a plane.
+/// Sums over faces that determine a plane.
 struct Sums {
-  glm::dvec3 vector{0};  ///< of areas
-  glm::dvec3 middle{0};  ///< times the area
+  glm::dvec3 vector{0};  ///< sum of area vectors
+  glm::dvec3 middle{0};  ///< sum of centres, weighted by area
   double area = 0;
 
   void operator+=(const Sums& other) {
@@ -35,12 +35,12 @@ struct Sums {
   }
 };
 
-class Growing {
+class RegionGrower {
  public:
-  Growing(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work)
+  RegionGrower(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work)
       : mesh_(mesh), neighbours_(neighbours), tolerance_(tolerance), work_(work) {
     regions_.of_face.assign(mesh.faces.size(), none);
-    for (const auto& face : mesh.faces) sums_.push_back(sums_of(face));
+    for (const auto& face : mesh.faces) sums_.push_back(face_sums(face));
   }
 
   Regions operator()() {
@@ -49,14 +49,14 @@ class Growing {
     std::stable_sort(order.begin(), order.end(),
                      [this](std::uint32_t a, std::uint32_t b) { return sums_[a].area > sums_[b].area; });
     for (const std::uint32_t face : order) {
-      // What grows from a face may in the end be without it.
+      // A region may lose its seed face when its plane is refitted, so the seed is grown again.
       while (regions_.of_face[face] == none && glm::length(sums_[face].vector) > 0) grow(face);
     }
     return std::move(regions_);
   }
 
  private:
-  [[nodiscard]] Sums sums_of(const std::vector<std::uint32_t>& face) const {
+  [[nodiscard]] Sums face_sums(const std::vector<std::uint32_t>& face) const {
     Sums sums;
     sums.vector = area_vector(mesh_, face);
     sums.area = glm::length(sums.vector);
@@ -65,7 +65,7 @@ class Growing {
     return sums;
   }
 
-  /// The farthest that a corner is off the plane.
+  /// Maximum distance of a face's corners from the plane.
   [[nodiscard]] double off(std::uint32_t face, const facet::Plane& plane) const {
     double most = 0;
     for (const std::uint32_t corner : mesh_.faces[face]) {
@@ -82,7 +82,7 @@ class Growing {
     const auto region = static_cast<std::uint32_t>(regions_.planes.size());
     std::vector<std::uint32_t> members = gather(seed, region);
     Sums sums = total(members);
-    // The plane changes as faces are gathered: the first ones may fit it no more.
+    // The plane changes while faces are gathered, so the first ones may no longer fit.
     for (bool settled = false; !settled && members.size() > 1; sums = total(members)) {
       work_.charge(settle_steps * members.size(), gathering);
       const facet::Plane plane = sums.plane();
@@ -132,14 +132,14 @@ class Growing {
   const Neighbours& neighbours_;
   double tolerance_;
   const Work& work_;
-  std::vector<Sums> sums_;  ///< of each face
+  std::vector<Sums> sums_;  ///< sums of each face
   Regions regions_;
 };
 
 }  // namespace
 
 Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work) {
-  return Growing(mesh, neighbours, tolerance, work)();
+  return RegionGrower(mesh, neighbours, tolerance, work)();
 }
 
 }  // namespace csgsim::solids

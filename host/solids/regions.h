@@ -1,3 +1,5 @@
+// Groups of adjacent faces that share a plane, to rounding.
+// Used by convex_shell.h and pieces.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,17 +11,17 @@
 
 namespace csgsim::solids {
 
-/// Faces that rounding apart are in one plane, and hang together.
+/// Groups of adjacent faces that are in one plane, to rounding.
 struct Regions {
-  std::vector<std::uint32_t> of_face;  ///< `none` for a face without area that no region is beside
-  std::vector<facet::Plane> planes;    ///< outward
-  double deviation = 0;                ///< the farthest that a corner is off its face's plane
+  std::vector<std::uint32_t> of_face;  ///< region of each face; `none` for an isolated face without area
+  std::vector<facet::Plane> planes;    ///< outward planes
+  double deviation = 0;                ///< maximum distance of a corner from its face's plane
 };
 
-/// From the largest face down, each gathers the faces beside it, and those beside them, for as long as no corner is
-/// farther than the tolerance, in model units, off the plane of all that it has gathered: the one with the sum of their
-/// area vectors, through the mean of their middles, weighted by area. Faces have to be flat.
-/// Throws WorkError past the limit on work.
+/// Grows regions from the largest face down. Each region absorbs adjacent faces as long as no corner is farther than
+/// the tolerance, in model units, from the region's plane. The plane's normal is the sum of the area vectors, and it
+/// passes through the mean of the faces' centres, weighted by area. Faces have to be flat. Throws WorkError past the
+/// limit on work.
 Regions find_regions(const Mesh& mesh, const Neighbours& neighbours, double tolerance, const Work& work);
 
 }  // namespace csgsim::solids

@@ -20,19 +20,19 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Corners nearer to the axis than this, in units of the farthest one's distance, are on it.
+/// Corners closer to the axis than this, in units of the farthest corner's distance, count as on it.
 constexpr double axis_tolerance = double_precision_tolerance;
 
-/// The directions in which copies of the profile stand, counter-clockwise.
+/// Directions of the copies of the profile, counter-clockwise.
 struct Turn {
-  std::vector<double> angles;  ///< degrees, ascending; of a full turn the last is the first again
+  std::vector<double> angles;  ///< degrees, ascending; for a full turn the last direction equals the first
   bool is_full = false;
 
   [[nodiscard]] std::uint32_t segments() const { return static_cast<std::uint32_t>(angles.size()) - 1; }
 };
 
-/// The least and the greatest x, 0 among them. Throws InputError as OpenSCAD does.
-std::pair<double, double> range_of(const flat::Area& area) {
+/// The range of x, including 0. Throws InputError with OpenSCAD's message if the area is on both sides of the axis.
+std::pair<double, double> x_range(const flat::Area& area) {
   double least = 0;
   double greatest = 0;
   for (const flat::Outline& outline : area.outlines) {
@@ -51,8 +51,8 @@ std::pair<double, double> range_of(const flat::Area& area) {
   return {least, greatest};
 }
 
-/// The area on the right of the axis: mirrored if it is on the left.
-flat::Area on_the_right(const flat::Area& area, bool is_left, double radius) {
+/// The area to the right of the axis, mirrored if it is on the left.
+flat::Area right_of_axis(const flat::Area& area, bool is_left, double radius) {
   flat::Area result = area;
   for (flat::Outline& outline : result.outlines) {
     for (glm::dvec2& corner : outline)
@@ -68,11 +68,11 @@ Turn make_turn(const RotateExtrude& extrusion, double radius, bool is_left) {
   const auto count = static_cast<std::uint32_t>(std::max(around * std::abs(angle) / 360.0, 1.0));
   Turn turn;
   turn.is_full = angle == 360.0;
-  // A full turn starts at the other end of the x axis.
+  // A full turn starts on the negative x axis.
   const double start = (turn.is_full ? 180.0 : 0.0) + (is_left ? 180.0 : 0.0);
   for (std::uint32_t i = 0; i <= count; ++i) turn.angles.push_back(start + i * angle / count);
   if (angle < 0.0) std::reverse(turn.angles.begin(), turn.angles.end());
-  // Straight sides between two copies pass the axis on the side where they are less than half a turn apart.
+  // Straight sides between two copies pass the axis on the side where the copies are less than half a turn apart.
   const double wide = turn.angles.back() - turn.angles.front();
   if (count == 1 && wide >= 180.0) {
     if (wide == 180.0) return {};
@@ -83,7 +83,7 @@ Turn make_turn(const RotateExtrude& extrusion, double radius, bool is_left) {
 
 glm::dvec2 direction(double degrees) { return {model::cos_degrees(degrees), model::sin_degrees(degrees)}; }
 
-/// Turns convex parts of a profile.
+/// Rotates convex parts of a profile about the axis.
 class Lathe {
  public:
   Lathe(const flat::Area& area, Turn turn) : turn_(std::move(turn)), lines_(area) {
@@ -94,7 +94,7 @@ class Lathe {
   std::vector<model::Polyhedron> operator()(const std::vector<flat::Outline>& parts) {
     for (const flat::Outline& part : parts) {
       for (std::uint32_t first = 0; first < turn_.segments();) {
-        const std::uint32_t count = turns_as_one(part) ? most_from(first) : 1;
+        const std::uint32_t count = sweeps_convex(part) ? convex_run(first) : 1;
         piece(part, first, count);
         first += count;
       }
@@ -102,18 +102,19 @@ class Lathe {
     return std::move(pieces_);
   }
 
-  /// What operator() makes of the parts: faces, to rounding.
+  /// Number of faces that operator() makes for the parts.
   std::size_t cost(const std::vector<flat::Outline>& parts) {
     std::size_t faces = 0;
     for (const flat::Outline& part : parts) {
-      faces += turn_.segments() * (turns_as_one(part) ? part.size() - 1 : part.size() + 2);
+      faces += turn_.segments() * (sweeps_convex(part) ? part.size() - 1 : part.size() + 2);
     }
     return faces;
   }
 
  private:
-  /// Whether the part is convex however far it is turned: a side on the axis, and all others face away from it.
-  bool turns_as_one(const flat::Outline& part) {
+  /// Whether the part stays convex when turned by any angle up to 180 degrees or by a full turn: one side is on the
+  /// axis, and no other side faces the axis.
+  bool sweeps_convex(const flat::Outline& part) {
     bool touches = false;
     for (std::size_t i = 0; i < part.size(); ++i) {
       const glm::dvec2& a = part[i];
@@ -125,8 +126,8 @@ class Lathe {
     return touches;
   }
 
-  /// Segments that are convex together: a full turn, or half a turn at most.
-  [[nodiscard]] std::uint32_t most_from(std::uint32_t first) const {
+  /// The number of segments from `first` that are convex together: a full turn, or at most half a turn.
+  [[nodiscard]] std::uint32_t convex_run(std::uint32_t first) const {
     if (turn_.is_full) return turn_.segments();
     std::uint32_t count = 1;
     while (first + count < turn_.segments() && turn_.angles[first + count + 1] - turn_.angles[first] <= 180.0) ++count;
@@ -143,13 +144,13 @@ class Lathe {
     for (std::size_t i = 0; i < part.size(); ++i) add_sides(part, i, (i + 1) % part.size());
     if (!closed_) add_ends();
     pieces_.push_back(std::move(piece_));
-    if (pieces_.size() > Limits{}.most_pieces) {
-      throw InputError("rotate_extrude() falls into more than " + std::to_string(Limits{}.most_pieces) +
-                       " convex pieces; ask for fewer fragments with $fn, $fa or $fs");
+    if (pieces_.size() > Limits{}.max_pieces) {
+      throw InputError("rotate_extrude() needs more than " + std::to_string(Limits{}.max_pieces) +
+                       " convex pieces; use fewer fragments ($fn, $fa or $fs)");
     }
   }
 
-  /// The points of a corner, one a direction; all the same one if it is on the axis.
+  /// Adds the points of a corner, one per direction; a corner on the axis has only one point.
   void add_ring(const glm::dvec2& corner) {
     std::vector<std::uint32_t> ring;
     for (std::uint32_t i = 0; i <= count_; ++i) {
@@ -181,7 +182,7 @@ class Lathe {
     }
   }
 
-  /// What a horizontal side sweeps, in one face.
+  /// Adds the face swept by a horizontal side.
   void add_level(std::size_t a, std::size_t b, const glm::dvec4& plane) {
     std::vector<std::uint32_t> corners;
     const auto add = [&](std::uint32_t point) {
@@ -193,7 +194,8 @@ class Lathe {
     add_face(std::move(corners), plane);
   }
 
-  /// The plane of a line of the profile in a segment. Midway it passes nearer to the axis, by the segment's chord.
+  /// The plane swept by a side of the profile in one segment. Its distance from the axis is smaller midway, because the
+  /// segment is a chord.
   [[nodiscard]] glm::dvec4 side_plane(const glm::dvec3& line, std::uint32_t segment) const {
     const double from = turn_.angles[segment];
     const double to = turn_.angles[segment + 1];
@@ -221,9 +223,9 @@ class Lathe {
   std::vector<glm::dvec2> directions_;
   std::vector<model::Polyhedron> pieces_;
 
-  // The piece that is being made.
-  std::uint32_t first_ = 0;  ///< segment
-  std::uint32_t count_ = 0;  ///< segments
+  // State of the piece under construction.
+  std::uint32_t first_ = 0;  ///< first segment
+  std::uint32_t count_ = 0;  ///< number of segments
   bool closed_ = false;
   model::Polyhedron piece_;
   std::vector<std::vector<std::uint32_t>> rings_;
@@ -233,12 +235,12 @@ class Lathe {
 
 std::vector<model::Polyhedron> rotate_extrude(const flat::Area& area, const RotateExtrude& extrusion) {
   if (area.empty() || extrusion.angle == 0.0) return {};
-  const auto [least, greatest] = range_of(area);
+  const auto [least, greatest] = x_range(area);
   const double radius = greatest - least;
   const bool is_left = -least > greatest;
   Turn turn = make_turn(extrusion, radius, is_left);
   if (turn.angles.empty()) return {};
-  const flat::Area profile = on_the_right(area, is_left, radius);
+  const flat::Area profile = right_of_axis(area, is_left, radius);
   Lathe lathe(profile, std::move(turn));
   const std::vector<flat::Outline> any = flat::convex_parts(profile);
   const std::vector<flat::Outline> stacked = axis_parts(profile);

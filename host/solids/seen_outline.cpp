@@ -10,17 +10,19 @@ namespace csgsim::solids {
 
 namespace {
 
-/// The second corner first, and the first one last: of equals the first in this order counts.
-std::vector<std::uint32_t> order_of(std::span<const glm::vec3> outline) {
+/// Corner indices from the second corner around to the first: in libtess2, the first of equal candidates in this order
+/// wins.
+std::vector<std::uint32_t> corner_order(std::span<const glm::vec3> outline) {
   std::vector<std::uint32_t> order(outline.size());
   std::iota(order.begin(), order.end(), 0U);
   std::rotate(order.begin(), order.begin() + 1, order.end());
   return order;
 }
 
-/// Twice the area vector of the largest triangle over the two corners that are farthest apart along an axis.
-glm::vec3 normal_of(std::span<const glm::vec3> outline) {
-  const std::vector<std::uint32_t> order = order_of(outline);
+/// The normal of the largest triangle over the two corners that are farthest apart along an axis, with twice its area
+/// as length.
+glm::vec3 face_normal(std::span<const glm::vec3> outline) {
+  const std::vector<std::uint32_t> order = corner_order(outline);
   glm::length_t longest = 0;
   float length = -1;
   glm::vec3 low(0);
@@ -56,10 +58,10 @@ glm::length_t largest_axis(const glm::vec3& vector) {
   return axis;
 }
 
-float area_of(const std::vector<SeenPoint>& points) {
+float compute_area(const std::vector<ProjectedPoint>& points) {
   float area = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const SeenPoint& next = points[(i + 1) % points.size()];
+    const ProjectedPoint& next = points[(i + 1) % points.size()];
     area += (points[i].s - next.s) * (points[i].t + next.t);
   }
   return area;
@@ -67,14 +69,14 @@ float area_of(const std::vector<SeenPoint>& points) {
 
 }  // namespace
 
-std::vector<SeenPoint> seen(std::span<const glm::vec3> outline) {
-  const glm::vec3 normal = normal_of(outline);
+std::vector<ProjectedPoint> project_outline(std::span<const glm::vec3> outline) {
+  const glm::vec3 normal = face_normal(outline);
   const glm::length_t axis = largest_axis(normal);
   const float sign = normal[axis] > 0 ? 1.0F : -1.0F;
-  std::vector<SeenPoint> points;
+  std::vector<ProjectedPoint> points;
   for (const glm::vec3& corner : outline) points.push_back({corner[(axis + 1) % 3], sign * corner[(axis + 2) % 3]});
-  if (area_of(points) < 0) {
-    for (SeenPoint& point : points) point.t = -point.t;
+  if (compute_area(points) < 0) {
+    for (ProjectedPoint& point : points) point.t = -point.t;
   }
   return points;
 }

@@ -1,3 +1,5 @@
+// Projection of a face's outline, as in libtess2.
+// Used by tessellation.cpp.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,8 +10,8 @@
 
 namespace csgsim::solids {
 
-/// The corners of a face as they are seen along the axis that it faces most, so that it runs counter-clockwise; at
-/// least three.
-std::vector<SeenPoint> seen(std::span<const glm::vec3> outline);
+/// Projects the corners of a face along the dominant axis of its normal, so that it runs counter-clockwise. There must
+/// be at least three corners.
+std::vector<ProjectedPoint> project_outline(std::span<const glm::vec3> outline);
 
 }  // namespace csgsim::solids

@@ -28,12 +28,12 @@ bool holds(const facet::Box& outer, const facet::Box& inner) {
   return glm::all(glm::lessThanEqual(outer.low, inner.low)) && glm::all(glm::lessThanEqual(inner.high, outer.high));
 }
 
-constexpr std::string_view nesting = "finding which shells of a mesh are within which";
+constexpr std::string_view nesting = "finding the nesting of a mesh's shells";
 
-/// The cost of a face whose solid angle is worked out.
+/// Cost of one face in the computation of a winding number.
 constexpr std::uint64_t angle_steps = 50;
 
-/// Whether one shell is within another: by the middle of a face that is clear of it.
+/// Whether one shell is inside another, decided at the centre of the first face that is not close to the other shell.
 bool is_within(const Mesh& mesh, const FaceList& inner, const FaceList& outer, const Work& work) {
   double sum = 0;
   for (const std::uint32_t face : inner) {
@@ -85,7 +85,7 @@ double winding(const Mesh& mesh, std::span<const std::uint32_t> faces, const glm
   return angles / (4.0 * std::numbers::pi);
 }
 
-std::vector<FaceList> faces_of_shells(const Mesh& mesh) {
+std::vector<FaceList> collect_shells(const Mesh& mesh) {
   const std::vector<std::uint32_t> shells = find_shells(mesh);
   std::vector<FaceList> faces;
   for (std::uint32_t face = 0; face < shells.size(); ++face) {
@@ -95,7 +95,7 @@ std::vector<FaceList> faces_of_shells(const Mesh& mesh) {
   return faces;
 }
 
-std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceList>& shells, const Work& work) {
+std::vector<std::uint32_t> nesting_depths(const Mesh& mesh, const std::vector<FaceList>& shells, const Work& work) {
   std::vector<facet::Box> boxes;
   boxes.reserve(shells.size());
   for (const FaceList& shell : shells) boxes.push_back(box_of(mesh, shell));
@@ -109,8 +109,8 @@ std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceLis
   return depths;
 }
 
-std::vector<FaceList> faces_of_solids(const Mesh& mesh, const Work& work) {
-  const std::vector<FaceList> shells = faces_of_shells(mesh);
+std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work) {
+  const std::vector<FaceList> shells = collect_shells(mesh);
   std::vector<double> volumes;
   std::vector<facet::Box> boxes;
   for (const FaceList& shell : shells) {
@@ -118,10 +118,10 @@ std::vector<FaceList> faces_of_solids(const Mesh& mesh, const Work& work) {
     boxes.push_back(box_of(mesh, shell));
   }
   std::vector<FaceList> solids;
-  std::vector<std::size_t> solid_of(shells.size(), 0);
+  std::vector<std::size_t> solid_index(shells.size(), 0);
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (volumes[i] < 0) continue;
-    solid_of[i] = solids.size();
+    solid_index[i] = solids.size();
     solids.push_back(shells[i]);
   }
   for (std::size_t i = 0; i < shells.size(); ++i) {
@@ -133,8 +133,9 @@ std::vector<FaceList> faces_of_solids(const Mesh& mesh, const Work& work) {
       if (least < shells.size() && volumes[least] <= volumes[other]) continue;
       if (is_within(mesh, shells[i], shells[other], work)) least = other;
     }
-    if (least == shells.size()) throw InputError("a shell faces inwards and is in no other; reverse its faces");
-    FaceList& solid = solids[solid_of[least]];
+    if (least == shells.size())
+      throw InputError("a shell faces inwards and is inside no other shell; reverse its faces");
+    FaceList& solid = solids[solid_index[least]];
     solid.insert(solid.end(), shells[i].begin(), shells[i].end());
   }
   return solids;

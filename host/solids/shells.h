@@ -1,3 +1,5 @@
+// Volumes, winding numbers and nesting of a mesh's shells.
+// Used throughout host/solids.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +17,25 @@ using FaceList = std::vector<std::uint32_t>;
 
 facet::Box box_of(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
-/// Six times what the faces enclose, seen from the first of their points: negative if they face inwards.
+/// Six times the enclosed volume, with the first point as apex; negative if the faces are oriented inwards.
 double six_volumes(const Mesh& mesh, std::span<const std::uint32_t> faces);
 
-/// The solid angle that a triangle is seen under from the origin, negative from behind (A. van Oosterom and J.
-/// Strackee, 1983).
+/// The solid angle of a triangle as seen from the origin, negative from behind (A. van Oosterom and J. Strackee, 1983).
 double solid_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
-/// How many times closed faces run around a point: 1 within a shell that faces outwards, 0 outside it, and between them
-/// on it.
+/// The winding number of closed faces around a point: 1 inside a shell that faces outwards, 0 outside, and between 0
+/// and 1 on the shell.
 double winding(const Mesh& mesh, std::span<const std::uint32_t> faces, const glm::dvec3& point);
 
 /// The faces of each shell, in ascending order.
-std::vector<FaceList> faces_of_shells(const Mesh& mesh);
+std::vector<FaceList> collect_shells(const Mesh& mesh);
 
-/// How many other shells each is within. Shells may touch but not cross. Throws WorkError past the limit on work.
-std::vector<std::uint32_t> depths_of(const Mesh& mesh, const std::vector<FaceList>& shells, const Work& work = {});
+/// The number of other shells that contain each shell. Shells may touch but not cross. Throws WorkError past the limit
+/// on work.
+std::vector<std::uint32_t> nesting_depths(const Mesh& mesh, const std::vector<FaceList>& shells, const Work& work = {});
 
-/// The faces of each solid: of a shell that faces outwards, and of the voids that are directly within it. Shells may
-/// touch but not cross. Throws InputError for a void that is in no solid, and WorkError past the limit on work.
-std::vector<FaceList> faces_of_solids(const Mesh& mesh, const Work& work);
+/// The faces of each solid: those of a shell that faces outwards, and of the voids directly inside it. Shells may touch
+/// but not cross. Throws InputError for a void outside all solids, and WorkError past the limit on work.
+std::vector<FaceList> collect_solids(const Mesh& mesh, const Work& work);
 
 }  // namespace csgsim::solids

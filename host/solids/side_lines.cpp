@@ -8,7 +8,7 @@ namespace csgsim::solids {
 
 namespace {
 
-double size_of(const flat::Area& area) {
+double max_magnitude(const flat::Area& area) {
   double size = 0;
   for (const flat::Outline& outline : area.outlines) {
     for (const glm::dvec2& corner : outline) size = std::max({size, std::abs(corner.x), std::abs(corner.y)});
@@ -28,7 +28,7 @@ double signed_area(const flat::Outline& outline) {
   return twice / 2.0;
 }
 
-SideLines::SideLines(const flat::Area& area) : planes_(glm::dvec3(0), size_of(area)) {}
+SideLines::SideLines(const flat::Area& area) : planes_(glm::dvec3(0), max_magnitude(area)) {}
 
 glm::dvec3 SideLines::operator()(const glm::dvec2& a, const glm::dvec2& b) {
   const glm::dvec2 normal = glm::normalize(glm::dvec2(b.y - a.y, a.x - b.x));

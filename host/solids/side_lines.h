@@ -1,3 +1,5 @@
+// Canonical lines of a profile's sides.
+// Used by bent_slices.cpp, linear_extrude.cpp and rotate_extrude.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -8,17 +10,17 @@
 
 namespace csgsim::solids {
 
-/// Below 0 for a hole, which runs clockwise.
+/// The area of an outline; negative for a hole, which runs clockwise.
 double signed_area(const flat::Outline& outline);
 
-/// The lines of a profile's sides: sides on one line, on whichever side of it their parts are, say it in the same
-/// numbers.
+/// The lines of a profile's sides. Sides on a common line get the same numbers, whichever side of it their parts are
+/// on.
 class SideLines {
  public:
   explicit SideLines(const flat::Area& area);
 
-  /// (normal, offset) with normal . p + offset = 0 on the line; the normal is to the right of the way from `a` to `b`,
-  /// of length 1.
+  /// Returns (normal, offset) with normal . p + offset = 0 on the line. The normal has length 1 and points to the right
+  /// of the direction from `a` to `b`.
   glm::dvec3 operator()(const glm::dvec2& a, const glm::dvec2& b);
 
  private:

@@ -14,12 +14,12 @@ namespace csgsim::solids {
 
 namespace {
 
-/// Faces that an extrusion may make, before its pieces are cut.
-constexpr std::size_t most_swept_faces = 4'000'000;
+/// Maximum number of faces of an extrusion before it is cut into pieces.
+constexpr std::size_t max_swept_faces = 4'000'000;
 
-constexpr double degrees_a_slice = 120.0;  ///< at most
+constexpr double degrees_a_slice = 120.0;  ///< maximum twist of one slice
 
-/// The greatest of a length that each corner has, squared.
+/// The maximum over all corners of a squared length.
 template <class Squared>
 double greatest(const flat::Area& area, const Squared& squared) {
   double most = 0;
@@ -29,12 +29,13 @@ double greatest(const flat::Area& area, const Squared& squared) {
   return most;
 }
 
-/// The length of the spiral of Archimedes r = step * angle from its start, angles in radians.
+/// Length of the Archimedean spiral r = step * angle from its start; angles in radians.
 double spiral_length(double step, double angle) {
   return 0.5 * step * (angle * std::sqrt(1.0 + angle * angle) + std::asinh(angle));
 }
 
-/// The length of the way of a corner at that distance from the axis, which turns by `turn` radians on its way up.
+/// Length of the path of a corner, given its squared distance from the axis; the corner turns by `turn` radians on its
+/// way up.
 double way_length(double squared_radius, double turn, const LinearExtrude& extrusion) {
   const double scale = extrusion.scale.x;
   if (scale == 1.0 || scale != extrusion.scale.y) {
@@ -82,10 +83,10 @@ std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& extrusion
   const double count = extrusion.slices != 0    ? extrusion.slices
                        : extrusion.twist != 0.0 ? twisted_count(area, extrusion)
                                                 : straight_count(area, extrusion);
-  const double most = static_cast<double>(most_swept_faces) / (2.0 * static_cast<double>(corner_count(area)));
+  const double most = static_cast<double>(max_swept_faces) / (2.0 * static_cast<double>(corner_count(area)));
   if (!(count <= most)) {
-    throw InputError("linear_extrude() makes more than " + std::to_string(most_swept_faces) +
-                     " faces; ask for fewer slices, or raise $fa or $fs");
+    throw InputError("linear_extrude() makes more than " + std::to_string(max_swept_faces) +
+                     " faces; use fewer slices, or raise $fa or $fs");
   }
   return static_cast<std::uint32_t>(count);
 }

@@ -1,3 +1,5 @@
+// OpenSCAD's number of slices of an extrusion.
+// Used by bent_slices.cpp.
 #pragma once
 
 #include <cstdint>
@@ -7,9 +9,9 @@
 
 namespace csgsim::solids {
 
-/// Slices of an extrusion whose sides bend, as OpenSCAD 2021.01 counts them. As many as the extrusion says; else with a
-/// twist by the length of the helix, or conical helix, that the outermost corner runs along, against $fs, and by the
-/// twist against $fa or $fn; else, if x and y scale differently, by the longest way of a corner against $fs, or $fn.
+/// Number of slices of an extrusion with bent sides, as in OpenSCAD 2021.01. An explicit number wins. With a twist, the
+/// number follows from the path of the outermost corner (a helix or conical helix) and $fs, and from the twist and $fa
+/// or $fn. Otherwise, if x and y scale differently, it follows from the longest path of a corner and $fs, or from $fn.
 /// Throws InputError if the slices would have more than 4,000,000 faces.
 std::uint32_t slice_count(const flat::Area& area, const LinearExtrude& extrusion);
 

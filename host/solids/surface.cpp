@@ -19,7 +19,7 @@ namespace {
 struct Heights {
   std::uint32_t columns = 0;
   std::uint32_t rows = 0;
-  std::vector<double> values;  ///< row by row, along y = 0 first
+  std::vector<double> values;  ///< row by row, starting at y = 0
   double floor = 0;
 
   [[nodiscard]] double at(std::uint32_t row, std::uint32_t column) const {
@@ -27,7 +27,8 @@ struct Heights {
   }
 };
 
-/// The mesh has the corners of the grid, then the middles of its cells, then the corners of the floor along its rim.
+/// Builds the mesh of a height field. Its points are the corners of the grid, then the centres of the cells, then the
+/// corners of the floor along the rim.
 class SurfaceMaker {
  public:
   SurfaceMaker(const Heights& heights, bool center) : heights_(heights) {
@@ -70,7 +71,7 @@ class SurfaceMaker {
     for (std::size_t i = 0; i < 4; ++i) mesh_.faces.push_back({around[i], around[(i + 1) % 4], middle});
   }
 
-  /// Counter-clockwise seen from above.
+  /// The corners along the rim, counter-clockwise as seen from above.
   [[nodiscard]] std::vector<std::uint32_t> rim() const {
     const std::uint32_t last_row = heights_.rows - 1;
     const std::uint32_t last_column = heights_.columns - 1;
@@ -111,11 +112,11 @@ double floor_below(const std::vector<double>& given) {
 }
 
 void require_few_heights(std::size_t heights, std::string_view name) {
-  if (heights <= most_heights) return;
-  throw InputError(fmt::format("{}: more than {} heights; make it coarser", printable(name), most_heights));
+  if (heights <= max_heights) return;
+  throw InputError(fmt::format("{}: more than {} heights; make the grid coarser", printable(name), max_heights));
 }
 
-/// Lines of numbers, each as long as it is.
+/// Reads rows of numbers, which may differ in length.
 std::vector<std::vector<double>> read_rows(std::string_view text, std::string_view name) {
   Words words(text, name);
   std::vector<std::vector<double>> rows;
@@ -155,7 +156,7 @@ Mesh parse_surface(std::string_view text, std::string_view name, bool center) {
 }
 
 Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool center, bool invert) {
-  const Pixels pixels = read_png(bytes, name, most_heights);
+  const Pixels pixels = read_png(bytes, name, max_heights);
   Heights heights{pixels.width, pixels.height, {}, 0};
   for (std::uint32_t row = 0; row < pixels.height; ++row) {
     const unsigned char* pixel = &pixels.bytes[std::size_t{3} * pixels.width * (pixels.height - 1 - row)];
@@ -169,8 +170,8 @@ Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool cente
 }
 
 Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert) {
-  return ending_of(path) == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
-                                   : parse_surface(bytes, path.native(), center);
+  return lower_case_extension(path) == ".png" ? parse_surface_png(bytes, path.native(), center, invert)
+                                              : parse_surface(bytes, path.native(), center);
 }
 
 }  // namespace csgsim::solids

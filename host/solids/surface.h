@@ -1,3 +1,5 @@
+// OpenSCAD's surface(): meshes of height fields.
+// Used by host/read.
 #pragma once
 
 #include <cstddef>
@@ -9,24 +11,24 @@
 
 namespace csgsim::solids {
 
-/// Heights at the corners of a grid.
-inline constexpr std::size_t most_heights = 1'000'000;
+/// Maximum number of heights in a grid.
+inline constexpr std::size_t max_heights = 1'000'000;
 
 inline constexpr InputKind surface_file{"a surface file", std::size_t{1} << 26U, "make it coarser"};
 
-/// What OpenSCAD's surface() makes of a file: heights above a grid of unit cells, each cell of four triangles that meet
-/// in its middle, at the mean of its corners; walls, and a floor one below the least height or one below 1. A file
-/// whose name ends with .png has pixels, any other numbers. Heights of which there are not two rows and columns are an
-/// empty mesh. The bytes are the file's, and the name is for messages. Throws InputError that names the file, and the
-/// place in it where there is one.
+/// Builds the mesh of OpenSCAD's surface(): heights over a grid of unit cells. Each cell has four triangles that meet
+/// at its centre, at the mean height of its corners. Walls lead down to a floor, which is 1 below the lowest height or
+/// below 1, whichever is lower. A file whose name ends with .png has pixels; any other file has numbers. Fewer than two
+/// rows or columns give an empty mesh. `bytes` is the content of the file; its name appears in messages. Throws
+/// InputError with the file name, and the position in it where one is known.
 Mesh parse_surface_file(std::string_view bytes, const std::filesystem::path& path, bool center, bool invert);
 
-/// Numbers between blanks, a row a line, the first along y = 0; lines that begin with # are left out. Rows that are too
-/// short end with zeros.
+/// Numbers separated by blanks, one row per line, the first row along y = 0. Lines that begin with # are skipped. Short
+/// rows are padded with zeros.
 Mesh parse_surface(std::string_view text, std::string_view name, bool center);
 
-/// Luminance times 100 / 255 of pixels, the last row along y = 0. Inverted, as in OpenSCAD, from 1 instead of white
-/// downwards. How clear they are, and their gamma, is not looked at.
+/// Heights are the luminance of the pixels times 100 / 255; the last row is along y = 0. Inversion computes 1 -
+/// luminance, as in OpenSCAD, and not white - luminance. Alpha and gamma are ignored.
 Mesh parse_surface_png(std::string_view bytes, std::string_view name, bool center, bool invert);
 
 }  // namespace csgsim::solids

@@ -15,7 +15,7 @@ namespace csgsim::solids {
 
 namespace {
 
-/// For each corner, the first corner at its place.
+/// Maps each corner to the first corner at the same position.
 std::vector<std::uint32_t> first_at_place(std::span<const glm::vec3> outline) {
   const auto order = [](const glm::vec3& a, const glm::vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
@@ -28,8 +28,8 @@ std::vector<std::uint32_t> first_at_place(std::span<const glm::vec3> outline) {
   return first;
 }
 
-/// The sides of an outline, except those that it runs along both ways.
-std::vector<Link> sides_of(const std::vector<std::uint32_t>& corners) {
+/// The sides of an outline, except those that it follows in both directions.
+std::vector<Link> collect_sides(const std::vector<std::uint32_t>& corners) {
   std::vector<Link> sides;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Link side{corners[i], corners[(i + 1) % corners.size()]};
@@ -43,7 +43,7 @@ std::vector<Link> sides_of(const std::vector<std::uint32_t>& corners) {
   return sides;
 }
 
-/// The triangles of an outline that crosses itself.
+/// The triangles of an outline that crosses itself; only defined for four sides.
 std::optional<std::vector<OutlineTriangle>> crossed(const std::vector<Link>& sides) {
   if (sides.size() != 4) return std::nullopt;
   return std::vector<OutlineTriangle>{{3, 0, 1}, {1, 2, 3}};
@@ -52,13 +52,13 @@ std::optional<std::vector<OutlineTriangle>> crossed(const std::vector<Link>& sid
 }  // namespace
 
 std::optional<std::vector<OutlineTriangle>> tessellate(std::span<const glm::vec3> outline) {
-  if (outline.size() < 4 || outline.size() > most_outline_corners) return std::nullopt;
-  const std::vector<SeenPoint> points = seen(outline);
-  const std::vector<Link> sides = sides_of(first_at_place(outline));
+  if (outline.size() < 4 || outline.size() > max_outline_corners) return std::nullopt;
+  const std::vector<ProjectedPoint> points = project_outline(outline);
+  const std::vector<Link> sides = collect_sides(first_at_place(outline));
   if (sides.size() < 3 || !is_simple(points, sides)) return crossed(sides);
   TriangleNet net(points, sides, monotone_diagonals(points, sides));
   net.cut_parts();
-  net.turn_diagonals();
+  net.flip_diagonals();
   return net.triangles();
 }
 

@@ -1,3 +1,5 @@
+// OpenSCAD's triangulation of faces that are not flat.
+// Used by bent_faces.cpp and triangle_net.h.
 #pragma once
 
 #include <array>
@@ -10,19 +12,19 @@
 
 namespace csgsim::solids {
 
-/// A triangle of corners of an outline, by their numbers.
+/// The corner indices of a triangle of an outline.
 using OutlineTriangle = std::array<std::uint32_t, 3>;
 
-/// Every two sides of an outline are looked at, so that more would take long.
-inline constexpr std::size_t most_outline_corners = 4096;
+/// Maximum number of corners; the running time is quadratic, since all pairs of sides are tested.
+inline constexpr std::size_t max_outline_corners = 4096;
 
-/// The triangles that OpenSCAD 2021.01, by its libtess2, cuts a face into that need not be flat, as the outline runs.
-/// It looks at the face in single precision along the axis that the largest triangle at its longest extent faces most,
-/// cuts what it sees into parts that are monotone along one axis and these into triangles from right to left, and turns
-/// diagonals until the angles opposite to each are less than 180.57 degrees together: a square keeps the diagonal that
-/// the sweep has given it. Holes may be joined to the outline by edges that it runs along both ways. Nothing for fewer
-/// than four corners or too many, or where what is seen of the outline meets or crosses itself; of four corners that
-/// do, the first one is cut off.
+/// The triangles into which OpenSCAD 2021.01, with its libtess2, cuts a face that need not be flat; they run in the
+/// direction of the outline. libtess2 projects the face in single precision along the dominant normal axis of its
+/// largest triangle over its longest extent. It divides the projection into parts that are monotone along one axis,
+/// cuts these into triangles from right to left, and flips diagonals until the two angles opposite to each one sum to
+/// less than 180.57 degrees; a square keeps the diagonal from the sweep. Holes may be joined to the outline by edges
+/// that it follows in both directions. Nothing if there are fewer than four or too many corners, or if the projected
+/// outline touches or crosses itself; with four such corners, the first one is cut off.
 std::optional<std::vector<OutlineTriangle>> tessellate(std::span<const glm::vec3> outline);
 
 }  // namespace csgsim::solids

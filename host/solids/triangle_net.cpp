@@ -9,21 +9,21 @@ namespace csgsim::solids {
 
 namespace {
 
-/// What two angles opposite to a diagonal may be beyond 180 degrees together, in radians, before it is turned.
+/// Maximum excess over 180 degrees, in radians, of the two angles opposite to a diagonal before it is flipped.
 constexpr double slack = 0.01;
 
-/// Positive where the middle one of three points, in the order of the sweep, is above the line through the others.
-float above(const SeenPoint& left, const SeenPoint& middle, const SeenPoint& right) {
+/// Positive if the middle one of three points, in sweep order, is above the line through the others.
+float above(const ProjectedPoint& left, const ProjectedPoint& middle, const ProjectedPoint& right) {
   const float to_left = middle.s - left.s;
   const float to_right = right.s - middle.s;
   if (to_left + to_right <= 0) return 0;
   return (middle.t - right.t) * to_left + (middle.t - left.t) * to_right;
 }
 
-/// At the middle one of three points.
-float angle(const SeenPoint& one, const SeenPoint& at, const SeenPoint& other) {
-  const SeenPoint a{other.s - at.s, other.t - at.t};
-  const SeenPoint b{one.s - at.s, one.t - at.t};
+/// The angle at the middle one of three points.
+float angle(const ProjectedPoint& one, const ProjectedPoint& at, const ProjectedPoint& other) {
+  const ProjectedPoint a{other.s - at.s, other.t - at.t};
+  const ProjectedPoint b{one.s - at.s, one.t - at.t};
   const double size =
       std::sqrt(static_cast<double>(a.s * a.s + a.t * a.t)) * std::sqrt(static_cast<double>(b.s * b.s + b.t * b.t));
   float cosine = a.s * b.s + a.t * b.t;
@@ -33,7 +33,7 @@ float angle(const SeenPoint& one, const SeenPoint& at, const SeenPoint& other) {
 
 }  // namespace
 
-TriangleNet::TriangleNet(std::span<const SeenPoint> points, std::span<const Link> sides,
+TriangleNet::TriangleNet(std::span<const ProjectedPoint> points, std::span<const Link> sides,
                          std::span<const Link> diagonals)
     : points_(points) {
   for (const Link& side : sides) add_edge(side, false);
@@ -53,7 +53,7 @@ void TriangleNet::join(Half half, Half next) {
   edges_[next].previous = half;
 }
 
-/// After each half comes the one that turns off farthest to the left.
+/// Links each half to the one that turns farthest to the left at its end.
 void TriangleNet::join_around_points() {
   const auto direction = [&](Half half) {
     return std::atan2(static_cast<double>(to(half).t) - static_cast<double>(from(half).t),
@@ -80,8 +80,7 @@ void TriangleNet::cut_parts() {
   for (auto part = parts_.begin(); part != parts_.end(); ++part) cut_part(part);
 }
 
-/// Cuts off the triangle of two halves, the second of which follows the first. Returns the edge that closes it, which
-/// stays with the part.
+/// Cuts off the triangle of two consecutive halves. Returns the half of the closing edge that stays with the part.
 TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iterator part) {
   const Half before = previous(one);
   const Half after = next(two);
@@ -96,13 +95,13 @@ TriangleNet::Half TriangleNet::cut_off(Half one, Half two, std::list<Half>::iter
 }
 
 void TriangleNet::cut_part(std::list<Half>::iterator part) {
-  Half upper = *part;  // from the right end of what is left to cut, along its upper side
+  Half upper = *part;  // runs from the right end of the remaining part along its upper side
   while (goes_left(upper)) upper = previous(upper);
   while (goes_right(upper)) upper = next(upper);
   *part = upper;
-  Half lower = previous(upper);  // to the right end, along its lower side
+  Half lower = previous(upper);  // runs to the right end along its lower side
   while (next(upper) != lower) {
-    if (comes_before(to(upper), from(lower))) {
+    if (precedes(to(upper), from(lower))) {
       while (next(lower) != upper && (goes_left(next(lower)) || above(from(lower), to(lower), to(next(lower))) <= 0)) {
         lower = cut_off(lower, next(lower), part);
       }
@@ -122,17 +121,17 @@ std::vector<TriangleNet::Half> TriangleNet::diagonals() {
   std::vector<Half> found;
   for (const Half part : parts_) {
     for (const Half half : {part, next(part), previous(part)}) {
-      edges_[half].is_waiting = is_diagonal(half);
-      if (is_diagonal(half) && !edges_[other(half)].is_waiting) found.push_back(half);
+      edges_[half].is_queued = is_diagonal(half);
+      if (is_diagonal(half) && !edges_[other(half)].is_queued) found.push_back(half);
     }
   }
   return found;
 }
 
-/// The angle at the corner opposite to a half in the triangle to its left.
+/// The angle opposite to a half in the triangle to its left.
 float TriangleNet::opposite_angle(Half half) const { return angle(to(half), from(previous(half)), from(half)); }
 
-void TriangleNet::turn_diagonal(Half half) {
+void TriangleNet::flip_diagonal(Half half) {
   const Half back = other(half);
   const std::array<Half, 2> left{next(half), previous(half)};
   const std::array<Half, 2> right{next(back), previous(back)};
@@ -146,24 +145,24 @@ void TriangleNet::turn_diagonal(Half half) {
   join(left[0], back);
 }
 
-void TriangleNet::wait(Half half, std::vector<Half>& stack) {
-  if (edges_[half].is_waiting || !is_diagonal(half)) return;
-  edges_[half].is_waiting = edges_[other(half)].is_waiting = true;
+void TriangleNet::enqueue(Half half, std::vector<Half>& stack) {
+  if (edges_[half].is_queued || !is_diagonal(half)) return;
+  edges_[half].is_queued = edges_[other(half)].is_queued = true;
   stack.push_back(half);
 }
 
-void TriangleNet::turn_diagonals() {
+void TriangleNet::flip_diagonals() {
   std::vector<Half> stack = diagonals();
   while (!stack.empty()) {
     const Half half = stack.back();
     stack.pop_back();
-    edges_[half].is_waiting = edges_[other(half)].is_waiting = false;
+    edges_[half].is_queued = edges_[other(half)].is_queued = false;
     if (!(opposite_angle(half) + opposite_angle(other(half)) >= std::numbers::pi + slack)) continue;
-    turn_diagonal(half);
-    // libtess2 leaves the fourth one out.
-    wait(next(half), stack);
-    wait(previous(half), stack);
-    wait(next(other(half)), stack);
+    flip_diagonal(half);
+    // libtess2 does not requeue the fourth edge either.
+    enqueue(next(half), stack);
+    enqueue(previous(half), stack);
+    enqueue(next(other(half)), stack);
   }
   parts_.clear();
   find_parts();

@@ -11,13 +11,13 @@ namespace csgsim::solids {
 
 namespace {
 
-/// A face beyond an edge of another.
+/// A face across an edge of another face.
 struct Beyond {
   std::uint32_t face;
-  bool runs_same_way;  ///< both along the edge, as neighbours should not
+  bool runs_same_way;  ///< both faces run along the edge in the same direction, which neighbours should not
 };
 
-/// The faces beyond each face's edges, where just two faces share the edge.
+/// The faces across each face's edges; only edges shared by exactly two faces count.
 std::vector<std::vector<Beyond>> faces_beyond(const Mesh& mesh) {
   std::vector<std::vector<Beyond>> beyond(mesh.faces.size());
   for (const Joint& joint : find_joints(mesh)) {
@@ -32,8 +32,8 @@ enum class Turn : std::uint8_t { unknown, stays, turns };
 
 Turn opposite(Turn turn) { return turn == Turn::stays ? Turn::turns : Turn::stays; }
 
-/// Says of each face that is reached from the first, from edge to edge, whether it is turned against it. Returns them;
-/// none where that is undecidable, as on a band with one side.
+/// Decides for each face that is connected to the first one by edges whether it has to be reversed relative to it.
+/// Returns these faces; empty if the orientation is inconsistent, as on a one-sided band.
 std::vector<std::uint32_t> spread(std::uint32_t first, const std::vector<std::vector<Beyond>>& beyond,
                                   std::vector<Turn>& turns) {
   std::vector<std::uint32_t> reached{first};
@@ -56,18 +56,18 @@ std::vector<std::uint32_t> spread(std::uint32_t first, const std::vector<std::ve
 
 }  // namespace
 
-TurnedFaces turn_faces(Numbered& numbered) {
+TurnedFaces turn_faces(NumberedMesh& numbered) {
   Mesh& mesh = numbered.mesh;
   const std::vector<std::vector<Beyond>> beyond = faces_beyond(mesh);
   std::vector<Turn> turns(mesh.faces.size(), Turn::unknown);
-  std::set<std::uint32_t> numbers;  // of those turned, in the file: a face may be in several parts
+  std::set<std::uint32_t> numbers;  // file numbers of reversed faces: one file face may have several parts
   for (std::uint32_t first = 0; first < mesh.faces.size(); ++first) {
     if (turns[first] != Turn::unknown) continue;
     const std::vector<std::uint32_t> reached = spread(first, beyond, turns);
     const auto turning = static_cast<std::size_t>(
         std::ranges::count_if(reached, [&](std::uint32_t face) { return turns[face] == Turn::turns; }));
     if (turning == 0) continue;
-    // The fewer are the ones that are wrong.
+    // The minority is considered wrong.
     const Turn wrong = 2 * turning <= reached.size() ? Turn::turns : Turn::stays;
     for (const std::uint32_t face : reached) {
       if (turns[face] != wrong) continue;

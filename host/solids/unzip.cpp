@@ -13,7 +13,7 @@ namespace csgsim::solids {
 
 namespace {
 
-// Records of APPNOTE.TXT, the ZIP file format specification: how each begins, and its length without what follows it.
+// Signatures and fixed lengths of the records in APPNOTE.TXT, the ZIP file format specification.
 constexpr std::string_view local_header = "PK\x03\x04";
 constexpr std::size_t local_bytes = 30;
 constexpr std::string_view directory_header = "PK\x01\x02";
@@ -24,7 +24,7 @@ constexpr std::string_view end_locator_64 = "PK\x06\x07";
 constexpr std::size_t locator_bytes = 20;
 constexpr std::string_view end_record_64 = "PK\x06\x06";
 
-constexpr std::uint64_t in_extra_field = 0xffffffffU;  ///< stands for a number of 64 bits in the extra field
+constexpr std::uint64_t in_extra_field = 0xffffffffU;  ///< marks a number stored with 64 bits in the extra field
 constexpr std::uint64_t extra_field_64 = 1;
 
 struct Entry {
@@ -44,9 +44,9 @@ class Archive {
   [[nodiscard]] std::string part(const std::string& wanted) const {
     for (std::uint64_t at = directory_at(); starts(at, directory_header);) {
       const Entry entry = entry_at(at);
-      if (wanted.empty() || entry.name == wanted) return unpacked(entry);
+      if (wanted.empty() || entry.name == wanted) return decompress_entry(entry);
     }
-    fail(fmt::format("there is no {} in it", wanted.empty() ? "part" : printable(wanted)));
+    fail(fmt::format("the archive has no {}", wanted.empty() ? "part" : printable(wanted)));
   }
 
  private:
@@ -54,7 +54,7 @@ class Archive {
     throw InputError(fmt::format("{}: {}; export it again", printable(name_), message));
   }
 
-  [[noreturn]] void fail_damaged() const { fail("it is a damaged zip archive"); }
+  [[noreturn]] void fail_damaged() const { fail("the zip archive is damaged"); }
 
   [[nodiscard]] std::string_view piece(std::uint64_t at, std::uint64_t size) const {
     if (at > bytes_.size() || size > bytes_.size() - at) fail_damaged();
@@ -65,7 +65,7 @@ class Archive {
     return at <= bytes_.size() && bytes_.substr(static_cast<std::size_t>(at)).starts_with(header);
   }
 
-  /// A little-endian number.
+  /// Reads a little-endian number.
   [[nodiscard]] std::uint64_t number(std::uint64_t at, std::size_t size) const {
     const std::string_view digits = piece(at, size);
     std::uint64_t value = 0;
@@ -84,7 +84,7 @@ class Archive {
     return number(end_64 + 48, 8);
   }
 
-  /// The entry there; moves `at` on to the next one.
+  /// The directory entry at `at`; advances `at` to the next one.
   Entry entry_at(std::uint64_t& at) const {
     const std::uint64_t name_size = number(at + 28, 2);
     const std::uint64_t extra_size = number(at + 30, 2);
@@ -100,7 +100,7 @@ class Archive {
     return entry;
   }
 
-  /// The sizes and places that did not fit in 32 bits, as numbers of 64, in this order.
+  /// Reads the sizes and positions that did not fit in 32 bits, as 64-bit numbers in this order.
   void read_extra(Entry& entry, std::uint64_t at, std::uint64_t size) const {
     const std::uint64_t end = at + piece(at, size).size();
     while (at + 4 <= end) {
@@ -117,49 +117,49 @@ class Archive {
     }
   }
 
-  [[nodiscard]] std::string unpacked(const Entry& entry) const {
+  [[nodiscard]] std::string decompress_entry(const Entry& entry) const {
     constexpr std::uint64_t encrypted = 1;
-    if ((entry.flags & encrypted) != 0) fail("it is encrypted");
+    if ((entry.flags & encrypted) != 0) fail("the zip archive is encrypted");
     if (!starts(entry.at, local_header)) fail_damaged();
     const std::uint64_t begin = entry.at + local_bytes + number(entry.at + 26, 2) + number(entry.at + 28, 2);
     const std::string_view packed = piece(begin, entry.packed_size);
-    if (entry.size > most_unzipped_bytes) fail_too_long();
+    if (entry.size > max_unzipped_bytes) fail_too_long();
     std::string part;
     if (entry.method == 0) {
       part = packed;
     } else if (entry.method == Z_DEFLATED) {
-      part = inflated(packed);
+      part = inflate_data(packed);
     } else {
-      fail("it is packed by an unknown method");
+      fail("the zip archive uses an unknown compression method");
     }
     const std::uint64_t crc = ::crc32_z(0, reinterpret_cast<const Bytef*>(part.data()), part.size());
-    if (part.size() != entry.size || crc != entry.crc) fail("a part of it is damaged");
+    if (part.size() != entry.size || crc != entry.crc) fail("a part of the zip archive is damaged");
     return part;
   }
 
   [[noreturn]] void fail_too_long() const {
-    throw InputError(fmt::format("{}: unzipped it is longer than {}; make the mesh coarser", printable(name_),
-                                 binary_size(most_unzipped_bytes)));
+    throw InputError(fmt::format("{}: larger than {} after unzipping; make the mesh coarser", printable(name_),
+                                 binary_size(max_unzipped_bytes)));
   }
 
-  /// The size that the archive says is not trusted.
-  [[nodiscard]] std::string inflated(std::string_view packed) const {
+  /// Decompresses a member; does not rely on the size stated in the archive.
+  [[nodiscard]] std::string inflate_data(std::string_view packed) const {
     z_stream stream{};
-    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw InputError("there is not enough memory to unzip a file");
+    if (inflateInit2(&stream, -MAX_WBITS) != Z_OK) throw InputError("not enough memory to unzip a file");
     stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));  // NOLINT: zlib does not write there
     stream.avail_in = static_cast<uInt>(packed.size());
     std::string part;
     std::string chunk(std::size_t{1} << 16U, '\0');
     int result = Z_OK;
-    while (result == Z_OK && part.size() <= most_unzipped_bytes) {
+    while (result == Z_OK && part.size() <= max_unzipped_bytes) {
       stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
       stream.avail_out = static_cast<uInt>(chunk.size());
       result = ::inflate(&stream, Z_NO_FLUSH);
       part.append(chunk, 0, chunk.size() - stream.avail_out);
     }
     inflateEnd(&stream);
-    if (part.size() > most_unzipped_bytes) fail_too_long();
-    if (result != Z_STREAM_END) fail("a part of it is damaged");
+    if (part.size() > max_unzipped_bytes) fail_too_long();
+    if (result != Z_STREAM_END) fail("a part of the zip archive is damaged");
     return part;
   }
 

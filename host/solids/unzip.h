@@ -1,3 +1,5 @@
+// Extraction of members of zip archives.
+// Used by read_xml.cpp.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +8,12 @@
 
 namespace csgsim::solids {
 
-inline constexpr std::size_t most_unzipped_bytes = std::size_t{1} << 28U;
+inline constexpr std::size_t max_unzipped_bytes = std::size_t{1} << 28U;
 
 bool is_zip(std::string_view bytes);
 
-/// A part of a zip archive; its first one if the part's name is empty. Throws InputError, with the archive's name, if
-/// there is no such part, if it is damaged, or longer than `most_unzipped_bytes`.
+/// Extracts a member of a zip archive; an empty name selects the first one. Throws InputError with the archive's name
+/// if there is no such member, if it is damaged, or if it is larger than `max_unzipped_bytes`.
 std::string unzip(std::string_view archive, std::string_view name, const std::string& part);
 
 }  // namespace csgsim::solids

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::string_view blanks = " \t\r\v\f";
 
-/// A word as a message may show it.
-std::string shown(std::string_view word) {
+/// A word as quoted in messages.
+std::string quote_word(std::string_view word) {
   constexpr std::size_t most = 40;
   return word.empty() ? "the end of the file" : fmt::format("'{}'", printable(word.substr(0, most)));
 }
@@ -69,19 +69,19 @@ double Words::number_of(std::string_view word, std::string_view what) const {
   double value = 0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   const bool is_number = !digits.empty() && result.ptr == digits.data() + digits.size();
-  // Numbers too small for a double are out of range too; no coordinate is so by intent.
+  // Numbers too small for a double are out of range too; a coordinate is never intentionally that small.
   if (!is_number || result.ec != std::errc{} || !std::isfinite(value)) {
-    fail(fmt::format("{} has to be a finite number, and is {}; correct it", what, shown(word)));
+    fail(fmt::format("{} must be a finite number, not {}; correct it", what, quote_word(word)));
   }
   return value;
 }
 
-std::uint32_t Words::count(std::string_view what, std::uint32_t most) {
+std::uint32_t Words::count(std::string_view what, std::uint32_t max) {
   const std::string_view word = next();
   std::uint64_t value = 0;
   const auto result = std::from_chars(word.data(), word.data() + word.size(), value);
-  if (word.empty() || result.ec != std::errc{} || result.ptr != word.data() + word.size() || value > most) {
-    fail(fmt::format("{} has to be a whole number from 0 to {}, and is {}; correct it", what, most, shown(word)));
+  if (word.empty() || result.ec != std::errc{} || result.ptr != word.data() + word.size() || value > max) {
+    fail(fmt::format("{} must be a whole number from 0 to {}, not {}; correct it", what, max, quote_word(word)));
   }
   return static_cast<std::uint32_t>(value);
 }

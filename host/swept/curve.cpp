@@ -10,21 +10,21 @@ namespace csgsim::swept {
 
 namespace {
 
-constexpr std::uint32_t highest_degree = 3;
+constexpr std::uint32_t max_degree = 3;
 
-std::size_t spans_of(const Curve& curve) {
+std::size_t count_spans(const Curve& curve) {
   return curve.closed ? curve.points.size() : curve.points.size() - curve.degree;
 }
 
-/// Knot number i, which span k begins at with i = k. Those before the first span and behind the last are all at its
-/// end, where the curve is open.
+/// Knot i; span k starts at knot k. For an open curve, knots before the first span or after the last one are clamped to
+/// its end.
 double knot(const Curve& curve, std::ptrdiff_t i) {
-  const auto spans = static_cast<double>(spans_of(curve));
+  const auto spans = static_cast<double>(count_spans(curve));
   const auto place = static_cast<double>(i);
   return curve.closed ? place : std::clamp(place, 0.0, spans);
 }
 
-/// The polar form of span k at these degree arguments (de Boor's recurrence with another argument in each round).
+/// The polar form of span k at these degree arguments (de Boor's recurrence with a different argument in each round).
 glm::dvec3 blossom(const Curve& curve, std::size_t span, const std::array<double, 3>& arguments) {
   const auto k = static_cast<std::ptrdiff_t>(span);
   const auto p = static_cast<std::ptrdiff_t>(curve.degree);
@@ -46,21 +46,21 @@ glm::dvec3 blossom(const Curve& curve, std::size_t span, const std::array<double
 
 std::string fault_of(const Curve& curve) {
   const std::size_t points = curve.points.size();
-  if (curve.degree > highest_degree)
-    return fmt::format("degree {} is above {}; take 0 (constant), 1, 2 or 3", curve.degree, highest_degree);
+  if (curve.degree > max_degree)
+    return fmt::format("degree {} is above {}; use 0 (constant), 1, 2 or 3", curve.degree, max_degree);
   if (curve.degree == 0 && points != 1)
-    return fmt::format("a constant, of degree 0, has one point, not {}; take degree 1", points);
+    return fmt::format("a constant, of degree 0, has one point, not {}; use degree 1", points);
   const std::size_t fewest = curve.closed ? std::max<std::size_t>(3, curve.degree + 1) : curve.degree + 1;
   if (points < fewest)
-    return fmt::format("{} curve of degree {} needs {} points or more, not {}", curve.closed ? "a closed" : "an open",
+    return fmt::format("{} curve of degree {} needs at least {} points, not {}", curve.closed ? "a closed" : "an open",
                        curve.degree, fewest, points);
-  if (points > most_curve_points)
-    return fmt::format("a curve of {} points has more than {}; take points out", points, most_curve_points);
+  if (points > max_curve_points)
+    return fmt::format("a curve of {} points has more than {}; remove points", points, max_curve_points);
   return "";
 }
 
-std::vector<Segment> segments_of(const Curve& curve) {
-  const std::size_t spans = curve.degree == 0 ? 1 : spans_of(curve);
+std::vector<Segment> bernstein_segments(const Curve& curve) {
+  const std::size_t spans = curve.degree == 0 ? 1 : count_spans(curve);
   std::vector<Segment> segments(spans);
   for (std::size_t k = 0; k < spans; ++k) {
     Segment& segment = segments[k];

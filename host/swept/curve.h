@@ -1,3 +1,5 @@
+// B-spline design curves and their Bernstein segments.
+// Used by net.cpp, orientation.h, sweep.h and host/commands.
 #pragma once
 
 #include <array>
@@ -9,8 +11,8 @@
 
 namespace csgsim::swept {
 
-/// A design curve: a B-spline of degree 0 (one constant) to 3, with uniform knots. An open one begins at its first
-/// point and ends at its last one (clamped); a closed one is periodic. Curves in a plane or along a line leave the
+/// A design curve: a B-spline of degree 0 (a constant) to 3 with uniform knots. An open curve is clamped: it starts at
+/// its first point and ends at its last one. A closed curve is periodic. Planar or one-dimensional curves leave the
 /// other coordinates 0.
 struct Curve {
   std::uint32_t degree = 1;
@@ -18,8 +20,8 @@ struct Curve {
   std::vector<glm::dvec3> points;
 };
 
-/// A polynomial piece of a curve in the form of Bernstein: degree + 1 coefficients, of which the first and the last are
-/// its ends.
+/// A polynomial piece of a curve in Bernstein form: degree + 1 coefficients. The first and last coefficients are its
+/// ends.
 struct Segment {
   std::uint32_t degree = 0;
   std::array<glm::dvec3, 4> coefficients{};
@@ -28,22 +30,22 @@ struct Segment {
   [[nodiscard]] const glm::dvec3& last() const { return coefficients[degree]; }
 };
 
-inline constexpr std::size_t most_curve_points = 10'000;
+inline constexpr std::size_t max_curve_points = 10'000;
 
-/// What is wrong with a curve, and what to do; empty if nothing is.
+/// The error in a curve and a fix; empty if the curve is valid.
 std::string fault_of(const Curve& curve);
 
-/// A piece for each span between knots, in order; the end of one is the start of the next in the same numbers, and that
-/// of a closed curve's last its first's. The curve has to be without fault.
-std::vector<Segment> segments_of(const Curve& curve);
+/// One piece per knot span, in order. Adjacent pieces share their end point exactly, and so do the last and first piece
+/// of a closed curve. The curve has to be valid.
+std::vector<Segment> bernstein_segments(const Curve& curve);
 
-/// At t from 0 to 1.
+/// The point at t, from 0 to 1.
 glm::dvec3 at(const Segment& segment, double t);
 
-/// The derivative by t.
+/// The derivative with respect to t.
 glm::dvec3 slope(const Segment& segment, double t);
 
-/// The halves from 0 to 1/2 and from there to 1 (Catmull 1974, de Casteljau). They meet in the same numbers.
+/// The halves [0, 1/2] and [1/2, 1] (Catmull 1974, de Casteljau). They share their end point exactly.
 std::array<Segment, 2> halves(const Segment& segment);
 
 }  // namespace csgsim::swept

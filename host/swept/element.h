@@ -1,3 +1,5 @@
+// Surface elements and quadtree streams.
+// Used throughout host/swept.
 #pragma once
 
 #include <array>
@@ -7,19 +9,19 @@
 
 namespace csgsim::swept {
 
-/// How often a patch may be halved along a side, at most.
-inline constexpr std::uint32_t deepest = 16;
+/// Maximum number of times that a patch may be halved along a side.
+inline constexpr std::uint32_t max_depth = 16;
 
-/// A square of a patch's parameters, in units of 2^-deepest of its side.
+/// A square in a patch's parameter space, in units of 2^-max_depth of the patch's side.
 struct Square {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
-  std::uint32_t size = std::uint32_t{1} << deepest;
+  std::uint32_t size = std::uint32_t{1} << max_depth;
 };
 
 inline constexpr std::uint32_t whole_side = Square{}.size;
 
-/// Corners in the order of the four parts of a square: south-west, south-east, north-west, north-east.
+/// Corners in the order of a square's four parts: south-west, south-east, north-west, north-east.
 enum Corner : std::uint8_t { sw, se, nw, ne };
 
 /// A surface element: a leaf of a patch's quadtree.
@@ -34,7 +36,7 @@ struct Node {
   Element element;
 };
 
-/// The nodes of a patch's quadtree, one after the other: each before its four parts, and these in the order of corners.
+/// The nodes of a patch's quadtree in depth-first order: each node before its four parts, in the order of corners.
 class Stream {
  public:
   Stream() = default;
@@ -42,7 +44,7 @@ class Stream {
   Stream(const Stream&) = delete;
   Stream& operator=(const Stream&) = delete;
 
-  /// Nothing after the last one.
+  /// The next node; nothing after the last one.
   virtual std::optional<Node> next() = 0;
 };
 

@@ -12,17 +12,17 @@ namespace csgsim::swept {
 
 namespace {
 
-/// Sides of an element, each with vertices between its corners in the order of their places.
+/// Sides of an element. Vertices between the corners are in the order of their positions.
 enum Side : std::uint8_t { south, east, north, west };
 
 struct HeldElement {
   Square square;
   std::array<std::uint32_t, 4> corners{};
   std::array<std::vector<std::uint32_t>, 4> sides;
-  std::uint32_t edges = 0;  ///< of the border that are its sides, or parts of these
+  std::uint32_t edges = 0;  ///< number of border edges that are its sides or parts of them
 };
 
-/// Counter-clockwise from the south-west corner.
+/// Visits the vertices counter-clockwise from the south-west corner.
 template <class Visit>
 void for_vertices(const HeldElement& element, const Visit& visit) {
   visit(element.corners[sw]);
@@ -35,15 +35,15 @@ void for_vertices(const HeldElement& element, const Visit& visit) {
   std::for_each(element.sides[west].rbegin(), element.sides[west].rend(), visit);
 }
 
-/// An edge of the border: the side of an element that has come, or a part of it; or a part of the patch's own edge.
+/// An edge of the border: a side of a processed element or a part of it, or a part of the patch's own edge.
 struct Edge {
-  std::uint32_t from = 0;  ///< along the side of the patch
+  std::uint32_t from = 0;  ///< position along the side of the patch
   std::uint32_t to = 0;
-  std::uint32_t start = nothing;  ///< vertex; nothing before an element without a wire frame brings it
+  std::uint32_t start = nothing;  ///< vertex; `nothing` until the first element without a wire frame sets it
   std::uint32_t end = nothing;
-  std::uint32_t element = nothing;  ///< that it is a side of
+  std::uint32_t element = nothing;  ///< element whose side it is
   std::uint32_t next = nothing;
-  const WireVertex* between = nullptr;  ///< in a wire frame: the first vertex behind the start
+  const WireVertex* between = nullptr;  ///< the first vertex after the start; only with a wire frame
 
   [[nodiscard]] std::uint32_t size() const { return to - from; }
 };
@@ -68,7 +68,7 @@ class Filter {
   }
 
  private:
-  /// What a leaf gets of one of the lists. Each vertex between has a hold of an edge that is gone.
+  /// The part of the border along one side of a leaf. Each vertex in `between` carries a hold from a removed edge.
   struct Bordering {
     std::uint32_t start = nothing;
     std::uint32_t end = nothing;
@@ -77,7 +77,7 @@ class Filter {
 
   std::uint32_t first_edges(const WireEdge* wire);
   void traverse(std::uint32_t size, std::uint32_t& u_edge, std::uint32_t& v_edge);
-  void take_in(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_edge);
+  void process(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_edge);
   Bordering border_on(std::uint32_t edge, Side side, const Element& leaf);
   std::vector<std::uint32_t> merge(std::uint32_t edge, std::uint32_t size);
   void split(std::uint32_t edge, Side side, std::uint32_t size, const glm::dvec3& point);
@@ -85,10 +85,10 @@ class Filter {
   std::vector<std::uint32_t> known_between(const Edge& edge);
   std::uint32_t north_east(const Element& leaf);
   void move(std::uint32_t edge, std::uint32_t element, std::uint32_t start, std::uint32_t end);
-  void let_go(std::uint32_t element);
-  void put_out(const HeldElement& element);
+  void release(std::uint32_t element);
+  void emit(const HeldElement& element);
   void finish(std::uint32_t edge, Side side, const WireEdge* wire);
-  void keep_most();
+  void update_peaks();
 
   void hold(std::uint32_t vertex) { vertices_.hold_by_edge(vertex); }
   void drop(std::uint32_t vertex) {
@@ -107,13 +107,13 @@ class Filter {
   std::vector<std::uint32_t> free_edges_;
   std::vector<HeldElement> elements_;
   std::vector<std::uint32_t> free_elements_;
-  std::vector<std::uint32_t> left_;  ///< elements that an edge of the border has just left
+  std::vector<std::uint32_t> left_;  ///< elements whose border edge has just moved away
   std::vector<std::uint32_t> numbers_;
   std::uint64_t held_edges_ = 0;
   std::uint64_t held_elements_ = 0;
   std::uint32_t u_first_ = nothing;
   std::uint32_t v_first_ = nothing;
-  const WireVertex* north_ = nullptr;  ///< of the wire frame, up to where elements have come
+  const WireVertex* north_ = nullptr;  ///< position in the wire frame up to which elements were processed
   const WireVertex* east_ = nullptr;
 };
 
@@ -141,7 +141,7 @@ std::uint32_t Filter::new_element() {
   return element;
 }
 
-/// The list of one edge, or of a wire frame's segments.
+/// Makes the list with one edge, or with the segments of a wire frame's edge.
 std::uint32_t Filter::first_edges(const WireEdge* wire) {
   const std::uint32_t first = new_edge();
   edges_[first].to = whole_side;
@@ -170,13 +170,13 @@ std::uint32_t Filter::first_edges(const WireEdge* wire) {
   return first;
 }
 
-/// Algorithm 3.2. Merging keeps the first of several edges, splitting makes the first part of it, and none of them
-/// begins before the element that does it: so the starts that are kept stay those of the lists.
+/// Algorithm 3.2. A merge keeps the first of several edges, a split keeps the first part, and neither starts before the
+/// current element; so the stored list heads stay valid.
 void Filter::traverse(std::uint32_t size, std::uint32_t& u_edge, std::uint32_t& v_edge) {
   const std::optional<Node> node = stream_.next();
   if (!node) throw std::logic_error("a stream of elements has ended before its patch");
   if (node->is_leaf) {
-    take_in(node->element, u_edge, v_edge);
+    process(node->element, u_edge, v_edge);
     u_edge = edges_[u_edge].next;
     v_edge = edges_[v_edge].next;
     return;
@@ -189,10 +189,10 @@ void Filter::traverse(std::uint32_t size, std::uint32_t& u_edge, std::uint32_t& 
   traverse(size / 2, u_start, v_start);
 }
 
-void Filter::take_in(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_edge) {
+void Filter::process(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_edge) {
   ++counts_.elements;
   const Bordering below = border_on(u_edge, south, leaf);
-  // Without a wire frame both lists begin at a vertex that neither has yet.
+  // Both lists start at the same vertex, which does not exist yet if there is no wire frame.
   if (edges_[v_edge].start == nothing) {
     edges_[v_edge].start = below.start;
     hold(below.start);
@@ -207,7 +207,7 @@ void Filter::take_in(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_
   element.sides[south] = below.between;
   element.sides[west] = beside.between;
   for_vertices(element, [&](std::uint32_t vertex) { vertices_.hold_by_element(vertex); });
-  // All that it keeps is held before what it leaves is dropped.
+  // The element's own holds are taken before those of its old border are released.
   move(u_edge, number, element.corners[nw], element.corners[ne]);
   move(v_edge, number, element.corners[se], element.corners[ne]);
   for (const Bordering* const side : {&below, &beside}) {
@@ -215,12 +215,12 @@ void Filter::take_in(const Element& leaf, std::uint32_t u_edge, std::uint32_t v_
     drop(side->start);
     drop(side->end);
   }
-  for (const std::uint32_t other : left_) let_go(other);
+  for (const std::uint32_t other : left_) release(other);
   left_.clear();
-  keep_most();
+  update_peaks();
 }
 
-/// Algorithm 3.3 but for the move: makes the edge as long as the element's side.
+/// Algorithm 3.3 without the move: makes the edge as long as the element's side.
 Filter::Bordering Filter::border_on(std::uint32_t edge, Side side, const Element& leaf) {
   ++counts_.edges_visited;
   const glm::dvec3& end_point = leaf.corners[side == south ? se : nw];
@@ -245,7 +245,7 @@ Filter::Bordering Filter::border_on(std::uint32_t edge, Side side, const Element
   return found;
 }
 
-/// The vertices of smaller elements go onto the side of the larger one.
+/// Merges edges into one, and places the vertices of the smaller elements on the side of the larger one.
 std::vector<std::uint32_t> Filter::merge(std::uint32_t edge, std::uint32_t size) {
   std::vector<std::uint32_t> between;
   std::vector<std::uint32_t> places;
@@ -254,7 +254,7 @@ std::vector<std::uint32_t> Filter::merge(std::uint32_t edge, std::uint32_t size)
     const Edge gone = edges_[next];
     between.push_back(gone.start);
     places.push_back(gone.from);
-    drop(gone.start);  // of two holds
+    drop(gone.start);  // one of two holds
     left_.push_back(gone.element);
     edges_[edge].to = gone.to;
     edges_[edge].end = gone.end;
@@ -266,7 +266,7 @@ std::vector<std::uint32_t> Filter::merge(std::uint32_t edge, std::uint32_t size)
   }
   const Edge& whole = edges_[edge];
   for (std::size_t i = 0; i < between.size(); ++i)
-    vertices_.put_on_line(between[i], whole.start, whole.end, static_cast<double>(places[i] - whole.from) / size);
+    vertices_.place_on_line(between[i], whole.start, whole.end, static_cast<double>(places[i] - whole.from) / size);
   return between;
 }
 
@@ -287,8 +287,8 @@ void Filter::split(std::uint32_t edge, Side side, std::uint32_t size, const glm:
   edges_[edge].between = nullptr;
 }
 
-/// A vertex where a smaller element ends, held as an edge's: on the line of the larger one's side, or as a wire frame
-/// has it, or where the surface is.
+/// Makes the vertex at which a smaller element ends, with an edge's hold: it lies on the line of the larger element's
+/// side, at the wire frame's vertex, or on the surface.
 std::uint32_t Filter::new_on_edge(const Edge& edge, Side side, std::uint32_t place, const glm::dvec3& point) {
   if (edge.between != nullptr) {
     const std::uint32_t vertex = known(*edge.between);
@@ -302,12 +302,12 @@ std::uint32_t Filter::new_on_edge(const Edge& edge, Side side, std::uint32_t pla
   element.sides[side == south ? north : east].push_back(vertex);
   vertices_.hold_by_element(vertex);
   const std::uint32_t from = side == south ? element.square.x : element.square.y;
-  vertices_.put_on_line(vertex, element.corners[side == south ? nw : se], element.corners[ne],
-                        static_cast<double>(place - from) / element.square.size);
+  vertices_.place_on_line(vertex, element.corners[side == south ? nw : se], element.corners[ne],
+                          static_cast<double>(place - from) / element.square.size);
   return vertex;
 }
 
-/// What the patch on the other side has on a segment of the wire frame.
+/// The vertices inside a segment of the wire frame, made by the patch on its other side.
 std::vector<std::uint32_t> Filter::known_between(const Edge& edge) {
   std::vector<std::uint32_t> between;
   if (edge.between == nullptr) return between;
@@ -327,7 +327,7 @@ std::uint32_t Filter::north_east(const Element& leaf) {
   return known(y == whole_side ? *north_ : *east_);
 }
 
-/// To the other side of the element.
+/// Moves the edge to the opposite side of the element.
 void Filter::move(std::uint32_t edge, std::uint32_t element, std::uint32_t start, std::uint32_t end) {
   hold(start);
   hold(end);
@@ -339,21 +339,21 @@ void Filter::move(std::uint32_t edge, std::uint32_t element, std::uint32_t start
   edges_[edge].between = nullptr;
 }
 
-void Filter::let_go(std::uint32_t element) {
+void Filter::release(std::uint32_t element) {
   if (element == nothing || --elements_[element].edges > 0) return;
-  put_out(elements_[element]);
+  emit(elements_[element]);
   for_vertices(elements_[element], [&](std::uint32_t vertex) { vertices_.drop_by_element(vertex); });
   free_elements_.push_back(element);
   --held_elements_;
 }
 
-void Filter::put_out(const HeldElement& element) {
+void Filter::emit(const HeldElement& element) {
   numbers_.clear();
   for_vertices(element, [&](std::uint32_t vertex) { numbers_.push_back(vertices_.number(vertex)); });
   output_.element(element.square, numbers_);
 }
 
-/// Along the patch's north or east edge.
+/// Completes the elements along the patch's north or east edge.
 void Filter::finish(std::uint32_t edge, Side side, const WireEdge* wire) {
   std::size_t at = 0;
   for (std::uint32_t one = edge; one != nothing; one = edges_[one].next) {
@@ -368,10 +368,10 @@ void Filter::finish(std::uint32_t edge, Side side, const WireEdge* wire) {
     drop(edges_[one].start);
     drop(edges_[one].end);
   }
-  for (std::uint32_t one = edge; one != nothing; one = edges_[one].next) let_go(edges_[one].element);
+  for (std::uint32_t one = edge; one != nothing; one = edges_[one].next) release(edges_[one].element);
 }
 
-void Filter::keep_most() {
+void Filter::update_peaks() {
   counts_.most_elements = std::max(counts_.most_elements, held_elements_);
   counts_.most_vertices = std::max(counts_.most_vertices, vertices_.held());
   counts_.most_edges = std::max(counts_.most_edges, held_edges_);

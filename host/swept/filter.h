@@ -1,3 +1,5 @@
+// The thesis's integrity filter for subdivided patches.
+// Used by mesh.cpp.
 #pragma once
 
 #include "host/swept/element.h"
@@ -6,15 +8,15 @@
 
 namespace csgsim::swept {
 
-/// The integrity filter of the thesis (algorithms 3.2 and 3.3): takes a patch's elements in the order of the stream and
-/// holds those that the border between what has come and what has not runs along, no others. A corner of an element
-/// that is on the side of a larger one is put on the line between that side's corners, at its part of the side.
+/// The integrity filter of the thesis (algorithms 3.2 and 3.3). It reads a patch's elements in stream order and holds
+/// only those on the border between processed and unprocessed elements. A corner of an element that lies on the side of
+/// a larger one is placed on the line between that side's corners, in proportion to its position on the side.
 ///
-/// Where those corners move later, since they are on the side of a still larger element, what is put between them waits
-/// for that, so that it is on the line in the end.
+/// If those corners move later, because they lie on the side of a still larger element, the corners between them wait
+/// for the final positions and so end up on the line.
 ///
-/// With `edges` the patch's edges are as a wire frame has them; without, they are of no other patch.
-/// Adds to the counts of work, and raises those of what is held to its own.
+/// With `edges`, the patch's edges follow a wire frame; without, the patch shares them with no other patch. Adds to the
+/// work counts, and raises the peak counts to its own where these are higher.
 void filter(Stream& stream, const PatchEdges* edges, Output& output, RepairCounts& counts);
 
 }  // namespace csgsim::swept

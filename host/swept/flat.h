@@ -1,3 +1,5 @@
+// Distances and the flatness test of surface elements.
+// Used by net.cpp and sweep.cpp.
 #pragma once
 
 #include <array>
@@ -8,16 +10,16 @@
 
 namespace csgsim::swept {
 
-/// How far a point is off the plane of three; off the line through the two that are farthest apart, if they are on one.
-double off_plane(const glm::dvec3& point, const std::array<glm::dvec3, 3>& plane);
+/// Distance of a point from the plane of three points, or from the line through the farthest two if they are collinear.
+double distance_to_plane(const glm::dvec3& point, const std::array<glm::dvec3, 3>& plane);
 
-/// How far a point is off the line from one to another, between its ends.
-double off_line(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to);
+/// Distance of a point from a line segment.
+double distance_to_segment(const glm::dvec3& point, const glm::dvec3& from, const glm::dvec3& to);
 
-/// What holding a point against a line takes.
+/// Operations of one call of distance_to_segment().
 inline constexpr Arithmetic line_arithmetic{16, 12, 1, 0};
 
-/// The thesis's Flat: the plane is that of the south-west, south-east and north-west corners, assumed.
+/// The thesis's Flat. We assume that its plane is that of the south-west, south-east and north-west corners.
 bool is_flat(const std::array<glm::dvec3, 4>& corners, const glm::dvec3& middle, double tolerance,
              SubdivisionCounts& counts);
 

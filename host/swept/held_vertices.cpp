@@ -33,7 +33,7 @@ std::uint32_t HeldVertices::add_known(std::uint32_t number, const glm::dvec3& po
   return vertex;
 }
 
-void HeldVertices::put_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part) {
+void HeldVertices::place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part) {
   ++counts_.snaps;
   slots_[vertex].is_on_line = true;
   slots_[vertex].part = part;
@@ -57,7 +57,8 @@ void HeldVertices::settle_on_line(std::uint32_t vertex) {
   settle(vertex);
 }
 
-/// As deep as lines whose ends are on lines: each is of a larger element than the one before.
+/// Fixes a position and those that depend on it. The recursion is as deep as lines that end on other lines; each is of
+/// a larger element than the one before.
 void HeldVertices::settle(std::uint32_t vertex) {
   slots_[vertex].is_settled = true;
   output_.vertex(slots_[vertex].number, slots_[vertex].point);

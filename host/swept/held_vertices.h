@@ -1,3 +1,5 @@
+// Vertices held by the integrity filter.
+// Used by filter.cpp.
 #pragma once
 
 #include <array>
@@ -11,22 +13,22 @@ namespace csgsim::swept {
 
 inline constexpr std::uint32_t nothing = 0xffffffffU;
 
-/// The vertices that the filter holds, by handles, which are used again. One is held while an edge of the border or an
-/// element has it, or while it waits for where it is.
+/// The vertices held by the filter, addressed by reusable handles. A vertex is held while a border edge or an element
+/// uses it, or while its final position is unknown.
 class HeldVertices {
  public:
   HeldVertices(Output& output, RepairCounts& counts) : output_(output), counts_(counts) {}
 
-  /// One of this patch, which may yet be put on a line.
+  /// Adds a vertex of this patch, which may still be placed on a line.
   std::uint32_t add(const glm::dvec3& point);
-  /// One of a wire frame, which the output has.
+  /// Adds a vertex of a wire frame, which the output already has.
   std::uint32_t add_known(std::uint32_t number, const glm::dvec3& point);
 
-  /// On the line between two others, at that part of the way.
-  void put_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part);
+  /// Places a vertex on the line between two others, at the fraction `part`.
+  void place_on_line(std::uint32_t vertex, std::uint32_t from, std::uint32_t to, double part);
 
   void hold_by_edge(std::uint32_t vertex) { ++slots_[vertex].edges; }
-  /// Without an edge of the border nothing puts it on a line any more.
+  /// A vertex that no border edge holds is never placed on a line again.
   void drop_by_edge(std::uint32_t vertex);
   void hold_by_element(std::uint32_t vertex) { ++slots_[vertex].elements; }
   void drop_by_element(std::uint32_t vertex);
@@ -35,7 +37,7 @@ class HeldVertices {
   [[nodiscard]] std::uint64_t held() const { return held_; }
 
  private:
-  /// Another one that this one is an end of the line of.
+  /// A vertex whose line ends at this one.
   struct Waiting {
     std::uint32_t vertex;
     std::uint32_t end;  ///< 0 or 1
@@ -47,7 +49,7 @@ class HeldVertices {
     std::uint32_t elements = 0;
     bool is_settled = false;
     bool is_on_line = false;
-    std::uint32_t missing = 0;  ///< ends of its line that are not settled
+    std::uint32_t missing = 0;  ///< number of ends of its line without a final position
     std::array<glm::dvec3, 2> ends{};
     double part = 0;
     std::vector<Waiting> waiting;

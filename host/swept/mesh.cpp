@@ -46,7 +46,7 @@ void repair_patch(Surface& surface, std::size_t column, std::size_t row, const W
   }
 }
 
-std::optional<WireFrame> wire_frame_of(Surface& surface, const Accuracy& accuracy, Patchwork& made, Output& output) {
+std::optional<WireFrame> make_wire_frame(Surface& surface, const Accuracy& accuracy, Patchwork& made, Output& output) {
   const bool is_alone = surface.columns() * surface.rows() == 1 && !surface.wraps_columns() && !surface.wraps_rows();
   if (is_alone) return std::nullopt;
   std::optional<WireFrame> frame(std::in_place, surface, accuracy, made.wiring, output);
@@ -59,7 +59,7 @@ std::optional<WireFrame> wire_frame_of(Surface& surface, const Accuracy& accurac
 Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair, std::optional<WireFrame>& frame) {
   Patchwork made;
   Collector collector(made);
-  frame = wire_frame_of(surface, accuracy, made, collector);
+  frame = make_wire_frame(surface, accuracy, made, collector);
   for (std::size_t row = 0; row < surface.rows(); ++row) {
     for (std::size_t column = 0; column < surface.columns(); ++column)
       repair_patch(surface, column, row, frame ? &*frame : nullptr, accuracy, repair, made, collector);
@@ -69,10 +69,10 @@ Patchwork patchwork_of(Surface& surface, const Accuracy& accuracy, Repair repair
 
 using Face = std::vector<std::uint32_t>;
 
-/// Faces of a swept solid, in which a base or a cap of no size is one vertex.
-class Closing {
+/// Collects the faces of a swept solid; a base or cap of size 0 becomes one vertex.
+class SolidBuilder {
  public:
-  Closing(const Patchwork& patchwork, bool is_clockwise)
+  SolidBuilder(const Patchwork& patchwork, bool is_clockwise)
       : points_(patchwork.points), is_clockwise_(is_clockwise), same_(points_.size()) {
     for (std::uint32_t i = 0; i < same_.size(); ++i) same_[i] = i;
   }
@@ -81,7 +81,7 @@ class Closing {
     for (const std::uint32_t vertex : ring) same_[vertex] = ring.front();
   }
 
-  /// A base or a cap is in a plane, but for rounding, and need not be convex.
+  /// Adds a face. A base or cap is planar to rounding, and need not be convex.
   void add(Face face, bool is_end = false) {
     for (std::uint32_t& vertex : face) vertex = same_[vertex];
     face.erase(std::unique(face.begin(), face.end()), face.end());
@@ -114,7 +114,7 @@ class Closing {
   }
 
  private:
-  /// Newell's normal, of length twice the area.
+  /// Newell's normal, with twice the area as its length.
   [[nodiscard]] glm::dvec3 normal(const Face& face) const {
     glm::dvec3 sum(0);
     const glm::dvec3& origin = points_[face.front()];
@@ -127,7 +127,7 @@ class Closing {
     if (face.size() == 3) return true;
     const glm::dvec3 across = normal(face);
     const double length = glm::length(across);
-    constexpr double nearly = 1e-13;  // below what solids::convex_pieces takes for bent
+    constexpr double nearly = 1e-13;  // below the tolerance that solids::convex_pieces() uses for bent faces
     return std::ranges::all_of(face, [&](std::uint32_t vertex) {
       const glm::dvec3& point = points_[vertex];
       const double reach = glm::length(point) + glm::length(points_[face.front()]);
@@ -135,7 +135,7 @@ class Closing {
     });
   }
 
-  /// Four corners along the shorter diagonal; more around their middle.
+  /// Cuts a quadrilateral along its shorter diagonal, and larger faces into a fan around their centre.
   void cut(const Face& face) {
     if (face.size() == 4) {
       const std::size_t first =
@@ -181,7 +181,7 @@ SweptSolid solid_of(const Sweep& sweep, const Accuracy& accuracy, Repair repair)
   std::optional<WireFrame> frame;
   SweptSolid solid;
   solid.patchwork = patchwork_of(*surface, accuracy, repair, frame);
-  Closing closing(solid.patchwork, turn_of(sweep.contour) < 0);
+  SolidBuilder closing(solid.patchwork, twice_signed_area(sweep.contour) < 0);
   if (!surface->wraps_rows()) {
     const Spine spine(sweep);
     for (const std::size_t joint : {std::size_t{0}, surface->rows()}) {

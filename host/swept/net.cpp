@@ -13,12 +13,12 @@ namespace csgsim::swept {
 
 namespace {
 
-/// Coefficients of a patch in the form of Bernstein: a row along u, rows along v.
+/// Bernstein coefficients of a patch: rows along u, stacked along v.
 using Grid = std::array<Segment, 4>;
 
 Segment cubic(const std::array<glm::dvec3, 4>& coefficients) { return {3, coefficients}; }
 
-/// The piece that four points of a uniform cubic B-spline make.
+/// The piece of a uniform cubic B-spline with these four control points.
 Segment bernstein(const std::array<glm::dvec3, 4>& p) {
   return cubic({(p[0] + 4.0 * p[1] + p[2]) / 6.0, (2.0 * p[1] + p[2]) / 3.0, (p[1] + 2.0 * p[2]) / 3.0,
                 (p[1] + 4.0 * p[2] + p[3]) / 6.0});
@@ -32,7 +32,7 @@ Grid turned(const Grid& grid) {
   return columns;
 }
 
-/// The west and the east half.
+/// The west and east halves.
 std::array<Grid, 2> halves(const Grid& grid) {
   std::array<Grid, 2> parts{grid, grid};
   for (std::size_t i = 0; i < 4; ++i) {
@@ -49,16 +49,17 @@ glm::dvec3 middle(const Grid& grid) {
   return at(cubic(column), 0.5);
 }
 
-/// Whether a cubic is near the line between its ends: it is no farther off than 3/4 of what its inner coefficients are.
+/// Whether a cubic is close to the line between its ends: its distance is at most 3/4 of that of its inner
+/// coefficients.
 bool is_straight(const Segment& side, double tolerance, SubdivisionCounts& counts) {
   counts.tests += 2;
   for (int i = 0; i < 2; ++i) counts.arithmetic += line_arithmetic;
-  return 0.75 * std::max(off_line(side.coefficients[1], side.first(), side.last()),
-                         off_line(side.coefficients[2], side.first(), side.last())) <=
+  return 0.75 * std::max(distance_to_segment(side.coefficients[1], side.first(), side.last()),
+                         distance_to_segment(side.coefficients[2], side.first(), side.last())) <=
          tolerance;
 }
 
-/// Adding and halving the coordinates of the six points that lie between those of a cubic.
+/// Additions and halvings of coordinates to halve one cubic: six intermediate points, three coordinates.
 constexpr std::uint64_t cubic_halves = 2 * 3 * 6;
 
 struct GridShape {
@@ -126,15 +127,15 @@ class NetSurface : public Surface {
 }  // namespace
 
 std::string fault_of(const Net& net) {
-  if (net.rows.size() < 4) return fmt::format("a patch needs 4 rows of points or more, not {}", net.rows.size());
+  if (net.rows.size() < 4) return fmt::format("a patch needs at least 4 rows of points, not {}", net.rows.size());
   for (const std::vector<glm::dvec3>& row : net.rows) {
-    if (row.size() < 4) return fmt::format("a row of a patch needs 4 points or more, not {}", row.size());
+    if (row.size() < 4) return fmt::format("a row of a patch needs at least 4 points, not {}", row.size());
     if (row.size() != net.rows.front().size())
-      return fmt::format("rows of a patch are of {} and of {} points; make them equally long", net.rows.front().size(),
+      return fmt::format("rows of a patch have {} and {} points; make them equally long", net.rows.front().size(),
                          row.size());
   }
-  if ((net.rows.size() - 3) * (net.rows.front().size() - 3) > most_patches)
-    return fmt::format("more than {} patches; take points out", most_patches);
+  if ((net.rows.size() - 3) * (net.rows.front().size() - 3) > max_patches)
+    return fmt::format("more than {} patches; remove points", max_patches);
   return "";
 }
 

@@ -1,3 +1,5 @@
+// Bicubic B-spline surfaces given by a net of control points.
+// Used by host/commands.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,16 +10,16 @@
 
 namespace csgsim::swept {
 
-/// A surface of uniform bicubic B-spline patches: `rows` of 4 points or more, 4 or more of these, all as long. N rows
-/// of M points are (M - 3) x (N - 3) patches.
+/// A surface of uniform bicubic B-spline patches: at least 4 `rows` of at least 4 points, all of the same length. N
+/// rows of M points make (M - 3) x (N - 3) patches.
 struct Net {
   std::vector<std::vector<glm::dvec3>> rows;
 };
 
-/// What is wrong with a net, and what to do; empty if nothing is.
+/// The error in a net and a fix; empty if the net is valid.
 std::string fault_of(const Net& net);
 
-/// Of a net without fault.
+/// The surface of a valid net.
 std::unique_ptr<Surface> surface_of(const Net& net);
 
 }  // namespace csgsim::swept

@@ -14,9 +14,10 @@ namespace csgsim::swept {
 namespace {
 
 constexpr glm::dvec3 y_axis{0, 1, 0};
-/// The length of the y axis' projection below which v is not taken from it: within 5.7 degrees.
-constexpr double least_projection = 0.1;
-constexpr std::size_t samples = 256;  ///< of a segment, in which it is looked for
+/// Minimum length of the y axis's projection that determines v; below it, the tangent is within 5.7 degrees of the
+/// axis.
+constexpr double min_projection = 0.1;
+constexpr std::size_t samples = 256;  ///< samples per segment in the search for gaps
 constexpr double nowhere = -1;
 
 double projection(const glm::dvec3& tangent) { return std::sqrt(std::max(0.0, 1 - tangent.y * tangent.y)); }
@@ -28,7 +29,7 @@ glm::dvec3 turned(const glm::dvec3& vector, const glm::dvec3& axis, double angle
          (1 - std::cos(angle)) * glm::dot(axis, vector) * axis;
 }
 
-/// By the shortest turn that takes one tangent to the other.
+/// Rotates a vector by the smallest rotation from one tangent to the other.
 glm::dvec3 carried(const glm::dvec3& vector, const glm::dvec3& from, const glm::dvec3& to) {
   const glm::dvec3 axis = glm::cross(from, to);
   const double sine = glm::length(axis);
@@ -36,9 +37,8 @@ glm::dvec3 carried(const glm::dvec3& vector, const glm::dvec3& from, const glm::
   return turned(vector, axis / sine, std::atan2(sine, glm::dot(from, to)));
 }
 
-[[noreturn]] void fail_standing(std::size_t segment) {
-  throw InputError(fmt::format(
-      "the trajectory stands still on its segment {}, of which all points are one; take points out", segment + 1));
+[[noreturn]] void fail_stationary(std::size_t segment) {
+  throw InputError(fmt::format("all points of segment {} of the trajectory coincide; remove points", segment + 1));
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ glm::dvec3 Path::leaving(std::size_t segment) const {
     const glm::dvec3 step = one.coefficients[i] - one.first();
     if (const double length = glm::length(step); length > 0) return step / length;
   }
-  fail_standing(segment);
+  fail_stationary(segment);
 }
 
 glm::dvec3 Path::arriving(std::size_t segment) const {
@@ -58,7 +58,7 @@ glm::dvec3 Path::arriving(std::size_t segment) const {
     const glm::dvec3 step = one.last() - one.coefficients[i];
     if (const double length = glm::length(step); length > 0) return step / length;
   }
-  fail_standing(segment);
+  fail_stationary(segment);
 }
 
 glm::dvec3 Path::tangent(double place) const {
@@ -75,8 +75,7 @@ glm::dvec3 Path::tangent(double place) const {
   const glm::dvec3 sum = arriving((segment + count - 1) % count) + leaving(segment % count);
   constexpr double opposite = 0.02;
   if (glm::length(sum) < opposite)
-    throw InputError(
-        fmt::format("the trajectory turns back at the end of its segment {}; move that point aside", segment));
+    throw InputError(fmt::format("the trajectory reverses at the end of its segment {}; move that point", segment));
   return glm::normalize(sum);
 }
 
@@ -86,7 +85,7 @@ Orientation::Orientation(const Path& path) {
   if (path.is_closed) length_ = static_cast<double>(path.segments.size());
   const auto place = [&](std::size_t i) { return static_cast<double>(i) / static_cast<double>(steps); };
   std::vector<bool> is_upright(count);
-  for (std::size_t i = 0; i < count; ++i) is_upright[i] = projection(path.tangent(place(i))) >= least_projection;
+  for (std::size_t i = 0; i < count; ++i) is_upright[i] = projection(path.tangent(place(i))) >= min_projection;
   const auto first_upright = std::ranges::find(is_upright, true);
   const std::size_t start = path.is_closed && first_upright != is_upright.end()
                                 ? static_cast<std::size_t>(first_upright - is_upright.begin())
@@ -104,13 +103,14 @@ Orientation::Orientation(const Path& path) {
   }
 }
 
-/// Between a place where the y axis tells and one where it does not. At corners there is nothing in between.
+/// Bisects for the boundary of a gap between an upright position and one along the y axis. Corners have no positions in
+/// between.
 double Orientation::edge(const Path& path, double upright, double along) {
   if (path.has_corners) return upright;
   constexpr int halvings = 40;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (upright + along);
-    (projection(path.tangent(middle)) >= least_projection ? upright : along) = middle;
+    (projection(path.tangent(middle)) >= min_projection ? upright : along) = middle;
   }
   return upright;
 }
@@ -136,7 +136,7 @@ void Orientation::add_gap(const Path& path, double before, double first, double 
 }
 
 glm::dvec3 Orientation::upward(double place, const glm::dvec3& tangent) const {
-  // In their order; that of a closed path's last may go on behind its end.
+  // Gaps are sorted by start; the last one of a closed path may extend past its end.
   for (const double there : {place, place + length_}) {
     const auto behind = std::ranges::upper_bound(gaps_, there, {}, &Gap::from);
     if (behind == gaps_.begin()) continue;

@@ -1,3 +1,5 @@
+// Interface through which repaired meshes are received, and counts of the repair.
+// Used throughout host/swept.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +10,7 @@
 
 namespace csgsim::swept {
 
-/// Who takes a mesh as it becomes ready. Vertices and elements come in no order.
+/// Receives a mesh while it is generated. Vertices and elements arrive in no particular order.
 class Output {
  public:
   Output() = default;
@@ -16,26 +18,26 @@ class Output {
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
 
-  /// The number of a vertex that is yet to come.
+  /// Allocates the number of a vertex whose position follows later.
   virtual std::uint32_t new_vertex() = 0;
-  /// Where it is; once.
+  /// Sets the position of a vertex; called once.
   virtual void vertex(std::uint32_t number, const glm::dvec3& point) = 0;
-  /// An element: numbers of its vertices from its south-west corner on by south-east, north-east and north-west, with
-  /// all that are on its sides.
+  /// Adds an element: the numbers of its vertices counter-clockwise from its south-west corner, including all vertices
+  /// on its sides.
   virtual void element(const Square& square, std::span<const std::uint32_t> corners) = 0;
 };
 
-/// What repairing a mesh did.
+/// Counts of a mesh repair.
 struct RepairCounts {
   std::uint64_t elements = 0;
-  std::uint64_t vertices = 0;       ///< those of the mesh, each once
-  std::uint64_t most_elements = 0;  ///< held at the same time, after an element has been taken in
-  std::uint64_t most_vertices = 0;  ///< the same
-  std::uint64_t most_edges = 0;     ///< the same; of a tree of nodes, these
-  std::uint64_t edges_visited = 0;  ///< of edge lists; nodes of a tree
-  std::uint64_t splits = 0;         ///< of edges
-  std::uint64_t merges = 0;         ///< edges that went into another
-  std::uint64_t snaps = 0;          ///< vertices that were put on a line
+  std::uint64_t vertices = 0;       ///< distinct vertices of the mesh
+  std::uint64_t most_elements = 0;  ///< peak number held, measured after each element
+  std::uint64_t most_vertices = 0;  ///< peak number held
+  std::uint64_t most_edges = 0;     ///< peak number held; for a quadtree, its nodes
+  std::uint64_t edges_visited = 0;  ///< edges of lists visited; for a quadtree, nodes
+  std::uint64_t splits = 0;         ///< edges split
+  std::uint64_t merges = 0;         ///< edges merged into another
+  std::uint64_t snaps = 0;          ///< vertices placed on a line
 };
 
 }  // namespace csgsim::swept

@@ -19,26 +19,26 @@ enum Direction : std::uint8_t { to_south, to_east, to_north, to_west };
 
 struct TreeNode {
   Element element;
-  std::uint32_t father = no_node;
-  std::uint32_t part = 0;  ///< which of its father's
-  std::array<std::uint32_t, 4> sons{no_node, no_node, no_node, no_node};
+  std::uint32_t parent = no_node;
+  std::uint32_t part = 0;  ///< index among its parent's parts
+  std::array<std::uint32_t, 4> children{no_node, no_node, no_node, no_node};
   std::array<std::uint32_t, 4> corners{no_node, no_node, no_node, no_node};  ///< vertices of a leaf
 
-  [[nodiscard]] bool is_leaf() const { return sons[0] == no_node; }
+  [[nodiscard]] bool is_leaf() const { return children[0] == no_node; }
 };
 
-/// A vertex; on the side of a larger element, between the two corners there.
+/// A vertex; if it lies on the side of a larger element, `from` and `to` are the corners there.
 struct TreeVertex {
   glm::dvec3 point{0};
   std::uint32_t number = 0;
-  bool is_known = false;  ///< of a wire frame
+  bool is_known = false;  ///< vertex of a wire frame
   bool is_placed = false;
   std::uint32_t from = no_node;  ///< vertices; no_node: it is on the surface
   std::uint32_t to = no_node;
   double part = 0;
 };
 
-/// Parts of a square as bits: 1 east, 2 north.
+/// Bits of a part of a square: 1 east, 2 north.
 bool lies_at(std::uint32_t part, Direction side) {
   switch (side) {
     case to_south: return (part & 2U) == 0;
@@ -55,8 +55,8 @@ std::uint32_t mirrored(std::uint32_t part, Direction side) {
 
 Direction opposite(Direction side) { return static_cast<Direction>((side + 2U) % 4U); }
 
-/// The corners that a side begins and ends at, in the order of places.
-std::pair<Corner, Corner> ends_of(Direction side) {
+/// The corners at which a side starts and ends, in the order of positions.
+std::pair<Corner, Corner> side_ends(Direction side) {
   switch (side) {
     case to_south: return {sw, se};
     case to_north: return {nw, ne};
@@ -72,15 +72,15 @@ class Quadtree {
       : frame_(frame), output_(output), counts_(counts) {}
 
   void read(Stream& stream) {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // nodes, and how many sons they have so far
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> open;  // node, number of children read
     while (const std::optional<Node> node = stream.next()) {
       const auto number = static_cast<std::uint32_t>(nodes_.size());
       TreeNode& one = nodes_.emplace_back();
       one.element = node->element;
       if (!open.empty()) {
-        one.father = open.back().first;
+        one.parent = open.back().first;
         one.part = open.back().second++;
-        nodes_[one.father].sons[one.part] = number;
+        nodes_[one.parent].children[one.part] = number;
       }
       if (node->is_leaf) {
         leaves_.push_back(number);
@@ -96,10 +96,10 @@ class Quadtree {
       for (const Corner corner : {sw, se, nw, ne}) find_vertex(leaf, corner);
     }
     for (const std::uint32_t leaf : leaves_) {
-      for (const Direction side : {to_south, to_east, to_north, to_west}) lay_on_side(leaf, side);
+      for (const Direction side : {to_south, to_east, to_north, to_west}) snap_to_side(leaf, side);
     }
     for (std::uint32_t vertex = 0; vertex < vertices_.size(); ++vertex) place(vertex);
-    for (const std::uint32_t leaf : leaves_) put_out(leaf);
+    for (const std::uint32_t leaf : leaves_) emit(leaf);
     counts_.elements += leaves_.size();
     counts_.most_elements = std::max<std::uint64_t>(counts_.most_elements, leaves_.size());
     counts_.most_vertices = std::max<std::uint64_t>(counts_.most_vertices, vertices_.size());
@@ -107,24 +107,25 @@ class Quadtree {
   }
 
  private:
-  /// The neighbour at a side, as large or larger; or a node as large that is divided. no_node at the patch's edge.
+  /// The neighbour at a side, of the same or a larger size, or a divided node of the same size; no_node at the patch's
+  /// edge.
   std::uint32_t neighbour(std::uint32_t node, Direction side) {
     ++counts_.edges_visited;
     const TreeNode& one = nodes_[node];
-    if (one.father == no_node) return no_node;
-    if (!lies_at(one.part, side)) return nodes_[one.father].sons[mirrored(one.part, side)];
-    const std::uint32_t above = neighbour(one.father, side);
+    if (one.parent == no_node) return no_node;
+    if (!lies_at(one.part, side)) return nodes_[one.parent].children[mirrored(one.part, side)];
+    const std::uint32_t above = neighbour(one.parent, side);
     if (above == no_node || nodes_[above].is_leaf()) return above;
     ++counts_.edges_visited;
-    return nodes_[above].sons[mirrored(one.part, side)];
+    return nodes_[above].children[mirrored(one.part, side)];
   }
 
-  /// Calls visit(leaf) for the leaves below a node that are at a side of it, in the order of places.
+  /// Calls visit(leaf) for the leaves below a node that touch one of its sides, in the order of positions.
   void visit_side(std::uint32_t node, Direction side, const std::function<void(std::uint32_t)>& visit) {
     ++counts_.edges_visited;
     if (nodes_[node].is_leaf()) return visit(node);
     for (std::uint32_t part = 0; part < 4; ++part) {
-      if (lies_at(part, side)) visit_side(nodes_[node].sons[part], side, visit);
+      if (lies_at(part, side)) visit_side(nodes_[node].children[part], side, visit);
     }
   }
 
@@ -144,8 +145,7 @@ class Quadtree {
     return place->second;
   }
 
-  /// A leaf takes its corners from neighbours that have them, looking at those of its size or larger, and makes the
-  /// rest.
+  /// Makes the vertex at a leaf's corner, unless a neighbour already assigned it.
   void find_vertex(std::uint32_t leaf, Corner corner) {
     if (nodes_[leaf].corners[corner] != no_node) return;
     const Square& square = nodes_[leaf].element.square;
@@ -160,11 +160,11 @@ class Quadtree {
       vertices_.push_back({nodes_[leaf].element.corners[corner], output_.new_vertex()});
       ++counts_.vertices;
     }
-    give(leaf, corner, vertex);
+    assign(leaf, corner, vertex);
   }
 
-  /// A vertex goes to the leaf, and around it to all that have that corner.
-  void give(std::uint32_t leaf, Corner corner, std::uint32_t vertex) {
+  /// Assigns a vertex to a leaf, and to all leaves around it with the same corner.
+  void assign(std::uint32_t leaf, Corner corner, std::uint32_t vertex) {
     if (nodes_[leaf].corners[corner] != no_node) return;
     nodes_[leaf].corners[corner] = vertex;
     const Direction along_x = corner % 2 == 1 ? to_east : to_west;
@@ -174,17 +174,17 @@ class Quadtree {
       if (beyond == no_node) continue;
       const std::uint32_t end = corner_leaf(beyond, opposite(across), along);
       const Corner same = static_cast<Corner>(mirrored(corner, across));
-      if (is_corner_of(end, leaf, corner, same)) give(end, same, vertex);
+      if (shares_corner(end, leaf, corner, same)) assign(end, same, vertex);
     }
   }
 
-  /// The leaf below a node that is in the corner of two of its sides.
+  /// The leaf below a node in the corner between two of its sides.
   std::uint32_t corner_leaf(std::uint32_t node, Direction one, Direction other) {
     while (!nodes_[node].is_leaf()) {
       ++counts_.edges_visited;
       for (std::uint32_t part = 0; part < 4; ++part) {
         if (lies_at(part, one) && lies_at(part, other)) {
-          node = nodes_[node].sons[part];
+          node = nodes_[node].children[part];
           break;
         }
       }
@@ -192,7 +192,7 @@ class Quadtree {
     return node;
   }
 
-  bool is_corner_of(std::uint32_t other, std::uint32_t leaf, Corner corner, Corner same) const {
+  bool shares_corner(std::uint32_t other, std::uint32_t leaf, Corner corner, Corner same) const {
     const auto at = [&](std::uint32_t node, Corner one) {
       const Square& square = nodes_[node].element.square;
       return std::pair(square.x + (one % 2 == 1 ? square.size : 0), square.y + (one / 2 == 1 ? square.size : 0));
@@ -200,16 +200,16 @@ class Quadtree {
     return at(other, same) == at(leaf, corner);
   }
 
-  /// Corners of smaller neighbours that are on a leaf's side are put on its line.
-  void lay_on_side(std::uint32_t leaf, Direction side) {
+  /// Places the corners of smaller neighbours on the line of a leaf's side.
+  void snap_to_side(std::uint32_t leaf, Direction side) {
     const std::uint32_t beyond = neighbour(leaf, side);
     if (beyond == no_node || nodes_[beyond].is_leaf()) return;
-    const std::pair<Corner, Corner> ends = ends_of(side);
+    const std::pair<Corner, Corner> ends = side_ends(side);
     const Square& square = nodes_[leaf].element.square;
     const bool is_along_x = side == to_south || side == to_north;
     const std::uint32_t begin = is_along_x ? square.x : square.y;
     visit_side(beyond, opposite(side), [&](std::uint32_t small) {
-      const Corner end = ends_of(opposite(side)).second;
+      const Corner end = side_ends(opposite(side)).second;
       const Square& other = nodes_[small].element.square;
       const std::uint32_t place = (is_along_x ? other.x : other.y) + other.size;
       if (place == begin + square.size) return;
@@ -221,7 +221,7 @@ class Quadtree {
     });
   }
 
-  /// As deep as lines whose ends are on lines.
+  /// Computes the position of a vertex. The recursion is as deep as lines that end on other lines.
   void place(std::uint32_t number) {
     TreeVertex& vertex = vertices_[number];
     if (vertex.is_placed) return;
@@ -234,7 +234,7 @@ class Quadtree {
     output_.vertex(vertex.number, vertex.point);
   }
 
-  void put_out(std::uint32_t leaf) {
+  void emit(std::uint32_t leaf) {
     std::vector<std::uint32_t> numbers;
     const auto add = [&](Corner corner, Direction side, bool is_backwards) {
       numbers.push_back(vertices_[nodes_[leaf].corners[corner]].number);
@@ -264,7 +264,7 @@ class Quadtree {
       return numbers;
     }
     if (nodes_[beyond].is_leaf()) return numbers;
-    const Corner end = ends_of(opposite(side)).second;
+    const Corner end = side_ends(opposite(side)).second;
     visit_side(beyond, opposite(side),
                [&](std::uint32_t small) { numbers.push_back(vertices_[nodes_[small].corners[end]].number); });
     numbers.pop_back();
@@ -277,7 +277,7 @@ class Quadtree {
   std::vector<TreeNode> nodes_;
   std::vector<std::uint32_t> leaves_;
   std::vector<TreeVertex> vertices_;
-  std::map<std::uint32_t, std::uint32_t> known_;  ///< vertices by the numbers of a wire frame
+  std::map<std::uint32_t, std::uint32_t> known_;  ///< vertices by their numbers in the wire frame
 };
 
 }  // namespace

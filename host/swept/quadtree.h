@@ -1,3 +1,5 @@
+// Mesh repair with a complete quadtree, as an alternative to the filter.
+// Used by mesh.cpp.
 #pragma once
 
 #include "host/swept/element.h"
@@ -6,9 +8,10 @@
 
 namespace csgsim::swept {
 
-/// The rival of the filter: keeps all nodes of the patch's quadtree, with fathers and sons, and finds the neighbours of
-/// each element in it (Carlson 1982; Samet's way over the nearest common ancestor). What comes out is the same mesh.
-/// `most_elements` is all of them, `most_edges` all nodes, `edges_visited` nodes that are looked at to find neighbours.
+/// The alternative to the filter: keeps the whole quadtree of the patch, with parents and children, and finds the
+/// neighbours of each element in it (Carlson 1982; Samet's method via the nearest common ancestor). Produces the same
+/// mesh. `most_elements` counts all elements, `most_edges` all nodes, `edges_visited` the nodes visited in neighbour
+/// searches.
 void repair_by_quadtree(Stream& stream, const PatchEdges* edges, Output& output, RepairCounts& counts);
 
 }  // namespace csgsim::swept

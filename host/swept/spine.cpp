@@ -15,7 +15,7 @@ namespace csgsim::swept {
 
 namespace {
 
-/// Gauss and Legendre's five places of -1 to 1, and what each counts.
+/// Nodes and weights of the five-point Gauss-Legendre quadrature on [-1, 1].
 struct GaussPoint {
   double place;
   double weight;
@@ -25,8 +25,8 @@ constexpr std::array gauss_points{GaussPoint{-0.9061798459386640, 0.236926885056
                                   GaussPoint{0, 0.5688888888888889}, GaussPoint{0.5384693101056831, 0.4786286704993665},
                                   GaussPoint{0.9061798459386640, 0.2369268850561891}};
 
-/// From the start of a segment to t.
-double length_of(const Segment& segment, double t) {
+/// Length of a segment from its start to t.
+double arc_length(const Segment& segment, double t) {
   if (segment.degree == 1) return t * glm::distance(segment.first(), segment.last());
   constexpr int parts = 16;
   const double half = 0.5 * t / parts;
@@ -38,7 +38,7 @@ double length_of(const Segment& segment, double t) {
   return length;
 }
 
-/// Of a function over 0 to 1.
+/// Value of a function on [0, 1].
 glm::dvec3 value(const std::vector<Segment>& function, double place) {
   const auto count = static_cast<double>(function.size());
   const double scaled = std::clamp(place, 0.0, 1.0) * count;
@@ -46,35 +46,35 @@ glm::dvec3 value(const std::vector<Segment>& function, double place) {
   return at(function[static_cast<std::size_t>(segment)], scaled - segment);
 }
 
-Path path_of(const Curve& trajectory) {
-  Path path{segments_of(trajectory), trajectory.closed, trajectory.degree == 1};
+Path make_path(const Curve& trajectory) {
+  Path path{bernstein_segments(trajectory), trajectory.closed, trajectory.degree == 1};
   if (path.has_corners) return path;
-  // Smooth but where points of the curve are one: sections on both sides of such a corner would be two.
+  // The curve is smooth except where control points coincide; the sections on both sides of such a corner would differ.
   constexpr double corner = 1e-3;
   const std::size_t count = path.segments.size();
   for (std::size_t i = path.is_closed ? 0 : 1; i < count; ++i) {
     const glm::dvec3 in = path.arriving((i + count - 1) % count);
     if (glm::distance(in, path.leaving(i)) > corner)
       throw InputError(fmt::format(
-          "the trajectory has a corner where its segment {} starts; take points apart that are the same, or degree 1",
+          "the trajectory has a corner where its segment {} starts; move coincident points apart, or use degree 1",
           i + 1));
   }
   return path;
 }
 
-/// Across a straight segment, which runs along `along`.
+/// The plane's axes projected along a straight segment onto a plane perpendicular to it.
 Plane flattened(const Plane& plane, const glm::dvec3& along) {
   return {plane.u - glm::dot(plane.u, along) * along, plane.v - glm::dot(plane.v, along) * along};
 }
 
-/// How far a plane reaches along a segment, above a vector across it.
+/// The offset along a segment at which the plane lies over a vector perpendicular to the segment.
 double reach(const glm::dvec3& across, const Plane& plane, const glm::dvec3& along) {
   const glm::dvec3 normal = glm::cross(plane.u, plane.v);
   return -glm::dot(across, normal) / glm::dot(along, normal);
 }
 
-/// A plane of a straight segment between those at its ends: across the segment it is turned evenly, and it leans
-/// evenly.
+/// A plane inside a straight segment: it interpolates the rotation about the segment and the tilt between the planes at
+/// its ends.
 Plane between(const Plane& from, const Plane& to, const glm::dvec3& along, double t) {
   const Plane start = flattened(from, along);
   const Plane end = flattened(to, along);
@@ -91,23 +91,23 @@ void check_closing(const Section& first, const Section& last) {
   constexpr double nearly = 1e-9;
   if (glm::distance(first.u, last.u) > nearly * size || glm::distance(first.v, last.v) > nearly * size)
     throw InputError(
-        "the contour does not come back to itself where the trajectory closes; let the rotation go on by a multiple of "
-        "360 degrees, and the scale end as it begins");
+        "the contour does not match itself where the trajectory closes; change the rotation to a multiple of "
+        "360 degrees in total, and end the scale at its initial value");
 }
 
 }  // namespace
 
 Spine::Spine(const Sweep& sweep)
-    : path_(path_of(sweep.trajectory)),
+    : path_(make_path(sweep.trajectory)),
       orientation_(path_),
-      rotation_(segments_of(sweep.rotation)),
-      scale_(segments_of(sweep.scale)) {
+      rotation_(bernstein_segments(sweep.rotation)),
+      scale_(bernstein_segments(sweep.scale)) {
   measure();
   const std::size_t count = path_.segments.size();
   for (std::size_t i = 0; i <= count; ++i) {
     planes_.push_back(joint_plane(path_.is_closed ? i % count : i));
     const Segment& segment = path_.segments[std::min(i, count - 1)];
-    joints_.push_back(placed(i < count ? segment.first() : segment.last(), planes_.back(), part_of_length(i, 0)));
+    joints_.push_back(placed(i < count ? segment.first() : segment.last(), planes_.back(), length_fraction(i, 0)));
   }
   if (!path_.is_closed) return;
   check_closing(joints_.front(), joints_.back());
@@ -116,19 +116,19 @@ Spine::Spine(const Sweep& sweep)
 
 void Spine::measure() {
   lengths_.assign(1, 0);
-  for (const Segment& segment : path_.segments) lengths_.push_back(lengths_.back() + length_of(segment, 1));
+  for (const Segment& segment : path_.segments) lengths_.push_back(lengths_.back() + arc_length(segment, 1));
 }
 
-double Spine::part_of_length(std::size_t segment, double t) const {
-  const double there = t == 0 ? 0 : length_of(path_.segments[segment], t);
+double Spine::length_fraction(std::size_t segment, double t) const {
+  const double there = t == 0 ? 0 : arc_length(path_.segments[segment], t);
   return (lengths_[segment] + there) / lengths_.back();
 }
 
 bool Spine::is_short(std::size_t segment, double from, double to) const {
   const bool is_even = rotation_.front().degree == 0 && scale_.front().degree == 0;
   if (is_even) return true;
-  const double begin = part_of_length(segment, from);
-  const double length = part_of_length(segment, to) - begin;
+  const double begin = length_fraction(segment, from);
+  const double length = length_fraction(segment, to) - begin;
   const std::size_t pieces = std::max(rotation_.size(), scale_.size());
   if (pieces > 1 && length * static_cast<double>(pieces) > 1) return false;
   constexpr int steps = 8;
@@ -164,7 +164,7 @@ Section Spine::placed(const glm::dvec3& origin, const Plane& plane, double part)
 }
 
 Section Spine::section(std::size_t segment, double t, const glm::dvec3& origin) const {
-  const double part = part_of_length(segment, t);
+  const double part = length_fraction(segment, t);
   if (path_.has_corners)
     return placed(origin, between(planes_[segment], planes_[segment + 1], path_.leaving(segment), t), part);
   const double place = static_cast<double>(segment) + t;

@@ -1,3 +1,5 @@
+// Sections along a trajectory.
+// Used by mesh.cpp and sweep.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,40 +12,40 @@
 
 namespace csgsim::swept {
 
-/// Where the contour is at a place of the trajectory, turned and scaled.
+/// The plane of the contour at a position of the trajectory, rotated and scaled.
 struct Section {
   glm::dvec3 origin{0};
   glm::dvec3 u{0};
   glm::dvec3 v{0};
 
   [[nodiscard]] glm::dvec3 at(const glm::dvec3& contour) const { return origin + contour.x * u + contour.y * v; }
-  /// Of no size: the contour is a point there.
+  /// Whether the contour collapses to a point.
   [[nodiscard]] bool is_point() const { return u == glm::dvec3(0) && v == glm::dvec3(0); }
 };
 
-/// The trajectory and the sections along it. Corners of trajectories of degree 1 are mitred: there the plane halves the
-/// angle, the contour is as much longer as keeps what is swept as thick, and between two corners sections turn and lean
-/// evenly from one to the other.
+/// The trajectory and the sections along it. Corners of trajectories of degree 1 are mitred: the plane bisects the
+/// angle, and the contour is stretched so that the swept thickness is kept. Between two corners, sections rotate and
+/// tilt linearly.
 class Spine {
  public:
-  /// Of a sweep without fault. Throws InputError for a trajectory that has no direction somewhere, or a corner that
-  /// cannot be mitred, and for turns and scales that do not close where the trajectory does.
+  /// Takes a valid sweep. Throws InputError for a trajectory without a direction at some point, for a corner that
+  /// cannot be mitred, and for rotations and scales that do not match where the trajectory closes.
   explicit Spine(const Sweep& sweep);
 
   [[nodiscard]] const std::vector<Segment>& segments() const { return path_.segments; }
   [[nodiscard]] bool is_closed() const { return path_.is_closed; }
 
-  /// Between the ends of a segment, at t, given where the trajectory is there.
+  /// The section inside a segment, at t; `origin` is the trajectory's point there.
   [[nodiscard]] Section section(std::size_t segment, double t, const glm::dvec3& origin) const;
-  /// At the start of a segment, or behind the last one.
+  /// The section at the start of a segment, or after the last one.
   [[nodiscard]] const Section& joint(std::size_t number) const { return joints_[number]; }
 
-  /// Whether a part of a segment is so short that its ends and its middle tell how it is turned and scaled: by a right
-  /// angle at most, and by no more than a piece of each function.
+  /// Whether a part of a segment is so short that its ends and its middle determine its rotation and scale: it turns by
+  /// at most a right angle and spans at most one piece of each function.
   [[nodiscard]] bool is_short(std::size_t segment, double from, double to) const;
 
-  /// The part of the trajectory's length, 0 to 1, up to there.
-  [[nodiscard]] double part_of_length(std::size_t segment, double t) const;
+  /// The fraction of the trajectory's length, from 0 to 1, up to this position.
+  [[nodiscard]] double length_fraction(std::size_t segment, double t) const;
 
  private:
   [[nodiscard]] Plane joint_plane(std::size_t number) const;
@@ -54,8 +56,8 @@ class Spine {
   Orientation orientation_;
   std::vector<Segment> rotation_;
   std::vector<Segment> scale_;
-  std::vector<double> lengths_;  ///< up to each joint
-  std::vector<Plane> planes_;    ///< of the joints
+  std::vector<double> lengths_;  ///< length up to each joint
+  std::vector<Plane> planes_;    ///< plane at each joint
   std::vector<Section> joints_;
 };
 

@@ -1,3 +1,5 @@
+// Adaptive subdivision of any surface (algorithm 3.1).
+// Used by net.cpp and sweep.cpp.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,9 +14,9 @@
 
 namespace csgsim::swept {
 
-/// Algorithm 3.1 on any surface, with the calls that wait on a stack. A `Part` is a square of the surface;
-/// `Shape` has corners(part), is_flat(part, corners, accuracy, counts) and parts(part, counts), its four parts in the
-/// order of corners.
+/// Algorithm 3.1 for any surface, with a stack in place of recursion. A `Part` is a square of the surface. `Shape`
+/// provides corners(part), is_flat(part, corners, accuracy, counts), and parts(part, counts), which returns its four
+/// parts in the order of corners.
 template <class Shape>
 class Subdivision : public Stream {
  public:
@@ -34,7 +36,7 @@ class Subdivision : public Stream {
     node.is_leaf = shape_.is_flat(part, node.element.corners, accuracy_, counts_);
     if (node.is_leaf) {
       if (++counts_.elements > most_elements)
-        throw InputError(fmt::format("a surface is more than {} elements; take a coarser tolerance", most_elements));
+        throw InputError(fmt::format("a surface needs more than {} elements; use a coarser tolerance", most_elements));
     } else {
       halve(part, square);
     }
@@ -43,15 +45,15 @@ class Subdivision : public Stream {
 
  private:
   static constexpr std::string_view subdividing = "subdividing a surface";
-  static constexpr std::uint64_t steps = 100;               ///< of a node; the rest is charged where it is done
-  static constexpr std::uint64_t steps_of_section = 2'000;  ///< its place along the trajectory is an integral
+  static constexpr std::uint64_t steps = 100;               ///< per node; other work is charged where it is done
+  static constexpr std::uint64_t steps_of_section = 2'000;  ///< the position along the trajectory is an integral
 
   void halve(const Part& part, const Square& square) {
-    if (square.size <= whole_side >> std::min(accuracy_.most_levels, deepest))
-      throw InputError(fmt::format(
-          "a surface is not within {} of its elements where it is halved {} times; take a coarser tolerance, or a "
-          "smoother curve",
-          accuracy_.tolerance, std::min(accuracy_.most_levels, deepest)));
+    if (square.size <= whole_side >> std::min(accuracy_.most_levels, max_depth))
+      throw InputError(
+          fmt::format("a surface is not within {} of its elements after {} halvings; use a coarser tolerance, or a "
+                      "smoother curve",
+                      accuracy_.tolerance, std::min(accuracy_.most_levels, max_depth)));
     const std::uint32_t half = square.size / 2;
     const std::uint64_t sections = counts_.sections;
     std::array<Part, 4> parts = shape_.parts(part, counts_);

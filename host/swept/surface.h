@@ -1,3 +1,5 @@
+// Interface of subdivided surfaces: accuracy, counts and patches.
+// Used throughout host/swept.
 #pragma once
 
 #include <cstddef>
@@ -9,22 +11,22 @@
 
 namespace csgsim::swept {
 
-/// What lets an element be.
+/// The criterion for an element that needs no further subdivision.
 enum class Flatness : std::uint8_t {
-  plane,  ///< of the thesis: its fourth corner and its midpoint are near the plane of three corners
-  sides   ///< and its sides, too, are near the lines between its corners
+  plane,  ///< the thesis's test: the fourth corner and the midpoint are close to the plane of three corners
+  sides   ///< the sides are also close to the lines between the corners
 };
 
 struct Accuracy {
   double tolerance = 0.1;  ///< model units
   Flatness flatness = Flatness::sides;
-  std::uint32_t most_levels = 12;  ///< halvings of a patch, `deepest` at most
+  std::uint32_t most_levels = 12;  ///< halvings of a patch, at most `max_depth`
   Work work{};
 };
 
-/// Operations on coordinates, however a processor does them.
+/// Operations on coordinates, independent of the processor.
 struct Arithmetic {
-  std::uint64_t adds = 0;  ///< differences and halves, too
+  std::uint64_t adds = 0;  ///< including differences and halvings
   std::uint64_t products = 0;
   std::uint64_t quotients = 0;
   std::uint64_t roots = 0;
@@ -38,21 +40,21 @@ struct Arithmetic {
   }
 };
 
-/// What subdividing did.
+/// Counts of a subdivision.
 struct SubdivisionCounts {
-  std::uint64_t nodes = 0;     ///< of the quadtrees, leaves among them
+  std::uint64_t nodes = 0;     ///< nodes of the quadtrees, including leaves
   std::uint64_t elements = 0;  ///< leaves
-  std::uint64_t points = 0;    ///< of the surface that were worked out
-  std::uint64_t tests = 0;     ///< distances from a plane or a line
-  std::uint64_t halvings = 0;  ///< of curves; of a patch, of its coefficients along u or v
-  std::uint64_t sections = 0;  ///< places of a contour along its trajectory
-  Arithmetic arithmetic;       ///< of all of that
+  std::uint64_t points = 0;    ///< evaluated points of the surface
+  std::uint64_t tests = 0;     ///< distances computed from a plane or a line
+  std::uint64_t halvings = 0;  ///< halvings of curves; of a patch, halvings of its coefficients along u or v
+  std::uint64_t sections = 0;  ///< positions of the contour along the trajectory
+  Arithmetic arithmetic;       ///< total of the above
 };
 
-inline constexpr std::size_t most_patches = 100'000;       ///< of a surface
-inline constexpr std::uint64_t most_elements = 2'000'000;  ///< of a surface
+inline constexpr std::size_t max_patches = 100'000;        ///< per surface
+inline constexpr std::uint64_t most_elements = 2'000'000;  ///< per surface
 
-/// Patches in columns (u) and rows (v), each next to the one before.
+/// Patches in columns (u) and rows (v), each adjacent to the previous one.
 class Surface {
  public:
   Surface() = default;
@@ -62,12 +64,12 @@ class Surface {
 
   [[nodiscard]] virtual std::size_t columns() const = 0;
   [[nodiscard]] virtual std::size_t rows() const = 0;
-  [[nodiscard]] virtual bool wraps_columns() const { return false; }  ///< behind the last column is the first
+  [[nodiscard]] virtual bool wraps_columns() const { return false; }  ///< the first column follows the last one
   [[nodiscard]] virtual bool wraps_rows() const { return false; }
 
   /// The quadtree of a patch (algorithm 3.1). The surface and the counts have to outlive it. Its next() throws
-  /// InputError where the levels do not suffice for the tolerance and where the counts have more than `most_elements`,
-  /// and WorkError past the limit on work.
+  /// InputError if the levels do not suffice for the tolerance or the count exceeds `most_elements`, and WorkError past
+  /// the limit on work.
   virtual std::unique_ptr<Stream> subdivide(std::size_t column, std::size_t row, const Accuracy& accuracy,
                                             SubdivisionCounts& counts) = 0;
 };

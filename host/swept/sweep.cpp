@@ -15,18 +15,18 @@ namespace csgsim::swept {
 
 namespace {
 
-/// A node of the segment tree of a contour: a part of a segment. Halves are made when they are asked for.
+/// A node of the segment tree of a contour: a part of a segment. Its halves are made on demand.
 struct ContourNode {
   Segment segment;
   glm::dvec3 middle{0};
-  ContourNode* halves = nullptr;  ///< two
+  ContourNode* halves = nullptr;  ///< two nodes
 };
 
-/// The same of a trajectory.
+/// A node of the segment tree of a trajectory.
 struct TrajectoryNode {
   Segment segment;
-  std::size_t number = 0;  ///< of the whole segment
-  double from = 0;         ///< on it
+  std::size_t number = 0;  ///< index of the whole segment
+  double from = 0;         ///< parameter range on the whole segment
   double to = 1;
   Section start;
   Section middle;
@@ -35,18 +35,18 @@ struct TrajectoryNode {
   TrajectoryNode* halves = nullptr;
 };
 
-/// How far the inner coefficients of a Bernstein form may be off the line between its ends, for the curve to be within
+/// Maximum distance of the inner Bernstein coefficients from the line between the ends for which the curve stays within
 /// 1 of it.
 double slack(std::uint32_t degree) { return degree == 2 ? 2 : 4.0 / 3; }
 
-/// Adding and halving the coordinates of the points that lie between those of a segment, of so many coordinates.
+/// Additions and halvings to halve one segment whose points have that number of coordinates.
 std::uint64_t halves_arithmetic(const Segment& segment, std::uint64_t coordinates) {
   return 2 * coordinates * segment.degree * (segment.degree + 1) / 2;
 }
 
-/// A contour's point in a section: two products a coordinate.
+/// Arithmetic of one contour point in a section: two products per coordinate.
 constexpr Arithmetic point_arithmetic{6, 6, 0, 0};
-/// A section of a tangent: v and u of length 1, turned and scaled; what of the length is behind it is looked up.
+/// Arithmetic of one section, given its tangent: v and u of length 1, rotated and scaled; the length is looked up.
 constexpr Arithmetic section_arithmetic{40, 60, 6, 2};
 
 class SweptShape {
@@ -57,7 +57,7 @@ class SweptShape {
   };
 
   explicit SweptShape(const Sweep& sweep) : spine_(sweep) {
-    for (const Segment& segment : segments_of(sweep.contour)) contours_.push_back({segment, at(segment, 0.5)});
+    for (const Segment& segment : bernstein_segments(sweep.contour)) contours_.push_back({segment, at(segment, 0.5)});
     for (std::size_t i = 0; i < spine_.segments().size(); ++i) {
       TrajectoryNode& node = trajectories_.emplace_back();
       node.segment = spine_.segments()[i];
@@ -102,7 +102,7 @@ class SweptShape {
   }
 
  private:
-  /// Along the contour by its coefficients, as they are in both sections; along the trajectory by the midpoint.
+  /// Tests the contour's coefficients in both end sections, and the midpoint along the trajectory.
   static bool has_straight_sides(const Part& part, const std::array<glm::dvec3, 4>& corners, double tolerance,
                                  SubdivisionCounts& counts) {
     const Segment& contour = part.contour->segment;
@@ -111,8 +111,9 @@ class SweptShape {
       const glm::dvec3& inner = contour.coefficients[i];
       counts.tests += 2;
       for (int k = 0; k < 2; ++k) counts.arithmetic += line_arithmetic;
-      if (off_line(trajectory.start.at(inner), corners[sw], corners[se]) > slack(contour.degree) * tolerance ||
-          off_line(trajectory.end.at(inner), corners[nw], corners[ne]) > slack(contour.degree) * tolerance)
+      if (distance_to_segment(trajectory.start.at(inner), corners[sw], corners[se]) >
+              slack(contour.degree) * tolerance ||
+          distance_to_segment(trajectory.end.at(inner), corners[nw], corners[ne]) > slack(contour.degree) * tolerance)
         return false;
     }
     counts.tests += 2;
@@ -121,14 +122,15 @@ class SweptShape {
       counts.arithmetic += line_arithmetic;
       counts.arithmetic += point_arithmetic;
     }
-    if (off_line(trajectory.middle.at(contour.first()), corners[sw], corners[nw]) > tolerance ||
-        off_line(trajectory.middle.at(contour.last()), corners[se], corners[ne]) > tolerance)
+    if (distance_to_segment(trajectory.middle.at(contour.first()), corners[sw], corners[nw]) > tolerance ||
+        distance_to_segment(trajectory.middle.at(contour.last()), corners[se], corners[ne]) > tolerance)
       return false;
     const Segment& spine = trajectory.segment;
     for (std::uint32_t i = 1; i < spine.degree; ++i) {
       ++counts.tests;
       counts.arithmetic += line_arithmetic;
-      if (off_line(spine.coefficients[i], spine.first(), spine.last()) > slack(spine.degree) * tolerance) return false;
+      if (distance_to_segment(spine.coefficients[i], spine.first(), spine.last()) > slack(spine.degree) * tolerance)
+        return false;
     }
     return true;
   }
@@ -188,13 +190,13 @@ class SweptSurface : public Surface {
   SweptShape shape_;
 };
 
-std::string named(const char* name, const std::string& fault) {
+std::string with_name(const char* name, const std::string& fault) {
   return fault.empty() ? fault : std::string("the ") + name + ": " + fault;
 }
 
 }  // namespace
 
-double turn_of(const Curve& contour) {
+double twice_signed_area(const Curve& contour) {
   double twice = 0;
   for (std::size_t i = 0; i < contour.points.size(); ++i) {
     const glm::dvec3& from = contour.points[i];
@@ -207,17 +209,17 @@ double turn_of(const Curve& contour) {
 std::string fault_of(const Sweep& sweep) {
   for (const auto& [name, curve] : {std::pair("contour", &sweep.contour), std::pair("trajectory", &sweep.trajectory),
                                     std::pair("rotation", &sweep.rotation), std::pair("scale", &sweep.scale)}) {
-    if (const std::string fault = fault_of(*curve); !fault.empty()) return named(name, fault);
+    if (const std::string fault = fault_of(*curve); !fault.empty()) return with_name(name, fault);
   }
   if (!sweep.contour.closed) return "the contour is open; write `closed` in its curve";
-  if (sweep.trajectory.degree == 0) return "the trajectory is a point; take degree 1, 2 or 3";
-  if (sweep.rotation.closed || sweep.scale.closed) return "rotation and scale go from an end to the other; take `open`";
-  if (turn_of(sweep.contour) == 0) return "the contour goes around nothing; move its points apart";
-  if (sweep.contour.points.size() * sweep.trajectory.points.size() > most_patches)
-    return fmt::format("contour and trajectory are more than {} patches; take points out", most_patches);
+  if (sweep.trajectory.degree == 0) return "the trajectory is a point; use degree 1, 2 or 3";
+  if (sweep.rotation.closed || sweep.scale.closed) return "rotation and scale cannot be closed; use `open`";
+  if (twice_signed_area(sweep.contour) == 0) return "the contour encloses no area; move its points apart";
+  if (sweep.contour.points.size() * sweep.trajectory.points.size() > max_patches)
+    return fmt::format("contour and trajectory make more than {} patches; remove points", max_patches);
   const auto is_below = [](const glm::dvec3& point) { return point.x < 0 || point.y < 0; };
   if (std::ranges::any_of(sweep.scale.points, is_below))
-    return "a scale is below 0, where the solid would be inside out; take 0 or more";
+    return "a scale is below 0, which would turn the solid inside out; use 0 or more";
   return "";
 }
 

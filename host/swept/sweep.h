@@ -1,3 +1,5 @@
+// Swept solids defined by four design curves.
+// Used by mesh.h, spine.h and host/commands.
 #pragma once
 
 #include <memory>
@@ -8,23 +10,23 @@
 
 namespace csgsim::swept {
 
-/// A solid by the four design curves of the thesis (3.2): a contour, in u (x) and v (y), is moved along a trajectory,
-/// orthogonal to its tangent, and scaled and turned within its plane.
+/// A solid defined by the four design curves of the thesis (3.2): a contour in u (x) and v (y) moves along a
+/// trajectory, perpendicular to its tangent, and is scaled and rotated in its plane.
 struct Sweep {
-  Curve contour;                          ///< closed, of degree 1 to 3
-  Curve trajectory;                       ///< of degree 1 to 3
-  Curve rotation{0, false, {{0, 0, 0}}};  ///< x: degrees, from u to v; over the part of the trajectory's length
-  Curve scale{0, false, {{1, 1, 0}}};     ///< x: along u, y: along v; not below 0; over the same
+  Curve contour;                          ///< closed; degree 1 to 3
+  Curve trajectory;                       ///< degree 1 to 3
+  Curve rotation{0, false, {{0, 0, 0}}};  ///< x: degrees from u to v, over the fraction of the trajectory's length
+  Curve scale{0, false, {{1, 1, 0}}};     ///< x: along u, y: along v, at least 0; over the same fraction
 };
 
-/// What is wrong with a sweep, and what to do; empty if nothing is that is known before its surface is.
+/// The first error in a sweep that is detectable before its surface is built, and a fix; empty if there is none.
 std::string fault_of(const Sweep& sweep);
 
-/// Twice the area that the control points of a contour go around: above 0 counter-clockwise.
-double turn_of(const Curve& contour);
+/// Twice the signed area of a contour's control polygon; positive if counter-clockwise.
+double twice_signed_area(const Curve& contour);
 
-/// The swept surface: a column for each segment of the contour, a row for each of the trajectory. Throws InputError as
-/// Spine does.
+/// The swept surface: one column per segment of the contour, one row per segment of the trajectory. Throws InputError
+/// as Spine does.
 std::unique_ptr<Surface> surface_of(const Sweep& sweep);
 
 }  // namespace csgsim::swept

@@ -23,7 +23,7 @@ WireFrame::WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCoun
       v_joints_(columns_ + (surface.wraps_columns() ? 0 : 1)),
       along_u_(columns_ * u_joints_),
       along_v_(v_joints_ * rows_) {
-  // What the patches on both sides of each edge have there: of one along u, the one above and the one below.
+  // Marks of the patches on both sides of each edge; for an edge along u, those of the patch above and the one below.
   std::vector<std::array<Marks, 2>> u_marks(along_u_.size());
   std::vector<std::array<Marks, 2>> v_marks(along_v_.size());
   for (std::size_t row = 0; row < rows_; ++row) {
@@ -63,7 +63,7 @@ WireFrame::WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCoun
   }
 }
 
-/// Marks come in the order of their places, since a patch's elements along a side do.
+/// Merges the marks of both sides. Each list is sorted, since a patch's elements along a side arrive in order.
 void WireFrame::join(WireEdge& edge, const Marks& one, const Marks& other) {
   std::size_t i = 0;
   std::size_t k = 0;
@@ -88,7 +88,7 @@ void WireFrame::join(WireEdge& edge, const Marks& one, const Marks& other) {
   }
 }
 
-/// A corner is the end of up to four edges.
+/// Numbers the corners; each is the end of up to four edges.
 void WireFrame::number_corners(Output& output) {
   const auto set = [](WireVertex& end, std::uint32_t number, const glm::dvec3& point) {
     end.number = number;

@@ -1,3 +1,5 @@
+// Wire frame of the edges between patches.
+// Used by filter.h, mesh.h and quadtree.h.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +14,13 @@ namespace csgsim::swept {
 
 /// A vertex of a patch's edge.
 struct WireVertex {
-  std::uint32_t place = 0;   ///< 0 to whole_side, along the edge
-  std::uint32_t number = 0;  ///< in the mesh
+  std::uint32_t place = 0;   ///< position along the edge, from 0 to whole_side
+  std::uint32_t number = 0;  ///< vertex number in the mesh
   glm::dvec3 point{0};
-  bool is_end = true;  ///< of a segment; else on one, where elements of one of the patches are smaller
+  bool is_end = true;  ///< end of a segment; otherwise inside one, where one patch has smaller elements
 };
 
-/// In the order of their places, with both ends.
+/// Vertices in the order of their positions, including both ends.
 using WireEdge = std::vector<WireVertex>;
 
 /// The four edges of a patch.
@@ -29,11 +31,11 @@ struct PatchEdges {
   const WireEdge* east;
 };
 
-/// The edges of all patches, each of segments as large as the larger of the two elements that meet there. What smaller
-/// elements have on a segment is put on its line.
+/// The edges of all patches. Each segment is as long as the larger of the two elements that meet there; vertices of
+/// smaller elements inside it are placed on its line.
 class WireFrame {
  public:
-  /// Subdivides each patch once. Gives `output` its vertices.
+  /// Subdivides each patch once, and adds the vertices to `output`.
   WireFrame(Surface& surface, const Accuracy& accuracy, SubdivisionCounts& counts, Output& output);
 
   [[nodiscard]] PatchEdges edges(std::size_t column, std::size_t row) const;
@@ -59,8 +61,8 @@ class WireFrame {
 
   std::size_t columns_;
   std::size_t rows_;
-  std::size_t u_joints_;  ///< edges beside each other, from south to north
-  std::size_t v_joints_;  ///< from west to east
+  std::size_t u_joints_;  ///< number of parallel edges, from south to north
+  std::size_t v_joints_;  ///< same, from west to east
   std::vector<WireEdge> along_u_;
   std::vector<WireEdge> along_v_;
   std::uint64_t vertices_ = 0;

@@ -195,7 +195,7 @@ TEST_CASE("an import that is missing is warned of at its place, and the rest is 
     CHECK(contains(outcome.out, ", 6 half-spaces"));
     CHECK(one_line(outcome.err));
     CHECK(outcome.err.starts_with("m.csg:2:1: warning: "));
-    CHECK(contains(outcome.err, "is not there"));
+    CHECK(contains(outcome.err, "does not exist"));
   }
 }
 
@@ -243,7 +243,7 @@ TEST_CASE("imports are looked for in the model's folder, then in the folder that
   const auto [there, told] = compiled({"models/m.csg", "--imports-from", "parts"});
   CHECK(told.empty());
   const auto [missing, warned] = compiled({"models/m.csg"});
-  CHECK(contains(warned, "below/plate.svg is not there"));
+  CHECK(contains(warned, "below/plate.svg does not exist"));
   CHECK(missing.size() < there.size());
   // One in the model's own folder goes before.
   fs::create_directory(folder / "models/below");

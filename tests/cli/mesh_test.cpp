@@ -39,8 +39,8 @@ TEST_CASE("a surface that a tolerance is too fine for is a row that says so, and
   const Folder folder;
   const std::string words = "mesh " + commands("jug") + " --repairs filter --flatness sides ";
   const Outcome both = succeeded(run(words + "--tolerances 1,1e-12 -o " + (folder / "m")));
-  CHECK(both.out.find("take a coarser tolerance") != std::string::npos);
-  fails(run(words + "--tolerances 1e-12"), 1, {"take a coarser tolerance"});
+  CHECK(both.out.find("use a coarser tolerance") != std::string::npos);
+  fails(run(words + "--tolerances 1e-12"), 1, {"use a coarser tolerance"});
 }
 
 TEST_CASE("mesh refuses what it does not know, and files without a surface") {

@@ -63,7 +63,7 @@ TEST_CASE("a number without a name is told to be a file of rotate_extrude() as O
   write(folder / "m.csg", "cube(1);\nrotate_extrude(file = \"180\", angle = 360) { square(1); }\n");
   const std::string told =
       run("render " + (folder / "m.csg") + " --size 16x16 --view-all -o " + (folder / "p.png")).err;
-  CHECK(told.find("m.csg:2:1: warning: rotate_extrude() draws a file named 180; a turn is an angle with its name: "
+  CHECK(told.find("m.csg:2:1: warning: rotate_extrude() reads a file named 180; to rotate by an angle, name it: "
                   "rotate_extrude(angle = 180)") != std::string::npos);
 }
 

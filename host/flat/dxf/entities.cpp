@@ -18,23 +18,23 @@ namespace {
 constexpr double full_turn = 360;
 constexpr double full_turn_in_radians = 2 * std::numbers::pi;
 
-/// Arcs go around this many times at most.
-constexpr double most_turns = 2;
+/// Maximum number of turns of an arc.
+constexpr double max_turns = 2;
 
-/// Angles farther from 0 are no angles.
-constexpr double most_degrees = 1e6;
+/// Maximum magnitude of an angle.
+constexpr double max_degrees = 1e6;
 
-/// From one angle on to the other, which is a number of turns later where it is less.
+/// Angle from `start` to `stop`, plus whole turns if `stop` is less than `start`.
 double sweep(double start, double stop, double turn) {
-  const double most = most_degrees * turn / full_turn;
+  const double most = max_degrees * turn / full_turn;
   const double angle = stop < start ? stop - start + turn * std::ceil((start - stop) / turn) : stop - start;
-  if (!(std::abs(start) <= most) || !(angle <= most_turns * turn)) {
-    throw InputError("an arc goes around more than twice, or begins at more than a million degrees");
+  if (!(std::abs(start) <= most) || !(angle <= max_turns * turn)) {
+    throw InputError("an arc exceeds two turns, or starts beyond a million degrees");
   }
   return angle;
 }
 
-/// The part of a circle's fragments that an arc takes.
+/// The number of a circle's fragments that an arc covers.
 std::uint32_t steps(double radius, double sweep, double turn, const model::FacetControl& facets) {
   return static_cast<std::uint32_t>(std::ceil(model::fragments(radius, facets) * sweep / turn));
 }
@@ -50,7 +50,7 @@ void draw_polyline(const Entity& entity, const model::FacetControl& /*facets*/, 
   if (closed && count > 0) draw_segment({point(entity, count - 1), point(entity, 0)});
 }
 
-/// The part of a circle from an angle on, in that many steps.
+/// Draws a part of a circle that starts at an angle, in `count` steps.
 void draw_part(const Entity& entity, double from, double degrees, std::uint32_t count, const Draw& draw_segment) {
   const glm::dvec2 centre = point(entity, 0);
   const auto corner = [&](std::uint32_t i) {
@@ -69,7 +69,7 @@ void draw_arc(const Entity& entity, const model::FacetControl& facets, const Dra
   draw_part(entity, entity.start, degrees, steps(entity.size, degrees, full_turn, facets), draw_segment);
 }
 
-/// OpenSCAD takes the end of the longer axis for a point, which is moved and scaled as such, and scales the ratio.
+/// OpenSCAD treats the end of the major axis as a point, so it moves and scales it as such, and scales the ratio too.
 void draw_ellipse(const Entity& entity, const model::FacetControl& facets, const Draw& draw_segment) {
   const glm::dvec2 centre = point(entity, 0);
   const glm::dvec2 major = point(entity, 1);
@@ -98,7 +98,7 @@ const std::map<std::string, Function>& functions() {
 
 glm::dvec2 point(const Entity& entity, std::size_t index) {
   if (index >= entity.xs.size() || index >= entity.ys.size()) {
-    throw InputError("a " + entity.type + " lacks a point: groups 10, 20 or 11, 21");
+    throw InputError("a " + entity.type + " lacks a point (groups 10, 20 or 11, 21)");
   }
   return {entity.xs[index], entity.ys[index]};
 }

@@ -16,7 +16,7 @@ constexpr double step = 1.0 / 1024;
 
 using Segment = std::array<std::uint32_t, 2>;
 
-/// Takes segments away, one after another.
+/// Traces chains of segments, and uses each segment once.
 class Tracer {
  public:
   Tracer(const std::vector<Segment>& segments, std::size_t vertices)
@@ -27,7 +27,7 @@ class Tracer {
         ++left_[vertex];
       }
     }
-    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) note_if_loose(vertex);
+    for (std::uint32_t vertex = 0; vertex < vertices; ++vertex) mark_if_loose(vertex);
   }
 
   /// The vertices of all open chains.
@@ -40,7 +40,7 @@ class Tracer {
     return chains;
   }
 
-  /// The chains of what is left. Each ends where it began if no more than two segments meet anywhere.
+  /// The chains of the remaining segments. Each is closed if no more than two segments meet at any vertex.
   std::vector<std::vector<std::uint32_t>> closed() {
     std::vector<std::vector<std::uint32_t>> chains;
     for (std::uint32_t segment = 0; segment < segments_.size(); ++segment) {
@@ -68,12 +68,12 @@ class Tracer {
     loose_.erase(segment);
     for (const std::uint32_t vertex : segments_[segment]) {
       --left_[vertex];
-      note_if_loose(vertex);
+      mark_if_loose(vertex);
     }
   }
 
-  /// A segment that is alone at one of its ends begins an open chain.
-  void note_if_loose(std::uint32_t vertex) {
+  /// A segment whose vertex has no other unused segment starts an open chain.
+  void mark_if_loose(std::uint32_t vertex) {
     if (left_[vertex] == 1) loose_.insert(first_unused(vertex));
   }
 
@@ -84,15 +84,15 @@ class Tracer {
 
   const std::vector<Segment>& segments_;
   std::vector<bool> used_;
-  std::vector<std::vector<std::uint32_t>> at_;  ///< of each vertex: its segments
-  std::vector<std::size_t> first_;              ///< of them: all before it are used
-  std::vector<std::uint32_t> left_;             ///< of them: how many are not used
+  std::vector<std::vector<std::uint32_t>> at_;  ///< segments of each vertex
+  std::vector<std::size_t> first_;              ///< index into at_; all segments before it are used
+  std::vector<std::uint32_t> left_;             ///< number of unused segments of each vertex
   std::set<std::uint32_t> loose_;
 };
 
 std::int64_t steps(double coordinate) {
   if (!(std::abs(coordinate) <= largest_coordinate)) {
-    throw InputError("a coordinate of the drawing is beyond 1e12; scale the drawing down");
+    throw InputError("a coordinate of the drawing exceeds 1e12; scale the drawing down");
   }
   return std::llround(coordinate / step);
 }
@@ -102,7 +102,7 @@ std::int64_t steps(double coordinate) {
 std::uint32_t Segments::vertex(const glm::dvec2& point) {
   const std::int64_t x = steps(point.x);
   const std::int64_t y = steps(point.y);
-  // Nearest first: the place itself, beside it, then across.
+  // Nearest cells first: the cell itself, its edge neighbours, then its diagonal neighbours.
   constexpr std::array<std::array<int, 2>, 9> around{
       {{0, 0}, {-1, 0}, {0, -1}, {0, 1}, {1, 0}, {-1, -1}, {-1, 1}, {1, -1}, {1, 1}}};
   for (const auto& [right, up] : around) {
@@ -127,8 +127,8 @@ void Segments::add(const glm::dvec2& from, const glm::dvec2& to) {
 
 glm::dvec2 Segments::snap(const glm::dvec2& point) { return vertices_[vertex(point)]; }
 
-/// Whether OpenSCAD would turn a chain round, as it does with those that come back in a drawing without open ones: by
-/// the sides at the first corner of the least x, its angles being those from the y axis.
+/// Whether OpenSCAD would reverse a chain, as it does with closed chains in a drawing without open ones. The sides at
+/// the first corner with minimum x decide; OpenSCAD measures their angles from the y axis.
 bool Segments::is_turned(const std::vector<std::uint32_t>& chain) const {
   const auto at = [&](std::size_t i) { return vertices_[chain[i]]; };
   const std::size_t last = chain.size() - 1;
@@ -146,7 +146,7 @@ std::vector<Outline> Segments::outlines() const {
   std::vector<std::vector<std::uint32_t>> chains = tracer.open();
   const bool turns = chains.empty();
   for (std::vector<std::uint32_t>& chain : tracer.closed()) {
-    // The end that is left out is the same vertex as the other, but where several segments meet.
+    // Both ends are the same vertex, unless several segments meet there, so one of them is dropped.
     chain.erase(turns && is_turned(chain) ? chain.end() - 1 : chain.begin());
     chains.push_back(std::move(chain));
   }

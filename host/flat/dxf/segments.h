@@ -1,3 +1,5 @@
+// Segments on OpenSCAD's grid, and the outlines that they form.
+// Used by dxf.cpp.
 #pragma once
 
 #include <array>
@@ -11,18 +13,16 @@
 
 namespace csgsim::flat::dxf {
 
-/// Segments whose ends are at points of a grid of 1/1024, as OpenSCAD's are: ends that are a step or less apart in both
-/// directions are the same.
+/// Segments with ends on a grid of 1/1024, as in OpenSCAD: ends at most one step apart in both directions coincide.
 class Segments {
  public:
-  /// Throws InputError for too many segments and for coordinates that are too large.
+  /// Throws InputError for too many segments or coordinates that are too large.
   void add(const glm::dvec2& from, const glm::dvec2& to);
 
-  /// The point of the grid that an end there is at; ends near it are at the same one from now on.
+  /// The grid point of a segment end; later ends near it snap to the same point.
   glm::dvec2 snap(const glm::dvec2& point);
 
-  /// The outlines that they make up, each segment once: first those that begin where no other segment ends, then those
-  /// that come back.
+  /// The outlines that the segments form, each segment used once: first the open chains, then the closed ones.
   [[nodiscard]] std::vector<Outline> outlines() const;
 
  private:
@@ -34,7 +34,7 @@ class Segments {
   std::vector<std::array<std::uint32_t, 2>> segments_;
 };
 
-/// Segments of a drawing, at most.
+/// Maximum number of segments of a drawing.
 inline constexpr std::size_t max_segments = 1'000'000;
 
 }  // namespace csgsim::flat::dxf

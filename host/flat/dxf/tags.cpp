@@ -47,7 +47,7 @@ std::optional<Tag> Tags::next() {
   if (rest_.find_first_not_of(" \t\r\n\x1a") == std::string_view::npos) return std::nullopt;
   const std::string_view text = take_line();
   const std::optional<int> code = parse<int>(text);
-  if (!code) fail(line_, text, "no group code of ASCII DXF; every other line has to be one");
+  if (!code) fail(line_, text, "not a group code of ASCII DXF; every other line must be one");
   const std::string_view value = take_line();
   return Tag{*code, value, line_};
 }
@@ -55,13 +55,13 @@ std::optional<Tag> Tags::next() {
 double real(const Tag& tag) {
   const std::optional<double> value = parse<double>(tag.value);
   if (!value || !std::isfinite(*value))
-    fail(tag.line, tag.value, "no number, but group " + std::to_string(tag.code) + " is one");
+    fail(tag.line, tag.value, "not a number, but group " + std::to_string(tag.code) + " must be one");
   return *value;
 }
 
 int integer(const Tag& tag) {
   const std::optional<int> value = parse<int>(tag.value);
-  if (!value) fail(tag.line, tag.value, "no whole number, but group " + std::to_string(tag.code) + " is one");
+  if (!value) fail(tag.line, tag.value, "not a whole number, but group " + std::to_string(tag.code) + " must be one");
   return *value;
 }
 

@@ -1,3 +1,5 @@
+// Reader of the groups of an ASCII DXF file.
+// Used by dxf.cpp.
 #pragma once
 
 #include <cstddef>
@@ -6,19 +8,19 @@
 
 namespace csgsim::flat::dxf {
 
-/// A group: a code and its value, a line each.
+/// A group: a code and its value, on one line each.
 struct Tag {
   int code = 0;
-  std::string_view value;  ///< without white space at its ends
-  std::size_t line = 0;    ///< of the value, from 1
+  std::string_view value;  ///< excludes leading and trailing white space
+  std::size_t line = 0;    ///< line of the value, from 1
 };
 
-/// The groups of a file, one after another.
+/// Reads the groups of a file one after another.
 class Tags {
  public:
   explicit Tags(std::string_view bytes) : rest_(bytes) {}
 
-  /// Nothing at the end of the file. Throws InputError for a code that is no number.
+  /// The next group; nothing at the end of the file. Throws InputError for a code that is not a number.
   std::optional<Tag> next();
 
  private:
@@ -28,7 +30,7 @@ class Tags {
   std::size_t line_ = 0;
 };
 
-/// Throw InputError for what is no number, or not finite.
+/// Both throw InputError for a value that is not a number, or not finite.
 double real(const Tag& tag);
 int integer(const Tag& tag);
 

@@ -32,12 +32,12 @@ using Names = std::vector<std::string>;
 struct FontFile {
   std::string path;
   int index = 0;
-  std::string replacement;  ///< its family, if it is none of those that were asked for
+  std::string replacement;  ///< family of the font, if it is none of the requested ones
 };
 
 FcConfig* configuration() {
   static const Configuration config(FcInitLoadConfigAndFonts());
-  if (!config) throw std::runtime_error("fontconfig cannot be set up; see fc-match");
+  if (!config) throw std::runtime_error("fontconfig cannot be initialized; run fc-match to see why");
   return config.get();
 }
 
@@ -46,7 +46,7 @@ FT_Library library() {
     FT_Library made = nullptr;
     return FT_Init_FreeType(&made) == 0 ? made : nullptr;
   }();
-  if (opened == nullptr) throw std::runtime_error("FreeType cannot be set up");
+  if (opened == nullptr) throw std::runtime_error("FreeType cannot be initialized");
   return opened;
 }
 
@@ -59,7 +59,7 @@ Names families(FcPattern* pattern) {
   return names;
 }
 
-/// As fontconfig compares families: neither case nor blanks count.
+/// Normalizes a family name as fontconfig does: ignores case and blanks.
 std::string plain(const std::string& family) {
   std::string letters;
   for (const char c : family) {
@@ -68,31 +68,29 @@ std::string plain(const std::string& family) {
   return letters;
 }
 
-/// Whether any font will do for it.
+/// Whether the family is generic, so that any font matches it.
 bool is_generic(const std::string& family) {
   constexpr std::array<std::string_view, 9> generic{"sans",      "sans-serif", "sansserif", "serif",    "mono",
                                                     "monospace", "cursive",    "fantasy",   "system-ui"};
   return std::find(generic.begin(), generic.end(), plain(family)) != generic.end();
 }
 
-/// The first family of the font that was found, if it is not one that was asked for.
-std::string replacement(const Names& asked, const Names& found) {
+/// The first family of the selected font, if none of the requested families matches.
+std::string replacement(const Names& requested, const Names& found) {
   const auto is_found = [&](const std::string& one) {
     return std::any_of(found.begin(), found.end(),
                        [&](const std::string& other) { return plain(one) == plain(other); });
   };
-  const bool is_right = asked.empty() || std::any_of(asked.begin(), asked.end(), [&](const std::string& one) {
-                          return is_generic(one) || is_found(one);
-                        });
+  const bool is_right =
+      requested.empty() || std::any_of(requested.begin(), requested.end(),
+                                       [&](const std::string& one) { return is_generic(one) || is_found(one); });
   return is_right || found.empty() ? "" : found.front();
 }
 
 FontFile match(const std::string& name) {
   const Pattern pattern(FcNameParse(reinterpret_cast<const FcChar8*>(name.c_str())));
-  if (!pattern)
-    throw std::runtime_error("font \"" + name +
-                             "\" is not the name of a font; fc-match tells which one a name stands for");
-  const Names asked = families(pattern.get());
+  if (!pattern) throw std::runtime_error("font \"" + name + "\" is not a font name; run fc-match to look up fonts");
+  const Names requested = families(pattern.get());
   FcPatternAddBool(pattern.get(), FC_OUTLINE, FcTrue);
   FcPatternAddBool(pattern.get(), FC_SCALABLE, FcTrue);
   FcConfigSubstitute(configuration(), pattern.get(), FcMatchPattern);
@@ -103,9 +101,9 @@ FontFile match(const std::string& name) {
   int index = 0;
   if (!found || FcPatternGetString(found.get(), FC_FILE, 0, &path) != FcResultMatch ||
       FcPatternGetInteger(found.get(), FC_INDEX, 0, &index) != FcResultMatch) {
-    throw std::runtime_error("there is no font; install one, such as fonts-liberation");
+    throw std::runtime_error("no font is installed; install one, such as fonts-liberation");
   }
-  return {reinterpret_cast<const char*>(path), index, replacement(asked, families(found.get()))};
+  return {reinterpret_cast<const char*>(path), index, replacement(requested, families(found.get()))};
 }
 
 bool select(FT_Face face, int platform, std::optional<int> encoding) {
@@ -119,7 +117,7 @@ bool select(FT_Face face, int platform, std::optional<int> encoding) {
   return false;
 }
 
-/// Unicode if the font has it, else what comes nearest.
+/// Selects the Unicode table if the font has one, otherwise the closest alternative.
 void select_characters(FT_Face face) {
   constexpr std::array<std::pair<int, std::optional<int>>, 7> others{{{TT_PLATFORM_MICROSOFT, TT_MS_ID_UNICODE_CS},
                                                                       {TT_PLATFORM_ISO, TT_ISO_ID_10646},
@@ -132,7 +130,7 @@ void select_characters(FT_Face face) {
   for (const auto& [platform, encoding] : others) {
     if (select(face, platform, encoding)) return;
   }
-  throw std::runtime_error("font " + name_of(face) + " has no table of characters in a known encoding");
+  throw std::runtime_error("font " + font_name(face) + " has no character table in a known encoding");
 }
 
 FT_Face open(const FontFile& file) {
@@ -144,7 +142,7 @@ FT_Face open(const FontFile& file) {
   return face;
 }
 
-/// Without white space at its ends.
+/// Removes leading and trailing white space.
 std::string trimmed(const std::string& text) {
   constexpr std::string_view white = " \t\n\v\f\r";
   const std::size_t first = text.find_first_not_of(white);
@@ -170,11 +168,11 @@ const OpenedFont& opened_font(const std::string& pattern) {
 
 FT_Face find_font(const std::string& pattern) { return opened_font(pattern).face; }
 
-std::string replacement_of(const std::string& pattern) {
+std::string find_replacement(const std::string& pattern) {
   return trimmed(pattern).empty() ? "" : opened_font(pattern).replacement;
 }
 
-std::string name_of(FT_Face face) { return face->family_name == nullptr ? "without a name" : face->family_name; }
+std::string font_name(FT_Face face) { return face->family_name == nullptr ? "without a name" : face->family_name; }
 
 bool is_symbol_font(FT_Face face) {
   if (face->charmap->platform_id != TT_PLATFORM_MICROSOFT || face->charmap->encoding_id != TT_MS_ID_SYMBOL_CS) {

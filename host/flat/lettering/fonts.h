@@ -1,3 +1,5 @@
+// Font lookup through fontconfig and FreeType.
+// Used by module.cpp, outlines.h and shaping.h.
 #pragma once
 
 #include <ft2build.h>
@@ -7,18 +9,18 @@
 
 namespace csgsim::flat::lettering {
 
-/// The font that fontconfig has for a pattern, open until the process ends. An empty pattern is Liberation Sans. Throws
-/// std::runtime_error if there is none or it cannot be read.
+/// The font that fontconfig selects for a pattern; it stays open until the process ends. An empty pattern selects
+/// Liberation Sans. Throws std::runtime_error if no font is found or it cannot be read.
 FT_Face find_font(const std::string& pattern);
 
-/// The family of that font where it is none that the pattern names; empty where it is, where the pattern names none, or
-/// only what any font may stand for, as `sans`. Throws as find_font() does.
-std::string replacement_of(const std::string& pattern);
+/// The family of the selected font if it differs from all families in the pattern. Empty if it does not differ, if the
+/// pattern names no family, or only generic ones such as `sans`. Throws as find_font() does.
+std::string find_replacement(const std::string& pattern);
 
-/// As messages name it: a damaged font may have no name.
-std::string name_of(FT_Face face);
+/// The font's name for messages; a damaged font may have none.
+std::string font_name(FT_Face face);
 
-/// Whether its characters are in the page of Unicode for private use, from 0xf000, as those of old symbol fonts are.
+/// Whether the font's characters are in Unicode's private use area from 0xf000, as in old symbol fonts.
 bool is_symbol_font(FT_Face face);
 
 }  // namespace csgsim::flat::lettering

@@ -16,20 +16,20 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-// OpenSCAD's figures. All glyphs are drawn at one size, in 1/64 points at 100 dots an inch, which is that of text of
-// size 1 for their outlines; for their places it is 1.024 as much.
+// OpenSCAD's constants. All glyphs are drawn at one size, in 1/64 points at 100 dots per inch. Dividing by
+// outline_scale gives the outlines of text of size 1; positions have a divisor that is 1.024 times as large.
 constexpr double outline_scale = 1e5;
 constexpr double place_scale = 1.024e5;
 constexpr FT_UInt dots_an_inch = 100;
 
-/// What a line takes, of text of size 1.
+/// The extent of a line of text of size 1.
 struct Extent {
   double width = 0;
-  double ascent = 0;   ///< above the base line, or all of it if it runs down
+  double ascent = 0;   ///< above the base line; the whole length of vertical text
   double descent = 0;  ///< below the base line
 };
 
-/// A glyph's outlines about its own origin, and where that is, of text of size 1.
+/// A glyph's outlines relative to its origin, and that origin, for text of size 1.
 struct Placed {
   Area area;
   glm::dvec2 origin{0};
@@ -42,7 +42,7 @@ struct Drawn {
 
 void load(FT_Face face, const Glyph& glyph) {
   if (FT_Load_Glyph(face, glyph.index, FT_LOAD_DEFAULT) != 0 || face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
-    throw std::runtime_error("font " + name_of(face) + " has no outline of glyph " + std::to_string(glyph.index));
+    throw std::runtime_error("font " + font_name(face) + " has no outline for glyph " + std::to_string(glyph.index));
   }
 }
 
@@ -62,7 +62,7 @@ void extend(Extent& extent, FT_Outline& outline, const Glyph& glyph, bool horizo
   }
 }
 
-Drawn draw_line(const Text& text, FT_Face face, std::uint32_t sides_of_curves, std::size_t max_corners) {
+Drawn draw_line(const Text& text, FT_Face face, std::uint32_t sides_per_curve, std::size_t max_corners) {
   const Line line = shape(text, face);
   Drawn drawn;
   glm::dvec2 at(0);
@@ -70,14 +70,14 @@ Drawn draw_line(const Text& text, FT_Face face, std::uint32_t sides_of_curves, s
   for (const Glyph& glyph : line.glyphs) {
     load(face, glyph);
     FT_Outline& outline = face->glyph->outline;
-    corners += static_cast<std::size_t>(outline.n_points) * sides_of_curves;
+    corners += static_cast<std::size_t>(outline.n_points) * sides_per_curve;
     if (corners > max_corners) {
       throw std::runtime_error("the text has more than " + std::to_string(max_corners) +
-                               " corners; ask for fewer with $fn, or cut it up");
+                               " corners; use fewer facets ($fn), or split it");
     }
     extend(drawn.extent, outline, glyph, line.horizontal, text.spacing);
     const glm::dvec2 offset = glm::dvec2(glyph.position.x_offset, glyph.position.y_offset) / place_scale;
-    drawn.glyphs.push_back({outlines(outline, sides_of_curves), at + offset});
+    drawn.glyphs.push_back({outlines(outline, sides_per_curve), at + offset});
     at += glm::dvec2(glyph.position.x_advance, glyph.position.y_advance) / place_scale * text.spacing;
   }
   return drawn;
@@ -93,12 +93,12 @@ glm::dvec2 alignment(const Text& text, const Extent& extent) {
   return shift;
 }
 
-std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners) {
+std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_per_curve, std::size_t max_corners) {
   const FT_Face face = find_font(text.font);
   if (FT_Set_Char_Size(face, 0, static_cast<FT_F26Dot6>(outline_scale), dots_an_inch, dots_an_inch) != 0) {
-    throw std::runtime_error("font " + name_of(face) + " cannot be scaled");
+    throw std::runtime_error("font " + font_name(face) + " cannot be scaled");
   }
-  Drawn drawn = draw_line(text, face, sides_of_curves, max_corners);
+  Drawn drawn = draw_line(text, face, sides_per_curve, max_corners);
   const glm::dvec2 shift = alignment(text, drawn.extent);
   std::vector<Area> letters;
   for (Placed& placed : drawn.glyphs) {
@@ -110,16 +110,16 @@ std::vector<Area> draw_letters(const Text& text, std::uint32_t sides_of_curves, 
   return letters;
 }
 
-/// Fonts are open from call to call, and are not for two threads at a time.
+/// Fonts stay open between calls, and must not be used by two threads at once.
 std::mutex& fonts_in_use() {
   static std::mutex mutex;
   return mutex;
 }
 
-Lettering draw(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners) {
+Lettering draw(const Text& text, std::uint32_t sides_per_curve, std::size_t max_corners) {
   const std::lock_guard lock(fonts_in_use());
   try {
-    return {draw_letters(text, sides_of_curves, max_corners), {}};
+    return {draw_letters(text, sides_per_curve, max_corners), {}};
   } catch (const std::exception& error) {
     return {{}, error.what()};
   }
@@ -128,7 +128,7 @@ Lettering draw(const Text& text, std::uint32_t sides_of_curves, std::size_t max_
 std::string replacement(const std::string& font) {
   const std::lock_guard lock(fonts_in_use());
   try {
-    return replacement_of(font);
+    return find_replacement(font);
   } catch (const std::exception&) {
     return "";
   }
@@ -138,7 +138,7 @@ std::string replacement(const std::string& font) {
 
 }  // namespace csgsim::flat::lettering
 
-// The name is that of module_symbol.
+// Has to match module_symbol.
 extern "C" [[gnu::visibility("default")]] const csgsim::flat::lettering::Module csgsim_text_2;
 const csgsim::flat::lettering::Module csgsim_text_2{csgsim::flat::lettering::draw,
                                                     csgsim::flat::lettering::replacement};

@@ -1,3 +1,5 @@
+// Interface of the text module, which is loaded at run time.
+// Used by text.cpp.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +12,26 @@
 
 namespace csgsim::flat::lettering {
 
-/// Letters in their places, or why there are none. Their outlines run as their font has them, and may cross: what they
-/// run around more often one way than the other is ink.
+/// Positioned letters, or an error message. Outlines keep the direction of the font and may cross: points with a
+/// winding number other than 0 are filled.
 struct Lettering {
   std::vector<Area> letters;
-  std::string error;  ///< empty if all went well
+  std::string error;  ///< empty on success
 };
 
-/// The module of text, whose libraries (HarfBuzz, FreeType, fontconfig and theirs) few runs need.
+/// The text module: its libraries (HarfBuzz, FreeType, fontconfig and their dependencies) are loaded only when needed.
 struct Module {
-  /// Every curve becomes `sides_of_curves` sides.
-  Lettering (*draw)(const Text& text, std::uint32_t sides_of_curves, std::size_t max_corners);
+  /// Divides every curve into `sides_per_curve` sides.
+  Lettering (*draw)(const Text& text, std::uint32_t sides_per_curve, std::size_t max_corners);
 
-  /// See flat::replacement_font(); empty also where there is no font to be had.
+  /// See flat::replacement_font(); also empty if no font is available.
   std::string (*replacement)(const std::string& font);
 };
 
 inline constexpr const char* module_file = "csgsim_text.so";
 
-/// The name of the module's only symbol, a Module. It changes with this file and with Text, so that no other version's
-/// is taken.
+/// The name of the module's only symbol, a Module. Its number changes with this file and with Text, so that a module of
+/// another version is not loaded.
 inline constexpr const char* module_symbol = "csgsim_text_2";
 
 }  // namespace csgsim::flat::lettering

@@ -8,10 +8,10 @@ namespace csgsim::flat::lettering {
 
 namespace {
 
-/// Draws the outlines that FreeType hands it.
+/// Collects the outlines that FreeType's callbacks pass.
 struct Pen {
   Area area;
-  std::uint32_t sides_of_curves = 1;
+  std::uint32_t sides_per_curve = 1;
 
   [[nodiscard]] Outline& outline() { return area.outlines.back(); }
 };
@@ -30,13 +30,13 @@ int line_to(const FT_Vector* to, void* user) {
   return 0;
 }
 
-/// A Bézier curve from the last corner, by de Casteljau's rule.
+/// Adds a Bézier curve from the last corner, by de Casteljau's algorithm.
 template <std::size_t Count>
 int curve_to(Pen& pen, const std::array<const FT_Vector*, Count>& controls) {
   std::array<glm::dvec2, Count + 1> start{pen.outline().back()};
   for (std::size_t i = 0; i < Count; ++i) start[i + 1] = point(controls[i]);
-  for (std::uint32_t side = 1; side <= pen.sides_of_curves; ++side) {
-    const double t = static_cast<double>(side) / pen.sides_of_curves;
+  for (std::uint32_t side = 1; side <= pen.sides_per_curve; ++side) {
+    const double t = static_cast<double>(side) / pen.sides_per_curve;
     std::array<glm::dvec2, Count + 1> points = start;
     for (std::size_t left = Count; left > 0; --left) {
       for (std::size_t i = 0; i < left; ++i) points[i] = points[i] * (1 - t) + points[i + 1] * t;
@@ -56,9 +56,9 @@ int cubic_to(const FT_Vector* control, const FT_Vector* other, const FT_Vector* 
 
 }  // namespace
 
-Area outlines(FT_Outline& outline, std::uint32_t sides_of_curves) {
+Area outlines(FT_Outline& outline, std::uint32_t sides_per_curve) {
   constexpr FT_Outline_Funcs functions{move_to, line_to, conic_to, cubic_to, 0, 0};
-  Pen drawn{{}, sides_of_curves};
+  Pen drawn{{}, sides_per_curve};
   FT_Outline_Decompose(&outline, &functions, &drawn);
   return drawn.area;
 }

@@ -1,3 +1,5 @@
+// Conversion of FreeType glyph outlines to polygons.
+// Used by module.cpp.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +9,7 @@
 
 namespace csgsim::flat::lettering {
 
-/// The outlines of a glyph, in FreeType's units of 1/64 pixel, every curve as so many sides. The outline is FreeType's.
-Area outlines(FT_Outline& outline, std::uint32_t sides_of_curves);
+/// The outlines of a FreeType glyph, in units of 1/64 pixel, with every curve divided into `sides_per_curve` sides.
+Area outlines(FT_Outline& outline, std::uint32_t sides_per_curve);
 
 }  // namespace csgsim::flat::lettering

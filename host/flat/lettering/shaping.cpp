@@ -16,7 +16,7 @@ struct DestroyShaping {
 using Buffer = std::unique_ptr<hb_buffer_t, DestroyShaping>;
 using Font = std::unique_ptr<hb_font_t, DestroyShaping>;
 
-/// The characters of the text in Unicode; U+FFFD where it is not UTF-8.
+/// The characters of the text in Unicode; U+FFFD for invalid UTF-8.
 std::vector<hb_codepoint_t> characters(const std::string& text) {
   const Buffer buffer(hb_buffer_create());
   hb_buffer_add_utf8(buffer.get(), text.data(), static_cast<int>(text.size()), 0, -1);
@@ -27,34 +27,34 @@ std::vector<hb_codepoint_t> characters(const std::string& text) {
   return result;
 }
 
-bool is_of_no_script(hb_script_t script) {
+bool has_no_script(hb_script_t script) {
   return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_UNKNOWN ||
          script == HB_SCRIPT_INVALID;
 }
 
-/// The script of all characters that have one; invalid if there is none or there are several.
+/// The common script of all characters that have one; invalid if there is none or there are several.
 hb_script_t common_script(std::span<const hb_codepoint_t> text) {
   hb_script_t common = HB_SCRIPT_INVALID;
   for (const hb_codepoint_t character : text) {
     const hb_script_t script = hb_unicode_script(hb_unicode_funcs_get_default(), character);
-    if (is_of_no_script(script) || script == common) continue;
+    if (has_no_script(script) || script == common) continue;
     if (common != HB_SCRIPT_INVALID) return HB_SCRIPT_INVALID;
     common = script;
   }
   return common;
 }
 
-hb_direction_t direction_of(const Text& text, hb_script_t script) {
-  const hb_direction_t asked = hb_direction_from_string(text.direction.c_str(), -1);
-  if (asked != HB_DIRECTION_INVALID) return asked;
+hb_direction_t resolve_direction(const Text& text, hb_script_t script) {
+  const hb_direction_t requested = hb_direction_from_string(text.direction.c_str(), -1);
+  if (requested != HB_DIRECTION_INVALID) return requested;
   const hb_direction_t natural = hb_script_get_horizontal_direction(script);
   return natural != HB_DIRECTION_INVALID ? natural : HB_DIRECTION_LTR;
 }
 
 void set_properties(hb_buffer_t* buffer, const Text& text, std::span<const hb_codepoint_t> codes) {
-  const hb_script_t asked = hb_script_from_string(text.script.c_str(), -1);
-  const hb_script_t script = asked != HB_SCRIPT_INVALID ? asked : common_script(codes);
-  hb_buffer_set_direction(buffer, direction_of(text, script));
+  const hb_script_t requested = hb_script_from_string(text.script.c_str(), -1);
+  const hb_script_t script = requested != HB_SCRIPT_INVALID ? requested : common_script(codes);
+  hb_buffer_set_direction(buffer, resolve_direction(text, script));
   hb_buffer_set_script(buffer, script);
   hb_buffer_set_language(buffer, hb_language_from_string(text.language.c_str(), -1));
 }

@@ -1,3 +1,5 @@
+// Text shaping with HarfBuzz.
+// Used by module.cpp.
 #pragma once
 
 #include <hb.h>
@@ -10,17 +12,17 @@
 namespace csgsim::flat::lettering {
 
 struct Glyph {
-  std::uint32_t index = 0;       ///< in the font
-  hb_glyph_position_t position;  ///< in the font's units at its size
+  std::uint32_t index = 0;       ///< glyph index in the font
+  hb_glyph_position_t position;  ///< uses the font's units at its size
 };
 
-/// Glyphs in the order in which they are set, from left to right or from top to bottom.
+/// Glyphs in typesetting order: from left to right or from top to bottom.
 struct Line {
   bool horizontal = true;
   std::vector<Glyph> glyphs;
 };
 
-/// Chooses and places glyphs for the text. The face has its size.
+/// Selects and positions the glyphs of a text. The face's size has to be set.
 Line shape(const Text& text, FT_Face face);
 
 }  // namespace csgsim::flat::lettering

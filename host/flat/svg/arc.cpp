@@ -14,16 +14,16 @@ namespace csgsim::flat::svg {
 
 namespace {
 
-/// Degrees from 0 up to 360.
-double angle_of(const glm::dvec2& direction) {
+/// Degrees in the range [0, 360).
+double polar_angle(const glm::dvec2& direction) {
   const double angle = std::atan2(direction.y, direction.x) * 180 / std::numbers::pi;
   return angle < 0 ? angle + 360 : angle;
 }
 
 }  // namespace
 
-// The centre by appendix B.2.4 of SVG 1.1's implementation notes: in the space in which the ellipse is the unit circle,
-// it is on the perpendicular bisector of the chord.
+// The centre follows appendix B.2.4 of SVG 1.1's implementation notes: in the space in which the ellipse is the unit
+// circle, it lies on the perpendicular bisector of the chord.
 void add_arc(Outline& outline, const Arc& arc) {
   const glm::dvec2 radii = glm::abs(arc.radii);
   if (arc.from == arc.to) return;
@@ -41,8 +41,8 @@ void add_arc(Outline& outline, const Arc& arc) {
   const double aside = std::sqrt(std::max(0.0, 1 - reach) / reach) * (arc.large == arc.sweep ? -1 : 1);
   const glm::dvec2 centre = aside * glm::dvec2(start.y, -start.x);
 
-  const double first = angle_of(start - centre);
-  double delta = angle_of(-start - centre) - first;
+  const double first = polar_angle(start - centre);
+  double delta = polar_angle(-start - centre) - first;
   if (delta < 0) delta += 360;
   if (!arc.sweep) delta -= 360;
   const int steps = static_cast<int>(std::abs(delta) * 10 / 180) + 4;

@@ -1,3 +1,5 @@
+// Elliptical arcs of SVG paths.
+// Used by path.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -10,14 +12,14 @@ namespace csgsim::flat::svg {
 struct Arc {
   glm::dvec2 from{0};
   glm::dvec2 to{0};
-  glm::dvec2 radii{0};  ///< enlarged where they are too small for the distance
-  double turn = 0;      ///< of the ellipse, degrees
-  bool large = false;   ///< the longer way
-  bool sweep = false;   ///< in the direction of growing angles
+  glm::dvec2 radii{0};  ///< enlarged if too small for the distance between the ends
+  double turn = 0;      ///< rotation of the ellipse, degrees
+  bool large = false;   ///< take the longer way
+  bool sweep = false;   ///< the arc runs in the direction of increasing angles
 };
 
-/// Adds its corners to the outline: sides of at most 18 degrees, and four more. A line if a radius is 0, and nothing if
-/// it ends where it begins.
+/// Adds the arc's corners to the outline: sides of at most 18 degrees, plus four. Adds a line if a radius is 0, and
+/// nothing if the ends coincide.
 void add_arc(Outline& outline, const Arc& arc);
 
 }  // namespace csgsim::flat::svg

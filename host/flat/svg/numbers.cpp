@@ -30,7 +30,7 @@ std::optional<double> Numbers::number() {
   std::string_view digits = rest_;
   const bool negative = digits.starts_with('-');
   if (negative || digits.starts_with('+')) digits.remove_prefix(1);
-  // from_chars would take words for numbers, and another sign.
+  // from_chars would also accept words such as "inf", and a second sign.
   if (digits.empty() || (digits[0] != '.' && (digits[0] < '0' || digits[0] > '9'))) return std::nullopt;
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);

@@ -1,3 +1,5 @@
+// Parser of number lists in SVG attributes.
+// Used throughout host/flat/svg.
 #pragma once
 
 #include <optional>
@@ -5,12 +7,12 @@
 
 namespace csgsim::flat::svg {
 
-/// Reads lists of numbers, as attributes of SVG have them, from front to back. What is not there is not taken.
+/// Reads the lists of numbers in SVG attributes from front to back. A failed read consumes nothing.
 class Numbers {
  public:
   explicit Numbers(std::string_view text) : rest_(text) {}
 
-  /// White space, and one comma in it.
+  /// Skips white space, including one comma.
   void skip_separators();
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
@@ -18,13 +20,13 @@ class Numbers {
 
   std::optional<double> number();
 
-  /// 0 or 1, which need not be set apart from what follows.
+  /// Reads 0 or 1, which need not be separated from the next character.
   std::optional<bool> flag();
 
-  /// A letter of the alphabet.
+  /// Reads one letter of the alphabet.
   std::optional<char> letter();
 
-  /// Letters up to the next character that is none.
+  /// Reads letters up to the next other character.
   std::string_view word();
 
   bool take(char character);
@@ -33,7 +35,7 @@ class Numbers {
   std::string_view rest_;
 };
 
-/// A number and nothing else.
+/// Parses a text that has to be a number and nothing else.
 std::optional<double> whole_number(std::string_view text);
 
 }  // namespace csgsim::flat::svg

@@ -38,7 +38,7 @@ std::optional<ViewBox> read_view_box(std::string_view text) {
   return ViewBox{{found[0], found[1]}, {found[2], found[3]}};
 }
 
-/// Millimetres of a length; without one, those of the box in units of `dpi` an inch.
+/// A length in millimetres; if it is missing, the box's length at `dpi` units per inch.
 double millimetres(std::string_view text, double box, double dpi) {
   Numbers rest(text);
   rest.skip_separators();
@@ -58,11 +58,11 @@ double millimetres(std::string_view text, double box, double dpi) {
   return inch * box / dpi;
 }
 
-/// What preserveAspectRatio says.
+/// The value of preserveAspectRatio.
 struct Alignment {
-  bool stretch = false;   ///< both ways for themselves
-  bool slice = false;     ///< to fill the page
-  glm::dvec2 place{0.5};  ///< of the room that is left, on both axes
+  bool stretch = false;   ///< scale both axes independently
+  bool slice = false;     ///< fill the page
+  glm::dvec2 place{0.5};  ///< fraction of the remaining space before the drawing, for each axis
 };
 
 Alignment read_alignment(std::string_view text) {

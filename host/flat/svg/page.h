@@ -1,3 +1,5 @@
+// Page size and viewBox of an SVG file.
+// Used by svg.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -5,15 +7,15 @@
 
 namespace csgsim::flat::svg {
 
-/// How an svg element lays its drawing on the page, in millimetres.
+/// How an svg element places its drawing on the page, in millimetres.
 struct Page {
-  glm::dvec2 scale{1};   ///< of the drawing's units
-  glm::dvec2 origin{0};  ///< the drawing's low corner, in its units
-  glm::dvec2 margin{0};  ///< what alignment moves it by
+  glm::dvec2 scale{1};   ///< millimetres per user unit
+  glm::dvec2 origin{0};  ///< lower corner of the drawing, in user units
+  glm::dvec2 margin{0};  ///< offset by the alignment
   double height = 0;
 };
 
-/// The page that width, height, viewBox and preserveAspectRatio describe. Throws InputError.
+/// The page described by width, height, viewBox and preserveAspectRatio. Throws InputError if it is invalid.
 Page read_page(pugi::xml_node svg, double dpi);
 
 }  // namespace csgsim::flat::svg

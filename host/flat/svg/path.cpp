@@ -19,13 +19,13 @@ namespace csgsim::flat::svg {
 
 namespace {
 
-constexpr std::uint32_t sides_of_curves = 20;
+constexpr std::uint32_t sides_per_curve = 20;
 constexpr std::uint32_t corners_of_ellipses = 40;
 
-/// Subpaths whose ends are nearer than this are closed.
+/// A subpath is closed if its ends are closer than this.
 constexpr double closed_within = 0.1;
 
-/// Numbers that a command takes each time.
+/// Number of operands of a command; nothing if the command is unknown.
 std::optional<std::size_t> operands(char command) {
   switch (command) {
     case 'm':
@@ -68,7 +68,7 @@ class Path {
   std::vector<Outline> done_;
   Outline current_;
   glm::dvec2 at_{0};
-  glm::dvec2 control_{0};  ///< of the last curve
+  glm::dvec2 control_{0};  ///< last control point of the previous curve
   Curve last_ = Curve::none;
   bool any_closed_ = false;
   std::size_t corners_ = 0;
@@ -80,7 +80,7 @@ void Path::check_corners() {
   if (corners_ > max_corners_) throw InputError("a path has more than " + std::to_string(max_corners_) + " corners");
 }
 
-/// What is open is a line, as wide as its stroke.
+/// Finishes the current subpath; an open one becomes a line as wide as its stroke.
 void Path::end_subpath() {
   if (current_.empty()) return;
   if (glm::distance(current_.front(), current_.back()) > closed_within) {
@@ -113,11 +113,11 @@ void Path::line(const glm::dvec2& to) {
   at_ = to;
 }
 
-/// A Bézier curve by de Casteljau's rule.
+/// Adds a Bézier curve, by de Casteljau's algorithm.
 template <std::size_t Count>
 void Path::draw_curve(Curve kind, const std::array<glm::dvec2, Count>& points) {
-  for (std::uint32_t side = 1; side <= sides_of_curves; ++side) {
-    const double t = static_cast<double>(side) / sides_of_curves;
+  for (std::uint32_t side = 1; side <= sides_per_curve; ++side) {
+    const double t = static_cast<double>(side) / sides_per_curve;
     std::array<glm::dvec2, Count> left = points;
     for (std::size_t count = Count - 1; count > 0; --count) {
       for (std::size_t i = 0; i < count; ++i) left[i] = left[i] * (1 - t) + left[i + 1] * t;
@@ -174,10 +174,10 @@ std::vector<Outline> Path::finish() {
 
 [[noreturn]] void fail(std::string_view rest) {
   constexpr std::size_t shown = 20;
-  throw InputError("path data goes wrong at \"" + printable(rest.substr(0, shown)) + "\"");
+  throw InputError("invalid path data at \"" + printable(rest.substr(0, shown)) + "\"");
 }
 
-/// The numbers that a command takes once.
+/// Reads one set of a command's operands.
 std::vector<double> read_operands(Numbers& rest, char command, std::size_t count) {
   std::vector<double> numbers;
   for (std::size_t i = 0; i < count; ++i) {

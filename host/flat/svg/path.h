@@ -1,3 +1,5 @@
+// SVG path data.
+// Used by shapes.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,15 +11,15 @@
 
 namespace csgsim::flat::svg {
 
-/// The outlines of a path's data, as OpenSCAD takes them: curves of 20 sides, arcs of one side an 18 degrees and four
-/// more; subpaths that end more than 0.1 from where they began as what their stroke covers, but for the last one if any
-/// subpath is closed. Throws InputError.
+/// The outlines of a path's data, as in OpenSCAD: a curve has 20 sides, an arc one side per 18 degrees plus four. A
+/// subpath whose ends are more than 0.1 apart is drawn as its stroke, except for the last one if any subpath is closed.
+/// Throws InputError for invalid data.
 std::vector<Outline> read_path(std::string_view data, const Stroke& stroke, std::size_t max_corners);
 
-/// An ellipse of 40 corners.
+/// An ellipse with 40 corners.
 Outline ellipse(const glm::dvec2& centre, const glm::dvec2& radii);
 
-/// A rectangle with corners rounded by quarters of ellipses.
+/// A rectangle whose corners are rounded by quarter ellipses.
 Outline rounded_rectangle(const glm::dvec2& low, const glm::dvec2& size, const glm::dvec2& radii);
 
 }  // namespace csgsim::flat::svg

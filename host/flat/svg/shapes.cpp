@@ -13,22 +13,22 @@ namespace csgsim::flat::svg {
 
 namespace {
 
-/// Strokes that are thinner, or whose width is no number, are 1 wide.
-constexpr double thinnest_stroke = 0.01;
+/// Strokes thinner than this, or with an invalid width, are 1 wide.
+constexpr double min_stroke_width = 0.01;
 
-/// Smaller radii of corners count as none.
-constexpr double smallest_radius = 1e-8;
+/// Smaller corner radii count as 0.
+constexpr double min_corner_radius = 1e-8;
 
 struct Element {
   pugi::xml_node node;
 
-  /// 0 for what is no number.
+  /// The attribute's value, or 0 if it is not a number.
   [[nodiscard]] double number(const char* name) const { return whole_number(node.attribute(name).value()).value_or(0); }
 
   [[nodiscard]] glm::dvec2 point(const char* x, const char* y) const { return {number(x), number(y)}; }
 };
 
-/// What the style attribute says of a property; empty if nothing.
+/// The value of a property in the style attribute; empty if absent.
 std::string_view style(pugi::xml_node node, std::string_view property) {
   std::string_view rest = node.attribute("style").value();
   while (!rest.empty()) {
@@ -49,7 +49,7 @@ std::string_view presentation(pugi::xml_node node, const char* property) {
 Stroke stroke(pugi::xml_node node) {
   Stroke result;
   const double width = whole_number(presentation(node, "stroke-width")).value_or(0);
-  if (width >= thinnest_stroke) result.width = width;
+  if (width >= min_stroke_width) result.width = width;
   const std::string_view cap = presentation(node, "stroke-linecap");
   if (cap == "butt") result.cap = Cap::butt;
   if (cap == "round") result.cap = Cap::round;
@@ -69,7 +69,7 @@ Outline points(pugi::xml_node node) {
     if (x && rest.at_end()) break;
     const std::optional<double> y = rest.number();
     rest.skip_separators();
-    if (!x || !y) throw InputError("points of a " + std::string(node.name()) + " are no list of pairs of numbers");
+    if (!x || !y) throw InputError("points of a " + std::string(node.name()) + " are not pairs of numbers");
     outline.emplace_back(*x, *y);
   }
   return outline;
@@ -79,8 +79,8 @@ Outline rectangle(const Element& element) {
   const glm::dvec2 low = element.point("x", "y");
   const glm::dvec2 size = element.point("width", "height");
   glm::dvec2 radii = element.point("rx", "ry");
-  const bool has_x = std::abs(radii.x) >= smallest_radius;
-  const bool has_y = std::abs(radii.y) >= smallest_radius;
+  const bool has_x = std::abs(radii.x) >= min_corner_radius;
+  const bool has_y = std::abs(radii.y) >= min_corner_radius;
   if (!has_x && !has_y) return {low, {low.x + size.x, low.y}, low + size, {low.x, low.y + size.y}};
   if (!has_x) radii.x = radii.y;
   if (!has_y) radii.y = radii.x;

@@ -1,3 +1,5 @@
+// SVG shape elements.
+// Used by svg.cpp.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +11,9 @@
 
 namespace csgsim::flat::svg {
 
-/// The outlines of an element, of which an odd number hold a point, in its own space; nothing if it is
-/// not drawn. Coordinates that are no numbers, as those with units, are 0 as OpenSCAD takes them. Throws InputError.
+/// The outlines of an element in its own space, to be filled by the even-odd rule; nothing if the element is not drawn.
+/// Coordinates that are not plain numbers, such as those with units, are 0 as in OpenSCAD. Throws InputError for
+/// invalid elements.
 std::optional<std::vector<Outline>> read_shape(pugi::xml_node element, std::size_t max_corners);
 
 }  // namespace csgsim::flat::svg

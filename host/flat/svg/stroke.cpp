@@ -12,13 +12,13 @@ namespace csgsim::flat::svg {
 
 namespace {
 
-/// OpenSCAD's units in one of the drawing's, towards 0.
+/// OpenSCAD's units per unit of the drawing; values are truncated towards 0.
 constexpr double scale = 10'000;
 
-/// What Clipper takes of lines, in its units, without overflow of sums.
+/// Maximum coordinate, in Clipper's units, for which sums do not overflow.
 constexpr double largest = 1e15;
 
-/// How far Clipper lets arcs be from their chords by default, in its units.
+/// Clipper's default for the distance of arcs from their chords, in its units.
 constexpr double arc_tolerance = 0.25;
 
 // Indexed by Cap and Join.
@@ -26,7 +26,7 @@ constexpr std::array end_types{ClipperLib::etOpenButt, ClipperLib::etOpenRound, 
 constexpr std::array join_kinds{ClipperLib::jtSquare, ClipperLib::jtRound, ClipperLib::jtMiter};
 
 ClipperLib::cInt units(double coordinate) {
-  if (!(std::abs(coordinate) * scale <= largest)) throw InputError("a line of the drawing goes too far out");
+  if (!(std::abs(coordinate) * scale <= largest)) throw InputError("a line of the drawing is too far from the origin");
   return static_cast<ClipperLib::cInt>(coordinate * scale);
 }
 

@@ -1,3 +1,5 @@
+// Strokes of open SVG lines.
+// Used by path.h and shapes.cpp.
 #pragma once
 
 #include <cstddef>
@@ -19,8 +21,8 @@ struct Stroke {
   Join join = Join::miter;
 };
 
-/// What the line covers, as outlines of which an odd number hold a point, in units of 1e-4. Throws InputError if that
-/// takes more than `max_corners`.
+/// The area covered by the line, as outlines to be filled by the even-odd rule, in units of 1e-4. Throws InputError if
+/// it needs more than `max_corners` corners.
 std::vector<Outline> stroked(const Outline& line, const Stroke& stroke, std::size_t max_corners);
 
 }  // namespace csgsim::flat::svg

@@ -52,7 +52,7 @@ TEST_CASE("curves and sweeps that are none are told with their place") {
   CHECK(fault_of("c = curve points (0 0) (1)") ==
         "a.jan:1:24: the numbers of this point are 1, of those before it 2; make them alike");
   CHECK(fault_of("c = curve degree 3 points (0) (1)") ==
-        "a.jan:1:11: an open curve of degree 3 needs 4 points or more, not 2");
+        "a.jan:1:11: an open curve of degree 3 needs at least 4 points, not 2");
   const std::string curves = "c = curve closed points (0 0) (1 0) (0 1)\nt = curve points (0 0 0) (0 0 5)\n";
   CHECK(fault_of(curves + "S = sweep contour c") ==
         "a.jan:3:1: a sweep needs a contour and a trajectory: S = sweep contour CURVE trajectory CURVE");
@@ -61,7 +61,7 @@ TEST_CASE("curves and sweeps that are none are told with their place") {
   CHECK(fault_of(curves + "S = sweep contour c trajectory t scale t") ==
         "a.jan:3:40: the points of a scale have 1 or 2 numbers, those of t have 3");
   CHECK(fault_of(curves + "r = curve points (0 0 0) (0 0 5) (0 0 1)\nS = sweep contour c trajectory r") ==
-        "a.jan:4:1: sweep: the trajectory turns back at the end of its segment 1; move that point aside");
+        "a.jan:4:1: sweep: the trajectory reverses at the end of its segment 1; move that point");
   CHECK(fault_of("P = patch width 3 points (0 0 0)") == "a.jan:1:17: a row of a patch has 4 points or more");
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* cube = "cube(size = 10, center = false);";
 
-facet::Box extent(const std::string& text, std::size_t most = convex::most_extent_cuts) {
+facet::Box extent(const std::string& text, std::size_t most = convex::max_extent_cuts) {
   const TestModel model(text);
   return convex::extent(model.scene, model.positive, most);
 }
@@ -101,5 +101,5 @@ TEST_CASE("past the steps that are allowed the extent is the box of the whole sc
       "difference() { cube(size = [10, 10, 10], center = true);"
       " multmatrix([[1,0,0,4],[0,1,0,0],[0,0,1,0],[0,0,0,1]]) { cube(size = [10, 12, 12], center = true); } }");
   CHECK(convex::extent(model.scene, model.positive).high.x == doctest::Approx(-1));
-  CHECK(convex::extent(model.scene, model.positive, convex::most_extent_cuts, 100).high.x == doctest::Approx(5));
+  CHECK(convex::extent(model.scene, model.positive, convex::max_extent_cuts, 100).high.x == doctest::Approx(5));
 }

@@ -141,6 +141,6 @@ TEST_CASE("more pieces than asked for are an error that says how many, and what 
   const TestModel model("difference(){" + box(0, 0, 0, 4, 4, 4) + ball(2, 2, 2, 1, 20) + "}");
   CHECK(convex::pieces(model.scene, model.positive, 400).size() == 182);
   CHECK(testing::error_of([&] { (void)convex::pieces(model.scene, model.positive, 100); }) ==
-        "the model falls into more than 100 convex pieces; give what is subtracted fewer facets ($fn), or subtract "
+        "the model needs more than 100 convex pieces; give the subtracted solids fewer facets ($fn), or subtract "
         "less");
 }

@@ -33,9 +33,9 @@ TEST_CASE("products keep what they are of and what is taken away from them") {
   const std::vector<convex::SolidProduct> found = products(model);
   REQUIRE(found.size() == 2);
   CHECK(found[0].primitive == 0);
-  CHECK(found[0].taken_away.empty());
+  CHECK(found[0].subtracted.empty());
   CHECK(found[1].primitive == 1);
-  CHECK(found[1].taken_away == std::vector<std::uint32_t>{2});
+  CHECK(found[1].subtracted == std::vector<std::uint32_t>{2});
 }
 
 TEST_CASE("unions of disjoint solids that are intersected are matched, not multiplied out") {
@@ -66,7 +66,7 @@ TEST_CASE("trees that do multiply out are an error in reasonable time, and deep 
   for (int i = 0; i < 12; ++i) text += many("union", 12, 0.01, 1.0 + 0.001 * i);
   const TestModel hard(text + "}");
   CHECK(testing::error_of([&] { (void)products(hard); }) ==
-        "multiplying the model out to products takes more than 1000000 choices of an operand of a union; intersect or "
+        "expanding the model into products needs more than 1000000 choices of a union's operand; intersect or "
         "subtract fewer unions of solids that overlap");
 
   std::string deep = box(0, 0, 1);

@@ -48,20 +48,21 @@ TEST_CASE("a layer of DXF is drawn alone") {
 }
 
 TEST_CASE("DXF that cannot be read is an error, with its line") {
-  CHECK(message("") == "line 1: this is not DXF: it has no section");
+  CHECK(message("") == "line 1: not a DXF file: no section found");
   CHECK(message("AutoCAD Binary DXF\r\n\x1a") ==
-        "line 1: \"AutoCAD Binary DXF\" is no group code of ASCII DXF; every other line has to be one");
+        "line 1: \"AutoCAD Binary DXF\" is not a group code of ASCII DXF; every other line must be one");
   CHECK(message("0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n") ==
-        "the DXF file is cut short: its last group is not 0, EOF");
-  CHECK(message(entities("0\nLINE\n10\nx\n")) == "line 8: \"x\" is no number, but group 10 is one");
-  CHECK(message(entities("0\nARC\n40\nnan\n")) == "line 8: \"nan\" is no number, but group 40 is one");
-  CHECK(message(entities("0\nLWPOLYLINE\n70\n1.5\n")) == "line 8: \"1.5\" is no whole number, but group 70 is one");
-  CHECK(message(entities("0\nLINE\n10\n0\n20\n0\n")) == "line 6: a LINE lacks a point: groups 10, 20 or 11, 21");
-  CHECK(message(entities("0\nCIRCLE\n40\n1\n")) == "line 6: a CIRCLE lacks a point: groups 10, 20 or 11, 21");
+        "the DXF file is truncated: its last group is not 0, EOF");
+  CHECK(message(entities("0\nLINE\n10\nx\n")) == "line 8: \"x\" is not a number, but group 10 must be one");
+  CHECK(message(entities("0\nARC\n40\nnan\n")) == "line 8: \"nan\" is not a number, but group 40 must be one");
+  CHECK(message(entities("0\nLWPOLYLINE\n70\n1.5\n")) ==
+        "line 8: \"1.5\" is not a whole number, but group 70 must be one");
+  CHECK(message(entities("0\nLINE\n10\n0\n20\n0\n")) == "line 6: a LINE lacks a point (groups 10, 20 or 11, 21)");
+  CHECK(message(entities("0\nCIRCLE\n40\n1\n")) == "line 6: a CIRCLE lacks a point (groups 10, 20 or 11, 21)");
   CHECK(message(entities("0\nLINE\n10\n1e13\n20\n0\n11\n1\n21\n1\n")) ==
-        "line 6: a coordinate of the drawing is beyond 1e12; scale the drawing down");
+        "line 6: a coordinate of the drawing exceeds 1e12; scale the drawing down");
   CHECK(message(entities("0\nARC\n10\n0\n20\n0\n40\n1\n50\n0\n51\n1e9\n")) ==
-        "line 6: an arc goes around more than twice, or begins at more than a million degrees");
+        "line 6: an arc exceeds two turns, or starts beyond a million degrees");
   CHECK_THROWS_AS(flat::read_dxf(entities(""), {.scale = 0}), InputError);
 }
 
@@ -69,8 +70,7 @@ TEST_CASE("angles far apart take no more time than others") {
   const std::string arc = "0\nARC\n10\n0\n20\n0\n40\n1\n51\n90\n50\n";
   CHECK(flat::area_of(flat::read_dxf(entities(arc + "360000\n"), {})) ==
         doctest::Approx(flat::area_of(flat::read_dxf(entities(arc + "0\n"), {}))));
-  CHECK(message(entities(arc + "1e300\n")) ==
-        "line 6: an arc goes around more than twice, or begins at more than a million degrees");
+  CHECK(message(entities(arc + "1e300\n")) == "line 6: an arc exceeds two turns, or starts beyond a million degrees");
 }
 
 TEST_CASE("blocks of blocks are no way to fill the memory") {

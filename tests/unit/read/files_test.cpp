@@ -73,5 +73,5 @@ TEST_CASE("a file past 1 GiB is refused without being read") {
 TEST_CASE("an empty file has no model in it") {
   const Temporary file("empty.csg");
   file.write("");
-  CHECK(error_of_file(file.path()) == file.path().string() + ": there is no model in it; export one from OpenSCAD");
+  CHECK(error_of_file(file.path()) == file.path().string() + ": no model found; export one from OpenSCAD");
 }

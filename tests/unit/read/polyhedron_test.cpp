@@ -264,7 +264,7 @@ void check_drawn(const std::string& faces, const std::string& warning) {
 TEST_CASE("an index of no point is left out with a warning, as in OpenSCAD") {
   const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
   const auto no_point = [](int column, const char* index) {
-    return fmt::format("{}: warning: there is no points[{}]; there are points[0] to points[3]; the index is left out",
+    return fmt::format("{}: warning: points[{}] does not exist; there are points[0] to points[3]; the index is dropped",
                        column, index);
   };
   check_drawn("[[0,1,2,4]" + rest, no_point(72, "4"));
@@ -276,18 +276,18 @@ TEST_CASE("an index of no point is left out with a warning, as in OpenSCAD") {
 
 TEST_CASE("an index with a fraction is cut off and one that is no number is 0, with a warning, as in OpenSCAD") {
   const std::string rest = ",[0,3,1],[0,2,3],[1,3,2]]";
-  check_drawn("[[0,1,2.9]" + rest, "70: warning: the index of a point is 2.9, not a whole number; it is taken for 2");
-  check_drawn("[[-0.5,1,2]" + rest, "66: warning: the index of a point is -0.5, not a whole number; it is taken for 0");
+  check_drawn("[[0,1,2.9]" + rest, "70: warning: the index of a point is 2.9, not a whole number; it counts as 2");
+  check_drawn("[[-0.5,1,2]" + rest, "66: warning: the index of a point is -0.5, not a whole number; it counts as 0");
   for (const std::string index : {"undef", "\"a\"", "true", "[3]"})
-    check_drawn("[[" + index + ",1,2]" + rest, "66: warning: the index of a point is no number; it is taken for 0");
+    check_drawn("[[" + index + ",1,2]" + rest, "66: warning: the index of a point is not a number; it counts as 0");
 }
 
 TEST_CASE("a face that is no face is left out with a warning, as in OpenSCAD") {
   const std::string rest = ",[0,1,2],[0,3,1],[0,2,3],[1,3,2]]";
   for (const std::string face : {"[0,1]", "[2]", "[]"})
-    check_drawn("[" + face + rest, "65: warning: a face has fewer than 3 corners; it is left out");
+    check_drawn("[" + face + rest, "65: warning: a face has fewer than 3 corners; it is dropped");
   for (const std::string face : {"undef", "7"})
-    check_drawn("[" + face + rest, "65: warning: this is no vector of indices of points; it is left out");
+    check_drawn("[" + face + rest, "65: warning: this is not a vector of point indices; it is dropped");
 }
 
 TEST_CASE("faces behind a bad one keep their numbers in messages") {
@@ -314,5 +314,5 @@ TEST_CASE("arguments of a polyhedron of the wrong kind are errors") {
   CHECK(error_of("polyhedron(faces = []);") ==
         "m.csg:1:1: polyhedron() lacks its points; add points = [[x, y, z], ...]");
   CHECK(error_of("polyhedron(points = [], faces = [], triangles = []);") ==
-        "m.csg:1:1: faces and triangles are both given; take one out");
+        "m.csg:1:1: faces and triangles are both given; remove one");
 }

@@ -91,7 +91,7 @@ TEST_CASE("a file that is nowhere is warned of and the rest is drawn, whatever i
     const auto [tree, warnings] = read_warned(fmt::format("import(file = \"{}\"); cube(5);", file));
     CHECK(outline(tree) == "cube");
     REQUIRE(warnings.size() == 1);
-    CHECK(warnings[0] == fmt::format("m.csg:1:1: warning: {} is not there; import() is empty, as in OpenSCAD", file));
+    CHECK(warnings[0] == fmt::format("m.csg:1:1: warning: {} does not exist; import() is empty, as in OpenSCAD", file));
   }
   const auto [tree, warnings] = read_warned("surface(file = \"/no/such/x.png\", center = false); cube(5);");
   CHECK(outline(tree) == "cube");

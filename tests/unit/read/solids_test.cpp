@@ -109,18 +109,18 @@ TEST_CASE("ill-typed arguments are errors at their value") {
 TEST_CASE("unknown arguments are errors that name the nearest one") {
   CHECK(error_of("cube(1, centre = true);") == "m.csg:1:9: cube() has no argument centre; did you mean center?");
   CHECK(error_of("cube(1, wobbliness = 1);") == "m.csg:1:9: cube() has no argument wobbliness; it takes size, center");
-  CHECK(error_of("group(x = 1);") == "m.csg:1:7: group() has no argument x; take it out");
+  CHECK(error_of("group(x = 1);") == "m.csg:1:7: group() has no argument x; remove it");
 }
 
 TEST_CASE("an argument cannot be given twice or by too many positions") {
-  CHECK(error_of("cube(1, size = 2);") == "m.csg:1:9: size is given twice in cube(...); take one out");
+  CHECK(error_of("cube(1, size = 2);") == "m.csg:1:9: size is given twice in cube(...); remove one");
   CHECK(error_of("cube(1, convexity = 2, convexity = 2);") ==
-        "m.csg:1:24: convexity is given twice in cube(...); take one out");
+        "m.csg:1:24: convexity is given twice in cube(...); remove one");
   CHECK(error_of("cube(1, true, 3);") ==
-        "m.csg:1:15: cube() takes at most 2 arguments without a name; name it or take it out");
-  CHECK(error_of("group(1);") == "m.csg:1:7: group() takes at most 0 arguments without a name; name it or take it out");
-  CHECK(error_of("sphere(r = 1, d = 2);") == "m.csg:1:1: r and d are both given; take one out");
-  CHECK(error_of("cylinder(h = 1, r = 1, r1 = 1, r2 = 1);") == "m.csg:1:1: r, r1 and r2 are all given; take r out");
+        "m.csg:1:15: cube() takes at most 2 arguments without a name; name it or remove it");
+  CHECK(error_of("group(1);") == "m.csg:1:7: group() takes at most 0 arguments without a name; name it or remove it");
+  CHECK(error_of("sphere(r = 1, d = 2);") == "m.csg:1:1: r and d are both given; remove one");
+  CHECK(error_of("cylinder(h = 1, r = 1, r1 = 1, r2 = 1);") == "m.csg:1:1: r, r1 and r2 are all given; remove r");
 }
 
 TEST_CASE("arguments that change nothing here are accepted") {

@@ -53,12 +53,12 @@ TEST_CASE("what is too small for a double is zero, so the solid is empty") {
 }
 
 TEST_CASE("what is too large for a double is an error") {
-  CHECK(error_of("cube([1,\n 1e999, 1]);") == "m.csg:2:2: number out of range: 1e999 is more than a double holds");
-  CHECK(error_of("cube(-1e309);") == "m.csg:1:6: number out of range: -1e309 is more than a double holds");
+  CHECK(error_of("cube([1,\n 1e999, 1]);") == "m.csg:2:2: number out of range: 1e999 exceeds the range of doubles");
+  CHECK(error_of("cube(-1e309);") == "m.csg:1:6: number out of range: -1e309 exceeds the range of doubles");
   CHECK(error_of("cube(1e99999999999999999999);") ==
-        "m.csg:1:6: number out of range: 1e99999999999999999999 is more than a double holds");
+        "m.csg:1:6: number out of range: 1e99999999999999999999 exceeds the range of doubles");
   CHECK(error_of("cube(" + std::string(400, '9') + ");") ==
-        "m.csg:1:6: number out of range: " + std::string(40, '9') + "... is more than a double holds");
+        "m.csg:1:6: number out of range: " + std::string(40, '9') + "... exceeds the range of doubles");
 }
 
 TEST_CASE("a column counts characters, not bytes") {
@@ -76,7 +76,7 @@ TEST_CASE("syntax errors say what was expected and where") {
   CHECK(error_of("cube;") == "m.csg:1:5: expected `(` after cube, found `;`");
   CHECK(error_of("group() {\n  cube(1);\n") ==
         "m.csg:3:1: expected `}` to close group() of line 1, column 1, found the end of the file");
-  CHECK(error_of("cube(1); }") == "m.csg:1:10: this `}` closes nothing; take it out");
+  CHECK(error_of("cube(1); }") == "m.csg:1:10: unmatched `}`; remove it");
   CHECK(error_of("cube(1;") == "m.csg:1:7: expected `,` or `)` in cube(...), found `;`");
   CHECK(error_of("cube(,)") == "m.csg:1:6: expected `name = value`, a value or `)` in cube(...), found `,`");
   CHECK(error_of("cube((1))") == "m.csg:1:6: expected `name = value`, a value or `)` in cube(...), found `(`");
@@ -117,7 +117,7 @@ TEST_CASE("vectors nest a little, not without bound") {
 
 TEST_CASE("strings with escapes are read") {
   CHECK(error_of(R"(color("re\"d\\", 1) { cube(1); } group("x");)") ==
-        "m.csg:1:7: color() does not know names; write [red, green, blue], each from 0 to 1");
+        "m.csg:1:7: color() does not accept names; write [red, green, blue], each from 0 to 1");
   CHECK(outline(read(R"(%text(text = "a\"b)};", size = 10); cube(1);)")) == "cube");
 }
 
@@ -129,7 +129,7 @@ std::string file_name(std::string_view written) {
       read_warned("import(file = \"no-such/" + std::string(written) + "\", layer = \"\", $fn = 0);");
   const std::string said = warnings.empty() ? "" : warnings.front();
   const std::string_view begin = "m.csg:1:1: warning: no-such/";
-  const std::size_t end = said.find(" is not there");
+  const std::size_t end = said.find(" does not exist");
   if (!said.starts_with(begin) || end == std::string::npos) return "not read: " + said;
   return said.substr(begin.size(), end - begin.size());
 }
@@ -153,5 +153,5 @@ TEST_CASE("strings are what OpenSCAD writes between quotes, quotes and backslash
 
 TEST_CASE("a string that looks like arguments is refused, since nothing tells it from them") {
   CHECK(error_of("text(text = \"x\", size = 3, font = \"y\", size = 10, font = \"\");") ==
-        "m.csg:1:40: size is given twice in text(...); take one out");
+        "m.csg:1:40: size is given twice in text(...); remove one");
 }

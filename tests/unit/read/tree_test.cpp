@@ -63,7 +63,7 @@ TEST_CASE("a model of empty solids is an empty tree") {
 }
 
 TEST_CASE("a file without statements is an error") {
-  const char* message = "m.csg: there is no model in it; export one from OpenSCAD";
+  const char* message = "m.csg: no model found; export one from OpenSCAD";
   for (const char* text : {"", " \n", "// nothing\n", "/* nothing */;", "\xEF\xBB\xBF"})
     CHECK(error_of(text) == message);
 }
@@ -130,7 +130,7 @@ TEST_CASE("unknown nodes name the nearest known one") {
 TEST_CASE("solids have no children") {
   CHECK(outline(read("cube(1) {} sphere(r = 1) { %cube(1); }")) == "union(cube, sphere)");
   CHECK(error_of("cube(1) {\n sphere(r = 1); }") ==
-        "m.csg:2:2: cube() has no children; put sphere() beside it, in a union() or difference()");
+        "m.csg:2:2: cube() cannot have children; put sphere() next to it, in a union() or difference()");
 }
 
 TEST_CASE("counts are those of the written tree") {

@@ -44,7 +44,7 @@ TEST_CASE("a thin area twisted to a point is cut in an end of steps") {
 
 TEST_CASE("slices of which no solid can have so many are refused before they are cut") {
   const std::string expected =
-      "m.csg:1:1: linear_extrude(): linear_extrude() falls into more than 100000 convex pieces; ask for fewer slices, "
+      "m.csg:1:1: linear_extrude(): linear_extrude() needs more than 100000 convex pieces; use fewer slices, "
       "or "
       "raise $fa or $fs";
   CHECK(refusal(twisted("slices = 100001, scale = [0.5, 0.5]", "[12, 5]"), 20'000) == expected);
@@ -104,7 +104,8 @@ TEST_CASE("a solid beyond the numbers that it could be drawn with is refused wit
     return testing::error_of([&] { (void)facet::make_geometry(read::read_csg_text(text, "m.csg")); });
   };
   const std::string far =
-      " it reaches farther than 1e12 from the origin, where numbers are too coarse to draw it; move it nearer, or "
+      " the solid extends farther than 1e12 from the origin, where numbers are too coarse to draw it; move it closer, "
+      "or "
       "scale "
       "it down";
   const auto moved = [](const char* by) {

@@ -37,7 +37,7 @@ TEST_CASE("a bent face is told of with how far its corners are off, and flat one
   const auto checked = check(bent_box(0.2), solids::printed_tolerance);
   REQUIRE(!checked.defect);
   CHECK(checked.bent.count == 1);
-  CHECK(checked.bent.most_off == doctest::Approx(0.1).epsilon(0.02));
+  CHECK(checked.bent.max_deviation == doctest::Approx(0.1).epsilon(0.02));
   CHECK(triangles_of(checked.mesh).size() == 2);
   CHECK(checked.mesh.faces.size() == 7);
   CHECK(check(bent_box(1e-6), solids::printed_tolerance).bent.count == 0);

@@ -210,7 +210,7 @@ TEST_CASE("points far off are joined where they are equal, however small the tol
   mesh.faces.pop_back();
   for (glm::dvec3& point : mesh.points) point = point * 1e-8 + glm::dvec3(1e12, -1e12, 0);
   for (const double near : {1e-9, 1e-300, 0.0}) {
-    solids::Numbered numbered = solids::join_points(mesh);
+    solids::NumberedMesh numbered = solids::join_points(mesh);
     const auto points = numbered.mesh.points.size();
     solids::join_near_points(numbered, near);
     CHECK(numbered.mesh.points.size() == points);
@@ -222,7 +222,7 @@ TEST_CASE("points far off are joined where they are equal, however small the tol
   mesh.points.push_back(mesh.points[corner]);
   mesh.points.back().x = std::nextafter(mesh.points[corner].x, 2e12);
   for (const auto& [near, count] : {std::pair(1e-5, 9), std::pair(1e-3, 8)}) {
-    solids::Numbered numbered = solids::join_points(mesh);
+    solids::NumberedMesh numbered = solids::join_points(mesh);
     solids::join_near_points(numbered, near);
     CHECK(numbered.mesh.points.size() == count);
   }

@@ -16,7 +16,7 @@ namespace {
 /// Of OpenSCAD's 6 digits, and of what they bend.
 constexpr double printed = 1e-4;
 
-Pieces pieces_of(const std::string& text) { return solids::pieces_of(read::read_csg_text(text, "m.csg")); }
+Pieces pieces_of(const std::string& text) { return solids::evaluate_pieces(read::read_csg_text(text, "m.csg")); }
 
 std::string moved(const std::array<double, 3>& by, const std::string& text) {
   std::ostringstream out;
@@ -153,8 +153,8 @@ void check_projection(const std::string& name, bool cut, int holes) {
 }  // namespace
 
 TEST_CASE("an empty tree has no pieces and no vertices") {
-  CHECK(solids::pieces_of({}).empty());
-  CHECK(solids::vertices_of({}).empty());
+  CHECK(solids::evaluate_pieces({}).empty());
+  CHECK(solids::evaluate_vertices({}).empty());
 }
 
 TEST_CASE("the hull of what differences and intersections leave is OpenSCAD's") {
@@ -162,7 +162,7 @@ TEST_CASE("the hull of what differences and intersections leave is OpenSCAD's") 
                            turned(1, 30, box(30, 30, 2, true)) + "} intersection(){" +
                            moved({0, 0, 8}, "sphere($fn=12,$fa=12,$fs=2,r=3);") + moved({-5, -5, 8}, box(9, 9, 9)) +
                            "}";
-  const auto piece = solids::hull_piece(solids::vertices_of(read::read_csg_text(text, "m.csg")));
+  const auto piece = solids::hull_piece(solids::evaluate_vertices(read::read_csg_text(text, "m.csg")));
   REQUIRE(piece);
   const solids::Mesh expected = testing::load_off("rest_hull");
   CHECK(testing::volume_of(piece->points, piece->faces) ==
@@ -171,7 +171,7 @@ TEST_CASE("the hull of what differences and intersections leave is OpenSCAD's") 
 }
 
 TEST_CASE("the vertices of a union are those of its facets") {
-  const auto vertices = solids::vertices_of(
+  const auto vertices = solids::evaluate_vertices(
       read::read_csg_text("union(){cube(size=[1,2,3],center=false);sphere($fn=8,$fa=12,$fs=2,r=1);}", "m.csg"));
   CHECK(vertices.size() == 8 + 8 * 4);
 }
@@ -205,7 +205,7 @@ TEST_CASE("Minkowski sums of too many corners are refused") {
   many[0].points.resize(5000);
   CHECK(testing::error_of([&] {
           solids::minkowski(std::array<Pieces, 2>{many, many});
-        }) == "the Minkowski sum takes more than 20000000 sums of corners; give its solids fewer facets ($fn)");
+        }) == "the Minkowski sum needs more than 20000000 sums of corners; use fewer facets ($fn)");
 }
 
 TEST_CASE("shadows and cuts are OpenSCAD's") {

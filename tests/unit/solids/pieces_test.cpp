@@ -111,14 +111,14 @@ TEST_CASE("meshes that OpenSCAD wrote fall into pieces that cover them once") {
   // Coordinates of 6 digits bend faces: what is lost is the rounding times the surface.
   struct Case {
     std::string name;
-    std::size_t most_pieces;  ///< of the first four, what CGAL's convex_decomposition_3 makes of them
+    std::size_t max_pieces;  ///< of the first four, what CGAL's convex_decomposition_3 makes of them
   };
   for (const auto& known : {Case{"gear", 38}, Case{"letters", 104}, Case{"cup", 178}, Case{"bite", 395},
                             Case{"twisted", 100}, Case{"hollow", 80}}) {
     CAPTURE(known.name);
     const Mesh mesh = testing::load_off(known.name);
     const auto pieces = convex_pieces(mesh);
-    CHECK(pieces.size() <= known.most_pieces);
+    CHECK(pieces.size() <= known.max_pieces);
     CHECK(testing::check_pieces(mesh, pieces, 2e-6) > 50);
   }
 }
@@ -266,26 +266,26 @@ TEST_CASE("what is left open, or turned inside out, is refused") {
   Mesh mesh = box(glm::dvec3(0), glm::dvec3(1));
   reverse(mesh);
   CHECK(testing::error_of([&] { convex_pieces(mesh); }) ==
-        "a shell faces inwards and is in no other; reverse its faces");
+        "a shell faces inwards and is inside no other shell; reverse its faces");
   Cubes cubes;
   cubes.add({0, 0, 0});
   cubes.add({1, 0, 0});
   cubes.add({0, 1, 0});
   mesh = cubes.mesh();
   mesh.faces.erase(mesh.faces.begin());
-  CHECK(testing::error_of([&] { convex_pieces(mesh); }) == "the faces leave a hole in the solid's surface; close it");
+  CHECK(testing::error_of([&] { convex_pieces(mesh); }) == "the solid's surface has a hole; close it");
 }
 
 TEST_CASE("more pieces or parts of faces than the limits allow are refused") {
   const Mesh mesh = testing::load_off("gear");
   solids::Limits limits;
-  limits.most_pieces = 10;
+  limits.max_pieces = 10;
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }) ==
-        "the solid falls into more than 10 convex pieces; give it fewer faces, or divide it");
+        "the solid needs more than 10 convex pieces; give it fewer faces, or divide it");
   limits = {};
-  limits.most_fragments = 100;
+  limits.max_fragments = 100;
   CHECK(testing::error_of([&] { convex_pieces(mesh, limits); }) ==
-        "the solid's faces fall into more than 100 parts; give it fewer faces, or divide it");
+        "the solid's faces are cut into more than 100 parts; give it fewer faces, or divide it");
 }
 
 TEST_CASE("gathering the faces of planes is work") {

@@ -150,7 +150,7 @@ TEST_CASE("boxes are in one group unless lines along the axes keep them apart") 
     return facet::Box{{x, y, 0}, {x + width, y + height, 0}};
   };
   const auto groups = [](const std::vector<facet::Box>& boxes) {
-    std::vector<std::vector<std::uint32_t>> found = solids::groups_of(boxes);
+    std::vector<std::vector<std::uint32_t>> found = solids::group_boxes(boxes);
     for (auto& group : found) std::ranges::sort(group);
     std::ranges::sort(found);
     return found;

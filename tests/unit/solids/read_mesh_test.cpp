@@ -85,7 +85,7 @@ TEST_CASE("what is wrong with a binary STL file is said") {
   std::string bytes = binary_stl(mesh);
   CHECK(stl_error(bytes + "x") ==
         "m.stl: a binary STL file of 20 triangles has 1084 bytes, and this one has 1085; export it again");
-  CHECK(stl_error(bytes.substr(0, 83)) == "m.stl: this is no STL file; export it again");
+  CHECK(stl_error(bytes.substr(0, 83)) == "m.stl: not an STL file; export it again");
   for (std::size_t i = 0; i < 4; ++i) {
     bytes[84 + 50 * 3 + 12 + i] =
         static_cast<char>(std::bit_cast<std::uint32_t>(std::numeric_limits<float>::infinity()) >> (8 * i) & 0xffU);
@@ -100,9 +100,9 @@ TEST_CASE("texts of STL are read word by word, in any case, and all of their sol
             .faces.size() == 3);
   CHECK(stl_error("solid\n" + facet) == "m.stl:5:1: expected 'facet' or 'endsolid'; export it as STL again");
   CHECK(stl_error("solid\nfacet normal 0 0 1 outer loop\n vertex 0 zero 0") ==
-        "m.stl:3:11: a coordinate has to be a finite number, and is 'zero'; correct it");
+        "m.stl:3:11: a coordinate must be a finite number, not 'zero'; correct it");
   CHECK(stl_error("solid\nfacet normal 0 0 1 outer loop\n vertex 0 inf 0") ==
-        "m.stl:3:11: a coordinate has to be a finite number, and is 'inf'; correct it");
+        "m.stl:3:11: a coordinate must be a finite number, not 'inf'; correct it");
   CHECK(stl_error("solid\nfacet normal 0 0 1 loop") == "m.stl:2:20: expected 'outer'; export it as STL again");
   CHECK(stl_error("solid\nendsolid\nfacet") ==
         "m.stl:3:1: expected 'solid' or the end of the file; export it as STL again");
@@ -119,19 +119,18 @@ TEST_CASE("an OFF file may have comments, colours and its counts in the first li
 }
 
 TEST_CASE("what is wrong with an OFF file is said, with its place") {
-  CHECK(off_error("") == "m.off:1:1: an OFF file begins with OFF; export it as OFF again");
+  CHECK(off_error("") == "m.off:1:1: an OFF file must start with OFF; export it as OFF again");
   CHECK(off_error("OFF\n-1 0 0") ==
-        "m.off:2:1: the number of points has to be a whole number from 0 to 1, and is '-1'; correct it");
+        "m.off:2:1: the number of points must be a whole number from 0 to 1, not '-1'; correct it");
   // The counts are held against the length of the file before room is made for them.
-  CHECK(off_error("OFF\n3 4000000000 0\n").find("the number of faces has to be a whole number from 0 to ") !=
+  CHECK(off_error("OFF\n3 4000000000 0\n").find("the number of faces must be a whole number from 0 to ") !=
         std::string::npos);
-  CHECK(off_error("OFF\n1 1 0\n0 0 0\n2 0 0\n") ==
-        "m.off:4:1: a face needs at least 3 corners; take it out or complete it");
+  CHECK(off_error("OFF\n1 1 0\n0 0 0\n2 0 0\n") == "m.off:4:1: a face needs at least 3 corners; complete or remove it");
   CHECK(off_error("OFF\n1 1 0\n0 0 0\n3 0 0 1\n") ==
-        "m.off:4:7: the number of a point has to be a whole number from 0 to 0, and is '1'; correct it");
+        "m.off:4:7: the number of a point must be a whole number from 0 to 0, not '1'; correct it");
   CHECK(off_error("OFF\n0 1 0\n3 0 0 1\n") == "m.off:3:1: a face has corners, but there are no points; add them");
   CHECK(off_error("OFF\n1 1 0\n0 0 ") ==
-        "m.off:3:5: a coordinate has to be a finite number, and is the end of the file; correct it");
+        "m.off:3:5: a coordinate must be a finite number, not the end of the file; correct it");
 }
 
 TEST_CASE("corners of an OBJ file are counted from either end, and its looks are passed over") {
@@ -146,37 +145,38 @@ TEST_CASE("corners of an OBJ file are counted from either end, and its looks are
 
 TEST_CASE("what is wrong with an OBJ file is said, with its place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_obj(text, "m.obj"); }); };
-  CHECK(error("v 0 0\n") == "m.obj:1:5: a point has three coordinates; complete it");
-  CHECK(error("v 0 zero 0\n") == "m.obj:1:5: a coordinate has to be a finite number, and is 'zero'; correct it");
+  CHECK(error("v 0 0\n") == "m.obj:1:5: a point needs three coordinates; complete it");
+  CHECK(error("v 0 zero 0\n") == "m.obj:1:5: a coordinate must be a finite number, not 'zero'; correct it");
   const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-  CHECK(error(points + "f 1 2\n") == "m.obj:4:5: a face needs at least 3 corners; take it out or complete it");
+  CHECK(error(points + "f 1 2\n") == "m.obj:4:5: a face needs at least 3 corners; complete or remove it");
   for (const char* corner : {"0", "4", "-4", "/1", "1.5", "99999999999999999999"}) {
     CAPTURE(corner);
-    CHECK(error(points + "f 1 2 " + corner + "\n") ==
-          "m.obj:4:7: a corner has to be one of the 3 points before it, counted from 1 or back from -1; correct it");
+    CHECK(
+        error(points + "f 1 2 " + corner + "\n") ==
+        "m.obj:4:7: a corner must be one of the 3 points before it, counted from 1, or backwards from -1; correct it");
   }
   CHECK(error(points + "curv 0 1 1 2\n") ==
-        "m.obj:4:1: an OBJ file may hold points, faces and their looks, and this is something else; export it "
-        "as a mesh of flat faces");
+        "m.obj:4:1: unsupported statement: only points, faces and their appearance are read; export a mesh of "
+        "flat faces");
   CHECK(error("").empty());
 }
 
 TEST_CASE("what is wrong with an AMF file is said, with its place") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_amf(text, "m.amf"); }); };
-  CHECK(error("<stl/>") == "m.amf:1:1: there is no <amf>; correct it");
+  CHECK(error("<stl/>") == "m.amf:1:1: no <amf> element; correct it");
   CHECK(error("<amf>\n<object>").starts_with("m.amf:2:"));
   CHECK(error("<amf><object><mesh><vertices>\n <vertex><coordinates><x>1</x><y>q</y><z>0</z></coordinates></vertex>"
               "</vertices></mesh></object></amf>") ==
-        "m.amf:2:3: a coordinate has to be a finite number, and is 'q'; correct it");
+        "m.amf:2:3: a coordinate must be a finite number, not 'q'; correct it");
   CHECK(error("<amf><object><mesh><volume>\n  <triangle><v1>0</v1></triangle></volume></mesh></object></amf>") ==
-        "m.amf:2:4: a corner has to be one of 0 points, and is '0'; correct it");
+        "m.amf:2:4: a corner must be one of 0 points, not '0'; correct it");
 }
 
 TEST_CASE("damaged packages are refused") {
   const auto error = [](const std::string& text) { return error_of([&] { solids::parse_3mf(text, "m.3mf"); }); };
-  CHECK(error("<model/>") == "m.3mf: this is no 3MF package; export it again");
-  CHECK(error("PK\x03\x04 and no more") == "m.3mf: it is a damaged zip archive; export it again");
-  CHECK(error(bytes_of("corner_zipped.amf")) == "m.3mf: there is no _rels/.rels in it; export it again");
+  CHECK(error("<model/>") == "m.3mf: not a 3MF package; export it again");
+  CHECK(error("PK\x03\x04 and no more") == "m.3mf: the zip archive is damaged; export it again");
+  CHECK(error(bytes_of("corner_zipped.amf")) == "m.3mf: the archive has no _rels/.rels; export it again");
   std::string bytes = bytes_of("corner.3mf");
   CHECK(error(bytes).empty());
   // Any byte may be wrong: what is read is read whole, or refused.

@@ -61,23 +61,23 @@ TEST_CASE("one row, one column and no heights are an empty mesh") {
 }
 
 TEST_CASE("what is no number is refused, with its place") {
-  CHECK(numbers_error("1 2\n3 4x 5") == "m.dat:2:3: a height has to be a finite number, and is '4x'; correct it");
-  CHECK(numbers_error("1,2\n") == "m.dat:1:1: a height has to be a finite number, and is '1,2'; correct it");
-  CHECK(numbers_error("1 2\n3 inf") == "m.dat:2:3: a height has to be a finite number, and is 'inf'; correct it");
+  CHECK(numbers_error("1 2\n3 4x 5") == "m.dat:2:3: a height must be a finite number, not '4x'; correct it");
+  CHECK(numbers_error("1,2\n") == "m.dat:1:1: a height must be a finite number, not '1,2'; correct it");
+  CHECK(numbers_error("1 2\n3 inf") == "m.dat:2:3: a height must be a finite number, not 'inf'; correct it");
 }
 
 TEST_CASE("too many heights are refused before there is room made for them") {
   std::string text;
   for (int i = 0; i < 2000; ++i) text += "1 ";
   for (int i = 0; i < 2000; ++i) text += "\n1";
-  CHECK(numbers_error(text) == "m.dat: more than 1000000 heights; make it coarser");
+  CHECK(numbers_error(text) == "m.dat: more than 1000000 heights; make the grid coarser");
 }
 
 TEST_CASE("damaged pictures are refused") {
   const std::string bytes = read_file(folder() + "heights_colour.png", {"a file", 1U << 20U, ""});
   CHECK(png_error(bytes).empty());
-  CHECK(png_error("").starts_with("m.png: it is no PNG file, or damaged ("));
-  CHECK(png_error(bytes.substr(0, 60)) == "m.png: it is no PNG file, or damaged (it ends too early); save it again");
+  CHECK(png_error("").starts_with("m.png: not a PNG file, or damaged ("));
+  CHECK(png_error(bytes.substr(0, 60)) == "m.png: not a PNG file, or damaged (the file ends too early); save it again");
   std::string changed = bytes;
   changed[50] = static_cast<char>(changed[50] ^ 0x10);
   CHECK(!png_error(changed).empty());
@@ -94,5 +94,5 @@ TEST_CASE("a picture of too many pixels is refused before there is room made for
   std::string bytes = header;
   for (int shift = 24; shift >= 0; shift -= 8) bytes.push_back(static_cast<char>(~crc >> shift & 0xffU));
   bytes += std::string("\0\0\0\0IDAT\x35\xaf\x06\x1e", 12);
-  CHECK(png_error(bytes) == "m.png: it has more than 1000000 pixels; scale it down");
+  CHECK(png_error(bytes) == "m.png: the picture has more than 1000000 pixels; scale it down");
 }

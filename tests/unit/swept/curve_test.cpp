@@ -25,7 +25,7 @@ Curve any_curve() {
 TEST_CASE("segments of a B-spline are what the sum of its basis functions is") {
   CHECK(rc::check([] {
     const Curve curve = any_curve();
-    const std::vector<Segment> segments = swept::segments_of(curve);
+    const std::vector<Segment> segments = swept::bernstein_segments(curve);
     RC_ASSERT(segments.size() == curve.points.size() - (curve.closed ? 0 : curve.degree));
     for (std::size_t k = 0; k < segments.size(); ++k) {
       for (const double t : {0.0, 0.125, 0.3, 0.5, 0.9375}) {
@@ -39,7 +39,7 @@ TEST_CASE("segments of a B-spline are what the sum of its basis functions is") {
 TEST_CASE("an open curve begins at its first point and ends at its last; a closed one ends where it begins") {
   CHECK(rc::check([] {
     const Curve curve = any_curve();
-    const std::vector<Segment> segments = swept::segments_of(curve);
+    const std::vector<Segment> segments = swept::bernstein_segments(curve);
     for (std::size_t k = 1; k < segments.size(); ++k) RC_ASSERT(segments[k].first() == segments[k - 1].last());
     if (curve.closed) {
       RC_ASSERT(segments.back().last() == segments.front().first());
@@ -52,7 +52,7 @@ TEST_CASE("an open curve begins at its first point and ends at its last; a close
 
 TEST_CASE("halves of a segment are the same curve and meet in the same numbers") {
   CHECK(rc::check([] {
-    const Segment segment = swept::segments_of(any_curve()).front();
+    const Segment segment = swept::bernstein_segments(any_curve()).front();
     const auto [first, second] = swept::halves(segment);
     RC_ASSERT(first.first() == segment.first());
     RC_ASSERT(second.last() == segment.last());
@@ -74,12 +74,12 @@ TEST_CASE("the slope of a segment is the difference of points that are near") {
 }
 
 TEST_CASE("curves that are none say what to do") {
-  CHECK(swept::fault_of(Curve{4, false, {}}) == "degree 4 is above 3; take 0 (constant), 1, 2 or 3");
-  CHECK(swept::fault_of(Curve{3, false, {{}, {}, {}}}) == "an open curve of degree 3 needs 4 points or more, not 3");
-  CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs 3 points or more, not 2");
-  CHECK(swept::fault_of(Curve{0, false, {{}, {}}}) == "a constant, of degree 0, has one point, not 2; take degree 1");
+  CHECK(swept::fault_of(Curve{4, false, {}}) == "degree 4 is above 3; use 0 (constant), 1, 2 or 3");
+  CHECK(swept::fault_of(Curve{3, false, {{}, {}, {}}}) == "an open curve of degree 3 needs at least 4 points, not 3");
+  CHECK(swept::fault_of(Curve{1, true, {{}, {}}}) == "a closed curve of degree 1 needs at least 3 points, not 2");
+  CHECK(swept::fault_of(Curve{0, false, {{}, {}}}) == "a constant, of degree 0, has one point, not 2; use degree 1");
   CHECK(swept::fault_of(Curve{0, false, {{}}}) == "");
   CHECK(swept::fault_of(Curve{1, false, std::vector<glm::dvec3>(10'001)}) ==
-        "a curve of 10001 points has more than 10000; take points out");
+        "a curve of 10001 points has more than 10000; remove points");
   CHECK(swept::fault_of(Curve{3, true, {{}, {}, {}, {}}}) == "");
 }

@@ -58,33 +58,34 @@ TEST_CASE("how far a point is off a line ends with the line") {
                                          {{4, 3, 5}, {1, 1, 1}, {1, 5, 1}, 5},
                                          {{4, 6, 2}, {1, 2, 2}, {1, 2, 2}, 5}}) {
     CAPTURE(row.point.x);
-    CHECK(swept::off_line(row.point, row.from, row.to) == doctest::Approx(row.off));
+    CHECK(swept::distance_to_segment(row.point, row.from, row.to) == doctest::Approx(row.off));
   }
 }
 
 TEST_CASE("how far a point is off a plane, and off the longest line where three points are on one") {
   using Three = std::array<glm::dvec3, 3>;
   const Three level{{{0, 0, 1}, {4, 0, 1}, {0, 2, 1}}};
-  CHECK(swept::off_plane({7, 9, 4}, level) == doctest::Approx(3));
-  CHECK(swept::off_plane({7, 9, -2}, level) == doctest::Approx(3));
+  CHECK(swept::distance_to_plane({7, 9, 4}, level) == doctest::Approx(3));
+  CHECK(swept::distance_to_plane({7, 9, -2}, level) == doctest::Approx(3));
   // x + y + z = 3, from (3, 3, 3).
-  CHECK(swept::off_plane({3, 3, 3}, {{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}}) == doctest::Approx(6 / std::sqrt(3.0)));
+  CHECK(swept::distance_to_plane({3, 3, 3}, {{{3, 0, 0}, {0, 3, 0}, {0, 0, 3}}}) ==
+        doctest::Approx(6 / std::sqrt(3.0)));
   // On the x axis from 0 to 4, in each order of the three: 3 above its end, 2 behind it.
   for (const Three& line : {Three{{{0, 0, 0}, {4, 0, 0}, {2, 0, 0}}}, Three{{{0, 0, 0}, {2, 0, 0}, {4, 0, 0}}},
                             Three{{{4, 0, 0}, {2, 0, 0}, {0, 0, 0}}}, Three{{{2, 0, 0}, {0, 0, 0}, {4, 0, 0}}},
                             Three{{{2, 0, 0}, {4, 0, 0}, {0, 0, 0}}}, Three{{{0, 0, 0}, {4, 0, 0}, {4, 0, 0}}}}) {
     CAPTURE(line[0].x);
     CAPTURE(line[1].x);
-    CHECK(swept::off_plane({4, 3, 0}, line) == doctest::Approx(3));
-    CHECK(swept::off_plane({6, 0, 0}, line) == doctest::Approx(2));
-    CHECK(swept::off_plane({-2, 0, 0}, line) == doctest::Approx(2));
+    CHECK(swept::distance_to_plane({4, 3, 0}, line) == doctest::Approx(3));
+    CHECK(swept::distance_to_plane({6, 0, 0}, line) == doctest::Approx(2));
+    CHECK(swept::distance_to_plane({-2, 0, 0}, line) == doctest::Approx(2));
   }
 }
 
 TEST_CASE("three points are on a line where their triangle is a billionth as high as it is long") {
   // In the plane z = 0 the point is on it; off the line it is 5.
   const auto off = [](const glm::dvec3& one, const glm::dvec3& other) {
-    return swept::off_plane({0, 5, 0}, {{{0, 0, 0}, one, other}});
+    return swept::distance_to_plane({0, 5, 0}, {{{0, 0, 0}, one, other}});
   };
   CHECK(off({1, 0, 0}, {1, 2e-9, 0}) == 0);
   CHECK(off({1, 0, 0}, {1, 0.5e-9, 0}) == doctest::Approx(5));

@@ -60,7 +60,7 @@ Net net_of(std::size_t rows, std::size_t columns) {
 
 TEST_CASE("a fault of each curve of a sweep names it") {
   const Curve bad{4, false, {}};
-  const std::string what = ": degree 4 is above 3; take 0 (constant), 1, 2 or 3";
+  const std::string what = ": degree 4 is above 3; use 0 (constant), 1, 2 or 3";
   Sweep sweep = block();
   sweep.contour = bad;
   CHECK(swept::fault_of(sweep) == "the contour" + what);
@@ -81,11 +81,11 @@ TEST_CASE("a sweep refuses a point for a contour and for a trajectory, and close
   CHECK(swept::fault_of(sweep).find("the contour") == 0);
   sweep = block();
   sweep.trajectory = {0, false, {{1, 1, 0}}};
-  CHECK(swept::fault_of(sweep) == "the trajectory is a point; take degree 1, 2 or 3");
+  CHECK(swept::fault_of(sweep) == "the trajectory is a point; use degree 1, 2 or 3");
   for (const bool is_rotation : {true, false}) {
     sweep = block();
     (is_rotation ? sweep.rotation : sweep.scale) = {1, true, {{1, 1, 0}, {2, 2, 0}, {3, 3, 0}}};
-    CHECK(swept::fault_of(sweep) == "rotation and scale go from an end to the other; take `open`");
+    CHECK(swept::fault_of(sweep) == "rotation and scale cannot be closed; use `open`");
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("a scale below 0 is refused along u and along v, at each of its points
       Sweep sweep = block();
       sweep.scale = {1, false, {{1, 1, 0}, {1, 1, 0}}};
       (is_last ? sweep.scale.points.back() : sweep.scale.points.front()) = point;
-      CHECK(swept::fault_of(sweep) == "a scale is below 0, where the solid would be inside out; take 0 or more");
+      CHECK(swept::fault_of(sweep) == "a scale is below 0, which would turn the solid inside out; use 0 or more");
     }
   }
   Sweep sweep = block();
@@ -119,25 +119,25 @@ TEST_CASE("the limits on points and patches are exact") {
   sweep.trajectory.points.resize(100, {0, 0, 9});
   CHECK(swept::fault_of(sweep).empty());
   sweep.trajectory.points.resize(101, {0, 0, 9});
-  CHECK(swept::fault_of(sweep) == "contour and trajectory are more than 100000 patches; take points out");
+  CHECK(swept::fault_of(sweep) == "contour and trajectory make more than 100000 patches; remove points");
 }
 
 TEST_CASE("a net needs four rows and four points a row, equal rows, and 100,000 patches are the most") {
   CHECK(swept::fault_of(net_of(4, 4)).empty());
-  CHECK(swept::fault_of(net_of(3, 4)) == "a patch needs 4 rows of points or more, not 3");
-  CHECK(swept::fault_of(net_of(4, 3)) == "a row of a patch needs 4 points or more, not 3");
+  CHECK(swept::fault_of(net_of(3, 4)) == "a patch needs at least 4 rows of points, not 3");
+  CHECK(swept::fault_of(net_of(4, 3)) == "a row of a patch needs at least 4 points, not 3");
   Net uneven = net_of(4, 5);
   uneven.rows[3].pop_back();
-  CHECK(swept::fault_of(uneven) == "rows of a patch are of 5 and of 4 points; make them equally long");
+  CHECK(swept::fault_of(uneven) == "rows of a patch have 5 and 4 points; make them equally long");
   CHECK(swept::fault_of(net_of(103, 1003)).empty());
-  CHECK(swept::fault_of(net_of(104, 1003)) == "more than 100000 patches; take points out");
-  CHECK(swept::fault_of(net_of(103, 1004)) == "more than 100000 patches; take points out");
+  CHECK(swept::fault_of(net_of(104, 1003)) == "more than 100000 patches; remove points");
+  CHECK(swept::fault_of(net_of(103, 1004)) == "more than 100000 patches; remove points");
 }
 
 TEST_CASE("where the trajectory closes, the scale along u and along v has to, and the rotation") {
   const std::string open =
-      "the contour does not come back to itself where the trajectory closes; let the rotation go on by a multiple of "
-      "360 degrees, and the scale end as it begins";
+      "the contour does not match itself where the trajectory closes; change the rotation to a multiple of "
+      "360 degrees in total, and end the scale at its initial value";
   Sweep ring{square(1), circle(9, 8, true)};
   ring.rotation = function(1, {0, 360});
   CHECK(making(ring) == "");
@@ -154,9 +154,8 @@ TEST_CASE("a trajectory that stands still is refused at its start, in its middle
   for (const std::size_t segment : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     std::vector<glm::dvec3> points{{0, 0, 0}, {0, 0, 3}, {0, 0, 6}};
     points.insert(points.begin() + static_cast<std::ptrdiff_t>(segment), points[segment]);
-    CHECK(making({square(1), {1, false, points}}) == "the trajectory stands still on its segment " +
-                                                         std::to_string(segment + 1) +
-                                                         ", of which all points are one; take points out");
+    CHECK(making({square(1), {1, false, points}}) ==
+          "all points of segment " + std::to_string(segment + 1) + " of the trajectory coincide; remove points");
   }
 }
 
@@ -252,7 +251,7 @@ TEST_CASE("the levels, the elements and the work of a surface are limited exactl
         std::string::npos);
   CHECK(subdividing({0.01}, swept::most_elements - leaves.size()) == "");
   CHECK(subdividing({0.01}, swept::most_elements - leaves.size() + 1) ==
-        "a surface is more than 2000000 elements; take a coarser tolerance");
+        "a surface needs more than 2000000 elements; use a coarser tolerance");
   const Work counting(1'000'000'000);
   CHECK(subdividing({0.01, sides, 12, counting}, 0) == "");
   CHECK(subdividing({0.01, sides, 12, Work(counting.done())}, 0) == "");

@@ -57,7 +57,7 @@ TEST_CASE("leaves come in the order south-west, south-east, north-west, north-ea
     for (const swept::Element& leaf : leaves_of(*surface, 0, 0, {0.2})) {
       covered += static_cast<double>(leaf.square.size) * leaf.square.size;
       std::uint64_t morton = 0;
-      for (std::uint32_t bit = 0; bit < swept::deepest; ++bit)
+      for (std::uint32_t bit = 0; bit < swept::max_depth; ++bit)
         morton |= static_cast<std::uint64_t>((leaf.square.x >> bit) & 1U) << (2 * bit) |
                   static_cast<std::uint64_t>((leaf.square.y >> bit) & 1U) << (2 * bit + 1);
       RC_ASSERT(is_first || morton > last);
@@ -111,15 +111,15 @@ TEST_CASE("a tolerance that the levels do not suffice for is an error that says 
   CHECK(testing::error_of([&] {
           leaves_of(*surface, 0, 0, {1e-6, swept::Flatness::sides, 3});
         }) ==
-        "a surface is not within 1e-06 of its elements where it is halved 3 times; take a coarser tolerance, or a "
+        "a surface is not within 1e-06 of its elements after 3 halvings; use a coarser tolerance, or a "
         "smoother curve");
 }
 
 TEST_CASE("nets that are none say what to do") {
-  CHECK(swept::fault_of(swept::Net{}) == "a patch needs 4 rows of points or more, not 0");
+  CHECK(swept::fault_of(swept::Net{}) == "a patch needs at least 4 rows of points, not 0");
   const std::vector<glm::dvec3> row(4);
-  CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs 4 points or more, not 0");
+  CHECK(swept::fault_of(swept::Net{{row, row, row, {}}}) == "a row of a patch needs at least 4 points, not 0");
   CHECK(swept::fault_of(swept::Net{{row, row, row, std::vector<glm::dvec3>(5)}}) ==
-        "rows of a patch are of 4 and of 5 points; make them equally long");
+        "rows of a patch have 4 and 5 points; make them equally long");
   CHECK(swept::fault_of(swept::Net{{row, row, row, row}}) == "");
 }

@@ -232,21 +232,21 @@ TEST_CASE("sweeps that cannot be say what to do") {
   CHECK(swept::fault_of(open) == "the contour is open; write `closed` in its curve");
   Sweep below = good;
   below.scale = {1, false, {{1, 1, 0}, {-1, 1, 0}}};
-  CHECK(swept::fault_of(below) == "a scale is below 0, where the solid would be inside out; take 0 or more");
+  CHECK(swept::fault_of(below) == "a scale is below 0, which would turn the solid inside out; use 0 or more");
   Sweep none = good;
   none.contour.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
-  CHECK(swept::fault_of(none) == "the contour goes around nothing; move its points apart");
+  CHECK(swept::fault_of(none) == "the contour encloses no area; move its points apart");
   Sweep many = good;
   many.contour.points.resize(400, {1, 2, 0});
   many.trajectory.points.resize(300, {0, 0, 9});
-  CHECK(swept::fault_of(many) == "contour and trajectory are more than 100000 patches; take points out");
+  CHECK(swept::fault_of(many) == "contour and trajectory make more than 100000 patches; remove points");
   Sweep back = good;
   back.trajectory.points = {{0, 0, 0}, {0, 0, 4}, {0, 0, 1}};
   CHECK(testing::error_of([&] { swept::solid_of(back, {0.1}); }) ==
-        "the trajectory turns back at the end of its segment 1; move that point aside");
+        "the trajectory reverses at the end of its segment 1; move that point");
   Sweep turned{square(1), circle(9, 8, true)};
   turned.rotation = {1, false, {{0, 0, 0}, {90, 0, 0}}};
   CHECK(testing::error_of([&] { swept::solid_of(turned, {0.1}); }) ==
-        "the contour does not come back to itself where the trajectory closes; let the rotation go on by a multiple of "
-        "360 degrees, and the scale end as it begins");
+        "the contour does not match itself where the trajectory closes; change the rotation to a multiple of "
+        "360 degrees in total, and end the scale at its initial value");
 }

@@ -14,7 +14,7 @@ constexpr double pi = std::numbers::pi;
 
 /// A polyline as a path.
 Path path_of(const std::vector<glm::dvec3>& points, bool is_closed = false) {
-  return {swept::segments_of({1, is_closed, points}), is_closed, true};
+  return {swept::bernstein_segments({1, is_closed, points}), is_closed, true};
 }
 
 Path smooth(const std::vector<Segment>& segments) { return {segments, false, false}; }
@@ -66,7 +66,7 @@ TEST_CASE("a segment leaves its start towards the first of its points that is el
     CHECK(testing::error_of([&] {
             const Path path = smooth({bend, {2, {a, a, a}}});
             static_cast<void>(which == 0 ? path.leaving(1) : path.arriving(1));
-          }) == "the trajectory stands still on its segment 2, of which all points are one; take points out");
+          }) == "all points of segment 2 of the trajectory coincide; remove points");
   }
 }
 
@@ -95,7 +95,7 @@ TEST_CASE("a trajectory turns back where what comes and what goes differ from op
     const double angle = is_near ? 0.0199 : 0.0201;
     const Path path = path_of({{0, 0, 0}, {1, 0, 0}, {1 - std::cos(angle), std::sin(angle), 0}});
     CHECK(testing::error_of([&] { static_cast<void>(path.tangent(1)); }) ==
-          (is_near ? "the trajectory turns back at the end of its segment 1; move that point aside" : ""));
+          (is_near ? "the trajectory reverses at the end of its segment 1; move that point" : ""));
   }
 }
 
@@ -181,16 +181,16 @@ TEST_CASE("between corners along the y axis v is turned over evenly from the cor
 
 TEST_CASE("the part of the length: of lines and of a parabola") {
   const Spine lines(along({1, false, {{0, 0, 0}, {0, 0, 1}, {0, 0, 10}}}));
-  CHECK(lines.part_of_length(0, 0) == 0);
-  CHECK(lines.part_of_length(0, 0.5) == doctest::Approx(0.05));
-  CHECK(lines.part_of_length(1, 0) == doctest::Approx(0.1));
-  CHECK(lines.part_of_length(1, 0.5) == doctest::Approx(0.55));
-  CHECK(lines.part_of_length(1, 1) == doctest::Approx(1));
+  CHECK(lines.length_fraction(0, 0) == 0);
+  CHECK(lines.length_fraction(0, 0.5) == doctest::Approx(0.05));
+  CHECK(lines.length_fraction(1, 0) == doctest::Approx(0.1));
+  CHECK(lines.length_fraction(1, 0.5) == doctest::Approx(0.55));
+  CHECK(lines.length_fraction(1, 1) == doctest::Approx(1));
   // y = x^2 up to x is x / 2 times the root of 1 + 4 x^2, and a quarter of arsinh 2 x.
   const Spine parabola(along({2, false, {{0, 0, 0}, {0.5, 0, 0}, {1, 1, 0}}}));
   const auto length = [](double x) { return x / 2 * std::sqrt(1 + 4 * x * x) + std::asinh(2 * x) / 4; };
   for (const double x : {0.125, 0.5, 0.75, 1.0})
-    CHECK(parabola.part_of_length(0, x) == doctest::Approx(length(x) / length(1)).epsilon(1e-11));
+    CHECK(parabola.length_fraction(0, x) == doctest::Approx(length(x) / length(1)).epsilon(1e-11));
 }
 
 TEST_CASE("a part is short that is no longer than a piece of either function, and turns by 90 degrees at most") {
@@ -275,7 +275,7 @@ TEST_CASE("a smooth trajectory has no corner of more than a thousandth, where po
   };
   const auto told = [](int segment) {
     return "the trajectory has a corner where its segment " + std::to_string(segment) +
-           " starts; take points apart that are the same, or degree 1";
+           " starts; move coincident points apart, or use degree 1";
   };
   CHECK(bent(0.0009, false) == "");
   CHECK(bent(0.0011, false) == told(2));
