@@ -7,7 +7,7 @@ namespace csgsim::emit {
 
 namespace {
 
-/// The mean of a facet's vertices, in the camera's axes.
+/// The mean of a facet's vertices, in camera space.
 glm::dvec3 middle(const Context& context, const Facet& facet) {
   const std::vector<glm::dvec3> vertices = vertices_of(context, facet);
   glm::dvec3 sum{0};

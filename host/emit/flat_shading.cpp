@@ -36,7 +36,7 @@ constexpr std::array rows{&flat};
 const EffectRow flat{.section = scene::effect_section<NoSettings>("effects.flat", "every facet in one colour"),
                      .technique =
                          "Lambert's law and Blinn's highlights (Models of Light Reflection for Computer "
-                         "Synthesized Pictures, SIGGRAPH 1977), worked out once a facet by the host",
+                         "Synthesized Pictures, SIGGRAPH 1977), computed once per facet by the host",
                      .parts = parts_of<FlatShading>,
                      .takes_quadrics = true};
 
