@@ -8,7 +8,8 @@ namespace csgsim::effects {
 
 namespace {
 
-/// What doubles may lose, relative to the greatest terms of a line's value and to a picture's side.
+/// Bound of rounding errors in double precision, relative to the greatest terms of a line's value and to the picture's
+/// side.
 constexpr double noise = 1e-11;
 constexpr double greatest_side = 1 << 16;
 
@@ -16,14 +17,14 @@ struct Line {
   explicit Line(const view::FixedLinear& line)
       : a(static_cast<double>(line.a)), b(static_cast<double>(line.b)), c(static_cast<double>(line.c)) {}
 
-  /// Above 0 where it may be 0 or more.
+  /// Upper bound of the line's value: positive wherever the value may be 0 or more.
   [[nodiscard]] double at(const glm::dvec2& place) const {
     const double x = a * place.x;
     const double y = b * place.y;
     return x + y + c + noise * (std::abs(x) + std::abs(y) + std::abs(c) + std::abs(a) + std::abs(b));
   }
 
-  /// Below what it is for certain.
+  /// Lower bound of the line's value.
   [[nodiscard]] double surely_at(const glm::dvec2& place) const {
     const double x = a * place.x;
     const double y = b * place.y;
