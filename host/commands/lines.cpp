@@ -13,7 +13,7 @@ namespace csgsim::commands {
 
 namespace {
 
-/// What the actions of the grammar work on.
+/// Collects the items that the grammar's actions produce.
 class Reader {
  public:
   explicit Reader(read::Source& source) : source_(source) {}
@@ -96,7 +96,7 @@ struct Control : tao::pegtl::normal<Rule> {
 
 }  // namespace
 
-std::vector<std::vector<Item>> lines_of(read::Source& source) {
+std::vector<std::vector<Item>> split_lines(read::Source& source) {
   const std::string_view text = source.text();
   tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy> input(text.data(), text.size(), "");
   Reader reader(source);
