@@ -10,7 +10,7 @@
 namespace csgsim::emit {
 
 /// Memory bits of the strategy for the whole drawing. Throws InputError if the tree has more products than
-/// most_products.
+/// max_products.
 ClassificationBits classification_bits(const Drawing& drawing, const Options& options);
 
 /// Draws one primitive's surface where its active tree contains it and it is visible. `options.strategy` must not be

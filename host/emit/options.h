@@ -54,7 +54,7 @@ std::string_view name_of(Colouring colouring);
 inline constexpr unsigned fewest_stack_bits = 3;
 
 /// Maximum number of products that a segment is compiled for.
-inline constexpr std::uint64_t most_products = 16'384;
+inline constexpr std::uint64_t max_products = 16'384;
 
 struct EffectRow;
 

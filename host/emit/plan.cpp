@@ -34,7 +34,7 @@ class Hiders {
   [[nodiscard]] bool hide(const csg::Block& block) const {
     if (block.z_low <= 0) return false;
     const std::int64_t before = block.z_low - 1;
-    counted_.add(&isa::Preparation::boxes, index_.boxes_of_way());
+    counted_.add(&isa::Preparation::boxes, index_.path_boxes());
     const std::vector<std::uint32_t> fronts =
         index_.covering(csg::picture_box(block.pixels, before, before), max_hiders);
     return std::any_of(fronts.begin(), fronts.end(), [&](std::uint32_t number) {

@@ -34,7 +34,7 @@ bool is_paraboloid(const view::ScreenQuadric& quadric) { return quadric.kind == 
 
 /// Bits of the root over the pixels.
 unsigned root_bits(const RootRanges& ranges) {
-  return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(ranges.most_root))));
+  return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(ranges.max_root))));
 }
 
 bool is_depth(const view::Range& range, std::int64_t farthest) { return range.low >= 0 && range.high <= farthest; }
