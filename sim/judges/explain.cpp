@@ -11,10 +11,10 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Fraction bits that edge tests have more than surfaces.
+/// Additional fraction bits of edge tests over surfaces.
 constexpr int edge_bits = 8;
 
-/// Pixels that a primitive's rectangle is wider than its vertices are apart, besides the width of edges.
+/// Margin of a primitive's rectangle around its vertices, pixels, in addition to the width of edges.
 constexpr double rectangle_margin = 1.0 / 64;
 
 DepthLine depth_line(const isa::Program& program, double unit) {
@@ -43,14 +43,14 @@ DepthLine depth_line(const isa::Program& program, double unit) {
 
 }  // namespace
 
-/// What a machine makes of a plane at a place.
+/// What a machine may draw for a plane at a place.
 struct Explainer::Nature {
   enum class Kind : std::uint8_t {
     surface,
-    holds,      ///< as an edge, which has the place on its positive side
-    excludes,   ///< as an edge, which has the place on its negative side
-    undecided,  ///< as an edge, which passes too close to tell
-    either,     ///< perhaps as an edge, perhaps as a surface
+    holds,      ///< an edge with the place on its positive side
+    excludes,   ///< an edge with the place on its negative side
+    undecided,  ///< an edge too close to decide
+    either,     ///< possibly an edge, possibly a surface
   };
   Kind kind = Kind::surface;
   Steps steps;
@@ -82,7 +82,7 @@ Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, c
       steepest_(std::ldexp(1.0, static_cast<int>(line_.z_bits)) / line_.edge_on_fraction) {}
 
 Steps Explainer::steps(std::uint32_t index, Place place) const {
-  // 0, or 1 if the near plane, which is fitted to the model, lies behind a face by the last bit of a double.
+  // 0, or 1 if the near plane, which is fitted to the model, is behind a face by the last bit of a double.
   if (index == sight_.near_plane()) return {0, 1};
   if (index > sight_.near_plane()) {
     const Sheet sheet = sight_.quadric_sheet(index);
@@ -96,7 +96,7 @@ Steps Explainer::steps(std::uint32_t index, Place place) const {
 Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   const SightPlane& plane = sight_.plane(index);
   if (!std::isfinite(plane.error)) return {Nature::Kind::either, {}};
-  // Per whole pixel; coefficients count half pixels.
+  // Slope per pixel; the coefficients are per half pixel.
   const double a = 2.0 * std::abs(plane.a);
   const double b = 2.0 * std::abs(plane.b);
   const double slope = std::hypot(a, b) * line_.z_per_q;
@@ -110,12 +110,12 @@ Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   const double zone = (exact_edge ? 0.0 : line_.q_half_range) + DepthLine::double_part * terms * plane.condition +
                       std::max(a, b) * DepthLine::rounding(place) * std::ldexp(line_.ulp(), -edge_bits);
   if (std::abs(value) <= zone) return {Nature::Kind::undecided, {}};
-  // A front's half-space lies behind it: it holds the depths if the plane is nearer than they are.
+  // A front's half-space is behind it: it contains the depths if the plane is nearer.
   const bool positive = plane.role == Role::back ? value > 0.0 : value < 0.0;
   return {positive ? Nature::Kind::holds : Nature::Kind::excludes, {}};
 }
 
-/// False if the primitive is not on the ray.
+/// Returns false if the primitive is not on the ray.
 bool Explainer::add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const {
   const Nature is = nature(halfspace.plane, place);
   switch (is.kind) {
@@ -132,7 +132,7 @@ bool Explainer::add_halfspace(Chance& chance, const facet::Halfspace& halfspace,
   return true;
 }
 
-/// The same of a quadric. Where rays begin inside of it, it has a back only if it is met at all.
+/// The same for a quadric. If rays begin inside it, it has a back only if it is met at all.
 bool Explainer::add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
   QuadricMet met = quadrics_.met(side.quadric, place);
@@ -157,11 +157,11 @@ bool Explainer::add_quadric(Chance& chance, const facet::QuadricSide& side, Plac
   return true;
 }
 
-/// Whether the pixel is one of those that the primitive may be at.
+/// Whether the pixel is one of those at which the primitive may be.
 Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
   const PlaceRect& reach = reaches_[primitive];
   if (reach.x0 > reach.x1) return Maybe::no;
-  // Places are half pixels.
+  // Places are in half pixels.
   const double beyond =
       std::max(std::max(reach.x0 - place.x, place.x - reach.x1), std::max(reach.y0 - place.y, place.y - reach.y1)) /
       2.0;
@@ -175,7 +175,7 @@ Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
 
 Ray Explainer::make_ray(Place place) const {
   Ray ray;
-  // After all surfaces: one a primitive, for its rectangle.
+  // Indices after all surfaces: one per primitive, for its rectangle.
   const std::uint32_t rectangles = sight_.surface({sight_.quadrics().count(), Root::nearer});
   for (std::uint32_t primitive = 0; primitive < geometry_.solids.size(); ++primitive) {
     Chance chance{
