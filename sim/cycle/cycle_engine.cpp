@@ -35,7 +35,7 @@ engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay, con
   return result;
 }
 
-/// The Program has to be one for the machine.
+/// The Program must be compiled for the machine.
 engine::RunResult run_on(systemc::ClockedMachine& hardware, const machines::Machine& machine,
                          const isa::Program& program, std::span<engine::Observer* const> observers) {
   Relay relay(program, observers);
@@ -57,7 +57,7 @@ class CycleEngine final : public engine::Engine {
 
   [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& /*program*/) const override {
     throw InputError(
-        "the cycle level cannot stop and go on, since SystemC's kernel cannot be saved; take the functional or the "
+        "the cycle level cannot pause and resume, since SystemC's kernel cannot be saved; take the functional or the "
         "reference level, whose bits and clocks are the same");
   }
 

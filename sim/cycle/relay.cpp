@@ -45,7 +45,7 @@ std::vector<machines::Skip> Relay::skips() const {
   return sorted;
 }
 
-/// No pixel is enabled when a segment begins, nor where instructions are skipped.
+/// No pixel is enabled at the start of a segment, nor where instructions are skipped.
 void Relay::count_overflows_of_next(const systemc::Retired& retired, const systemc::PixelView& pixels) {
   const isa::Segment& segment = program_.segments[retired.segment];
   const std::optional<Expression> next = expression_of(segment, retired.index + 1);
