@@ -110,7 +110,7 @@ class TreeMaker {
     read::MeshPieces made;
     try {
       const swept::SweptSolid meshed = swept::solid_of(sweep.sweep, accuracy);
-      made = read::sweep_pieces(meshed.mesh, solids::double_precision_tolerance, {}, source_.work());
+      made = read::pieces_of(meshed.mesh, solids::double_precision_tolerance, {}, source_.work());
     } catch (const InputError& error) {
       fail(solid.location, fmt::format("sweep: {}", error.what()));
     }
