@@ -103,7 +103,7 @@ Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const Po
   if (pruning.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
 }
 
-Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
+Block Pruner::surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
   Block block{region, 0, std::numeric_limits<std::int64_t>::max()};
   for (const std::uint32_t primitive : set) {
     counted_.add(&isa::Preparation::boxes);

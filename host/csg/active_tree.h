@@ -61,7 +61,7 @@ class Pruner {
          const Counted& counted = {});
 
   /// The part of the region and the depths in which the surface of a set can be; its pixels are empty if there is none.
-  [[nodiscard]] Block block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
+  [[nodiscard]] Block surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
 
   /// The active tree over a block of the set, which must have pixels.
   [[nodiscard]] ActiveTree active_tree(std::span<const std::uint32_t> set, const Block& block) const;

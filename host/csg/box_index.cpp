@@ -25,7 +25,7 @@ Point to_point(const std::array<float, 4>& coordinates) {
   return point;
 }
 
-Bounds bounds_of(const BoxIndex::Box& box) { return {to_point(box.low), to_point(box.high)}; }
+Bounds to_bounds(const BoxIndex::Box& box) { return {to_point(box.low), to_point(box.high)}; }
 
 /// Scale factors, a power of two for each axis, so that distinct coordinates stay distinct.
 using Scale = std::array<float, 4>;
@@ -57,7 +57,7 @@ Scale choose_scale(std::span<const BoxIndex::Entry> entries) {
 std::vector<Item> make_items(std::span<const BoxIndex::Entry> entries, const Scale& scale) {
   std::vector<Item> items;
   items.reserve(entries.size());
-  for (const BoxIndex::Entry& entry : entries) items.emplace_back(bounds_of(scaled(entry.box, scale)), entry.number);
+  for (const BoxIndex::Entry& entry : entries) items.emplace_back(to_bounds(scaled(entry.box, scale)), entry.number);
   return items;
 }
 
@@ -77,7 +77,7 @@ void append_found(const Items& items, const Predicate& predicate, std::vector<st
 struct BoxIndex::Tree {
   explicit Tree(std::span<const Entry> entries) : scale(choose_scale(entries)), items(make_items(entries, scale)) {}
 
-  [[nodiscard]] Bounds bounds(const Box& box) const { return bounds_of(scaled(box, scale)); }
+  [[nodiscard]] Bounds bounds(const Box& box) const { return to_bounds(scaled(box, scale)); }
 
   Scale scale;
   Items items;

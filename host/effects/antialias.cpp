@@ -68,7 +68,7 @@ struct Channel {
 };
 
 std::array<Channel, 3> channel_sums(const emit::Context& context, const SampleSettings& settings) {
-  const std::array<isa::Field, 3> colours = channels_of(context.layout.colour);
+  const std::array<isa::Field, 3> colours = colour_channels(context.layout.colour);
   std::array<Channel, 3> channels;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     channels[i] = {colours[i], context.layout.of("antialias", sum_names[i]), {}};
@@ -98,12 +98,12 @@ class Samples {
 
   /// Writes the sum divided by 2^shift to the picture.
   void divide(unsigned shift) {
-    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, part_of(one.sum, shift, one.colour.width));
+    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, subfield(one.sum, shift, one.colour.width));
   }
 
   /// Adds one half, so that the division by 2^shift rounds to nearest.
   void add_half(unsigned shift) {
-    const isa::Field half = part_of(context_.layout.of("antialias", "more"), 0, shift);
+    const isa::Field half = subfield(context_.layout.of("antialias", "more"), 0, shift);
     plain(Opcode::set_constant, half, {}, std::uint64_t{1} << (shift - 1));
     for (const Channel& one : channels_) plain(Opcode::add, one.sum, half);
   }
@@ -115,8 +115,8 @@ class Samples {
     for (const Channel& one : channels_) {
       if (settings_.least_difference >= std::int64_t{1} << one.colour.width) continue;
       const unsigned width = one.colour.width + shift;
-      is_less(part_of(one.sum, 0, width), part_of(one.newer, 0, width), shift, bit);
-      is_less(part_of(one.newer, 0, width), part_of(one.sum, 0, width), shift, bit);
+      is_less(subfield(one.sum, 0, width), subfield(one.newer, 0, width), shift, bit);
+      is_less(subfield(one.newer, 0, width), subfield(one.sum, 0, width), shift, bit);
     }
   }
 
@@ -128,8 +128,8 @@ class Samples {
  private:
   /// Sets the bit, at any pixel, where `less` + 2^shift least_difference <= `greater`.
   void is_less(isa::Field less, isa::Field greater, unsigned shift, isa::Field bit) {
-    const isa::Field more = part_of(context_.layout.of("antialias", "more"), 0, less.width + 1U);
-    const isa::Field other = part_of(context_.layout.of("antialias", "other"), 0, less.width + 1U);
+    const isa::Field more = subfield(context_.layout.of("antialias", "more"), 0, less.width + 1U);
+    const isa::Field other = subfield(context_.layout.of("antialias", "other"), 0, less.width + 1U);
     plain(Opcode::enable_all);
     plain(Opcode::set_constant, more, {}, static_cast<std::uint64_t>(settings_.least_difference) << shift);
     plain(Opcode::add, more, less);

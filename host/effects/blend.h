@@ -11,8 +11,8 @@ namespace csgsim::effects {
 inline constexpr unsigned part_bits = 8;
 inline constexpr unsigned whole = 1U << part_bits;
 
-using emit::channels_of;
-using emit::part_of;
+using emit::colour_channels;
+using emit::subfield;
 
 /// target += constant * source where E is 1; the constant must be below `whole`.
 void add_times(emit::Broadcast& out, isa::Field target, unsigned constant, isa::Field source);

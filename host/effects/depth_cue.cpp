@@ -52,7 +52,7 @@ class Fader {
   void fade(std::uint32_t cue) {
     out_.origin = emit::effect_origin;
     weigh();
-    for (const isa::Field channel : channels_of(context_.layout.colour))
+    for (const isa::Field channel : colour_channels(context_.layout.colour))
       blend(channel,
             cue >> static_cast<unsigned>(channel.base - context_.layout.colour.base) & ((1U << channel.width) - 1));
   }
@@ -85,26 +85,26 @@ class Fader {
   /// computed as 1 + (2^bits - 1 - faded): one, plus the bits that are 0 in `faded`; it is 0 where the top bit of
   /// `faded` is 1.
   void blend(isa::Field channel, std::uint32_t level) {
-    const isa::Field sum = part_of(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
-    const auto from = [&](unsigned bit) { return part_of(sum, bit, sum.width - bit); };
+    const isa::Field sum = subfield(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
+    const auto from = [&](unsigned bit) { return subfield(sum, bit, sum.width - bit); };
     emit::enable_drawing(context_, out_);
     out_.plain(Opcode::set_constant, sum, {}, std::uint64_t{1} << (bits_ - 1));
     for (unsigned bit = 0; bit < channel.width; ++bit)
       if ((level >> bit & 1U) != 0) out_.plain(Opcode::add, from(bit), narrowed(faded_, sum.width - bit));
-    out_.plain(Opcode::enable_and_not, part_of(faded_, bits_, 1));
+    out_.plain(Opcode::enable_and_not, subfield(faded_, bits_, 1));
     out_.plain(Opcode::add, sum, channel);
     for (unsigned bit = 0; bit < bits_; ++bit) {
       emit::enable_drawing(context_, out_);
-      out_.plain(Opcode::enable_and_not, part_of(faded_, bits_, 1));
-      out_.plain(Opcode::enable_and_not, part_of(faded_, bit, 1));
+      out_.plain(Opcode::enable_and_not, subfield(faded_, bits_, 1));
+      out_.plain(Opcode::enable_and_not, subfield(faded_, bit, 1));
       out_.plain(Opcode::add, from(bit), channel);
     }
     emit::enable_drawing(context_, out_);
-    out_.plain(Opcode::copy, channel, part_of(sum, bits_, channel.width));
+    out_.plain(Opcode::copy, channel, subfield(sum, bits_, channel.width));
   }
 
   static isa::Field narrowed(isa::Field field, unsigned width) {
-    return part_of(field, 0, std::min<unsigned>(field.width, width));
+    return subfield(field, 0, std::min<unsigned>(field.width, width));
   }
 
   const emit::Context& context_;

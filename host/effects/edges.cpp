@@ -47,8 +47,8 @@ struct Numbers : emit::EffectState {
   [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(std::bit_width(most)); }
 };
 
-std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Convex& solid,
-                            const facet::PlaneTable& planes, double crease) {
+std::vector<bool> find_curved(const model::Primitive& primitive, const facet::Convex& solid,
+                              const facet::PlaneTable& planes, double crease) {
   std::vector<bool> curved;
   for (const facet::Halfspace& halfspace : solid.halfspaces)
     curved.push_back(!emit::is_flat(primitive, planes.planes()[halfspace.plane].normal));
@@ -66,7 +66,7 @@ void number(Numbers& numbers, const model::Tree& tree, const facet::Geometry& sc
     numbers.of_primitives.push_back(whole);
     std::vector<std::uint32_t>& own = numbers.of_halfspaces.emplace_back(solid.halfspaces.size(), whole);
     if (settings.between == Between::primitives) continue;
-    const std::vector<bool> curved = curved_of(tree.primitives[i], solid, scene.planes, settings.crease);
+    const std::vector<bool> curved = find_curved(tree.primitives[i], solid, scene.planes, settings.crease);
     for (std::size_t h = 0; h < own.size(); ++h)
       if (!curved[h]) own[h] = ++numbers.most;
   }

@@ -66,7 +66,7 @@ class Equaliser {
     out_.plain(Opcode::enable_all);
     out_.plain(Opcode::set_constant, counted_, {}, 0);
     bool is_first = true;
-    for (const isa::Field channel : channels_of(context_.layout.colour)) {
+    for (const isa::Field channel : colour_channels(context_.layout.colour)) {
       emit_channel(channel, samples, is_first);
       is_first = false;
     }
@@ -100,8 +100,8 @@ class Equaliser {
   }
 
   void emit_channel(isa::Field level, const std::vector<view::PixelRect>& samples, bool counts_samples) {
-    const isa::Field reference = part_of(rank_, 0, level.width);
-    const isa::Field rank = part_of(rank_, level.width, counted_.width);
+    const isa::Field reference = subfield(rank_, 0, level.width);
+    const isa::Field rank = subfield(rank_, level.width, counted_.width);
     out_.plain(Opcode::enable_all);
     out_.plain(Opcode::set_constant, rank, {}, 0);
     for (const view::PixelRect& sample : samples) {
@@ -122,10 +122,10 @@ class Equaliser {
     out_.plain(Opcode::set_constant, reference, {}, 0);
     for (unsigned bit = 0; bit < level.width; ++bit) {
       out_.plain(Opcode::enable_load, sample_);
-      out_.plain(Opcode::enable_and, part_of(level, bit, 1));
+      out_.plain(Opcode::enable_and, subfield(level, bit, 1));
       const std::size_t begin = out_.size();
       out_.plain(Opcode::enable_all);
-      out_.plain(Opcode::set_constant, part_of(reference, bit, 1), {}, 1);
+      out_.plain(Opcode::set_constant, subfield(reference, bit, 1), {}, 1);
       skip_if_none(begin);
     }
   }
@@ -161,16 +161,16 @@ class Equaliser {
     out_.plain(Opcode::enable_and, seen_);
     out_.plain(Opcode::enable_store, sample_);
     out_.plain(Opcode::set_constant, level, {}, 0);
-    out_.plain(Opcode::set_constant, part_of(rank_, 0, level.width), {}, 0);
+    out_.plain(Opcode::set_constant, subfield(rank_, 0, level.width), {}, 0);
     for (unsigned bit = level.width; bit-- > 0;) {
-      const isa::Field rest = part_of(rank_, bit, counted_.width);
+      const isa::Field rest = subfield(rank_, bit, counted_.width);
       out_.plain(Opcode::enable_load, sample_);
       out_.plain(Opcode::field_le, counted_, rest);
       // Uses a - b = not (not a + b).
       out_.plain(Opcode::bit_not, rest, rest);
       out_.plain(Opcode::add, rest, counted_);
       out_.plain(Opcode::bit_not, rest, rest);
-      out_.plain(Opcode::set_constant, part_of(level, bit, 1), {}, 1);
+      out_.plain(Opcode::set_constant, subfield(level, bit, 1), {}, 1);
     }
   }
 

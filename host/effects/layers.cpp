@@ -47,8 +47,8 @@ class Peeling {
         last_(field(nearest_depth)),
         pane_colour_(field(nearest_colour)),
         product_(field("product")),
-        glass_(channels_of(pane_colour_)),
-        colour_(channels_of(context.layout.colour)) {}
+        glass_(colour_channels(pane_colour_)),
+        colour_(colour_channels(context.layout.colour)) {}
 
   void run() {
     peel(last_, context_.beyond);
@@ -134,12 +134,12 @@ class Peeling {
 
   void add_layer() {
     const Field through = field("through");
-    const Field product = part_of(product_, 0, 2 * part_bits);
+    const Field product = subfield(product_, 0, 2 * part_bits);
     for_opacities([&](unsigned opacity) {
       out_.plain(Opcode::set_constant, product, {}, whole / 2);
       add_times(out_, product, opacity, through);
     });
-    const Field weight = part_of(product, part_bits, part_bits);
+    const Field weight = subfield(product, part_bits, part_bits);
     out_.plain(Opcode::enable_load, mask());
     // Uses a - b = not (not a + b).
     out_.plain(Opcode::bit_not, through, through);
@@ -153,16 +153,16 @@ class Peeling {
     add_weighted(field("through"), colour_);
     out_.plain(Opcode::enable_load, mask());
     for (std::size_t i = 0; i < colour_.size(); ++i)
-      out_.plain(Opcode::copy, colour_.at(i), part_of(sum(i), part_bits, colour_.at(i).width));
+      out_.plain(Opcode::copy, colour_.at(i), subfield(sum(i), part_bits, colour_.at(i).width));
   }
 
   /// sums += weight * colour, where the mask is 1.
   void add_weighted(Field weight, const std::array<Field, 3>& channels) {
     for (unsigned i = 0; i < part_bits; ++i) {
       out_.plain(Opcode::enable_load, mask());
-      out_.plain(Opcode::enable_and, part_of(weight, i, 1));
+      out_.plain(Opcode::enable_and, subfield(weight, i, 1));
       for (std::size_t c = 0; c < channels.size(); ++c)
-        out_.plain(Opcode::add, part_of(sum(c), i, sum(c).width - i), channels.at(c));
+        out_.plain(Opcode::add, subfield(sum(c), i, sum(c).width - i), channels.at(c));
     }
   }
 

@@ -25,7 +25,7 @@ struct Line {
   }
 
   /// Lower bound of the line's value.
-  [[nodiscard]] double surely_at(const glm::dvec2& place) const {
+  [[nodiscard]] double min_at(const glm::dvec2& place) const {
     const double x = a * place.x;
     const double y = b * place.y;
     return x + y + c - 4 * noise * (std::abs(x) + std::abs(y) + std::abs(c) + std::abs(a) + std::abs(b));
@@ -84,7 +84,7 @@ Outline::Lie Outline::lie(const view::FixedLinear& fixed, double least) const {
   bool is_within = true;
   for (const glm::dvec2& corner : corners_) {
     is_beyond = is_beyond && !(line.at(corner) >= 0);
-    is_within = is_within && line.surely_at(corner) >= least;
+    is_within = is_within && line.min_at(corner) >= least;
     if (!is_beyond && !is_within) return Lie::across;
   }
   return is_beyond ? Lie::beyond : Lie::within;

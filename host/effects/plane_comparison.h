@@ -37,7 +37,7 @@ class PlaneComparison {
   }
 
   /// If in() is at least this value, out() is negative.
-  [[nodiscard]] double surely_in() const { return static_cast<double>(last_) + 1.0; }
+  [[nodiscard]] double certainly_in() const { return static_cast<double>(last_) + 1.0; }
 
  private:
   view::FixedLinear receiver_;

@@ -132,7 +132,7 @@ class Covering {
     covering_work_ += planes.size();
     crossed_.clear();
     for (const ShadowPlane& plane : planes) {
-      const Outline::Lie lie = outline.lie(compared.in(plane), compared.surely_in());
+      const Outline::Lie lie = outline.lie(compared.in(plane), compared.certainly_in());
       if (lie == Outline::Lie::beyond) {
         left.push_back(std::move(outline));
         return;

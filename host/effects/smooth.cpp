@@ -54,7 +54,7 @@ std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet
   const view::EyeSpace space = view::eye_space(context.view.camera, context.view.sampling);
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
   const glm::dvec3 top = top_levels(context.options.colour_bits);
-  for (const glm::dvec3& vertex : emit::vertices_of(context, facet)) {
+  for (const glm::dvec3& vertex : emit::facet_vertices(context, facet)) {
     const std::optional<glm::dvec3> own =
         model::normal_at(primitive.shape, glm::dvec3(to_own * glm::dvec4(vertex, 1)), facet_normal);
     const glm::dvec3 in_eye = space.to_eye(vertex);
@@ -172,7 +172,7 @@ class Smooth final : public emit::EffectOf<Settings> {
     out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
     const view::PixelRect box = bounding_pixels(samples, pixels);
     out.clip(box, pixels);
-    const std::array<isa::Field, 3> levels = channels_of(field);
+    const std::array<isa::Field, 3> levels = colour_channels(field);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       emit_clamp(out, (*channels)[i], std::int64_t{1} << (levels[i].width + context.view.sampling.fraction_bits), box);
     }

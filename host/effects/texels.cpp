@@ -99,7 +99,7 @@ TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Fac
   const glm::dvec3 place = context.geometry.planes.centre() - plane.normal * plane.offset;
   const PlanePoint point = plane_point(view::eye_space(context.view.camera, context.view.sampling),
                                        context.view.sampling, plane.normal, place);
-  const std::vector<glm::dvec3> vertices = emit::vertices_of(context, facet);
+  const std::vector<glm::dvec3> vertices = emit::facet_vertices(context, facet);
   const int across = axis_across(plane.normal);
   const auto coordinate = [&](int number, double corner) {
     const view::RealLinear moved = sum(point.numerators[static_cast<std::size_t>(number)], -corner, point.denominator);

@@ -127,7 +127,7 @@ class Shader {
   }
 
  private:
-  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return part_of(texel_, begin, width); }
+  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return subfield(texel_, begin, width); }
 
   [[noreturn]] void fail(std::string_view what) const {
     throw InputError(fmt::format("{}: {}", model::place_of(context_.tree, facet_.primitive), what));
@@ -154,7 +154,7 @@ class Shader {
     for (unsigned bit = 0; bit < number.width; ++bit) {
       out_.plain(Opcode::enable_load, in_facet_);
       out_.stripe(linear->linear, linear->fraction_bits + bit + 1);
-      out_.plain(Opcode::enable_store, part_of(number, bit, 1));
+      out_.plain(Opcode::enable_store, subfield(number, bit, 1));
     }
   }
 
@@ -177,7 +177,7 @@ class Shader {
       out_.plain(Opcode::enable_load, in_facet_);
       out_.edge(Opcode::edge_not_negative, *line.line, pixels_);
       const std::uint64_t bits = changed(line) & all;
-      out_.plain(Opcode::xor_constant, part_of(number, 0, static_cast<unsigned>(std::bit_width(bits))), {}, bits);
+      out_.plain(Opcode::xor_constant, subfield(number, 0, static_cast<unsigned>(std::bit_width(bits))), {}, bits);
     }
   }
 

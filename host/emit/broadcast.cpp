@@ -78,7 +78,7 @@ void Broadcast::bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, 
 void Broadcast::constant(isa::Field field, std::uint64_t value) {
   for (unsigned first = 0; first < field.width; first += isa::max_field_width) {
     const unsigned width = std::min<unsigned>(field.width - first, isa::max_field_width);
-    plain(isa::Opcode::set_constant, part_of(field, first, width), {},
+    plain(isa::Opcode::set_constant, subfield(field, first, width), {},
           value >> first & ((std::uint64_t{1} << width) - 1));
   }
 }
@@ -86,11 +86,11 @@ void Broadcast::constant(isa::Field field, std::uint64_t value) {
 void Broadcast::shifted(isa::Field source, isa::Field target, unsigned up) {
   const unsigned low = std::min<unsigned>(up, target.width);
   const unsigned width = std::min<unsigned>(source.width, target.width - low);
-  constant(part_of(target, 0, low), 0);
-  const isa::Field to = part_of(target, low, width);
-  const isa::Field from = part_of(source, 0, width);
+  constant(subfield(target, 0, low), 0);
+  const isa::Field to = subfield(target, low, width);
+  const isa::Field from = subfield(source, 0, width);
   if (width > 0 && to != from) plain(isa::Opcode::copy, to, from);
-  constant(part_of(target, low + width, target.width - low - width), 0);
+  constant(subfield(target, low + width, target.width - low - width), 0);
 }
 
 void Broadcast::disable_all() { append({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin}); }

@@ -84,8 +84,8 @@ class Painter {
         pixels_(pixels),
         finish_(context.look.finishes[facet.primitive]) {
     const unsigned bits = widest_channel(field.width) + more_bits;
-    cosine_ = part_of(context.layout.light, 0, bits);
-    sum_ = part_of(context.layout.light, bits, bits);
+    cosine_ = subfield(context.layout.light, 0, bits);
+    sum_ = subfield(context.layout.light, bits, bits);
   }
 
   void paint() {
@@ -117,7 +117,7 @@ class Painter {
   void add(const Light& light, const std::optional<std::uint32_t>& begun) {
     out_.plain(Opcode::enable_store, context_.layout.kept);
     emit_cosine(light.cosine);
-    const std::array<Field, 3> channels = channels_of(field_);
+    const std::array<Field, 3> channels = colour_channels(field_);
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const Field channel = channels.at(i);
       if (channel.width == 0) continue;
@@ -146,11 +146,11 @@ class Painter {
     const Layout& layout = context_.layout;
     const Field z1 = layout.light == layout.candidate ? layout.depth : layout.candidate;
     const unsigned taken = cosine.has_depth ? std::min<unsigned>(cosine_.width, z1.width - cosine.drop) : 0;
-    if (taken > 0) out_.plain(Opcode::copy, part_of(cosine_, 0, taken), part_of(z1, cosine.drop, taken));
-    if (taken < cosine_.width) out_.plain(Opcode::set_constant, part_of(cosine_, taken, cosine_.width - taken));
+    if (taken > 0) out_.plain(Opcode::copy, subfield(cosine_, 0, taken), subfield(z1, cosine.drop, taken));
+    if (taken < cosine_.width) out_.plain(Opcode::set_constant, subfield(cosine_, taken, cosine_.width - taken));
     out_.expression(cosine.is_minus ? Opcode::linear_minus : Opcode::linear_plus, cosine_, cosine.plane, fraction_bits,
                     pixels_);
-    out_.plain(Opcode::enable_and, part_of(cosine_, cosine_.width - 1U, 1));
+    out_.plain(Opcode::enable_and, subfield(cosine_, cosine_.width - 1U, 1));
     out_.plain(Opcode::set_constant, cosine_);
     out_.plain(Opcode::enable_load, context_.layout.kept);
   }
@@ -175,7 +175,7 @@ class Painter {
     unsigned fraction = max_sum_fraction;
     while (fraction > 0 && most >= std::ldexp(1.0, static_cast<int>(sum_.width - fraction))) --fraction;
     const unsigned needed = std::min<unsigned>(static_cast<unsigned>(std::ilogb(most)) + 1 + fraction, sum_.width);
-    const Field sum = part_of(sum_, 0, needed);
+    const Field sum = subfield(sum_, 0, needed);
     const Multiple multiple = cosine_multiple(channel, one, fraction);
     if (multiple.digits.plus.empty()) {
       if (channel.begun) out_.plain(Opcode::set_constant, channel.field, {}, *channel.begun);
@@ -183,12 +183,12 @@ class Painter {
     }
     emit_sum(channel, sum, fraction, multiple);
     const unsigned held = held_bits(channel, sum, fraction);
-    out_.plain(Opcode::copy, part_of(channel.field, 0, held), part_of(sum, fraction, held));
+    out_.plain(Opcode::copy, subfield(channel.field, 0, held), subfield(sum, fraction, held));
     if (held < channel.field.width)
-      out_.plain(Opcode::set_constant, part_of(channel.field, held, channel.field.width - held));
+      out_.plain(Opcode::set_constant, subfield(channel.field, held, channel.field.width - held));
     for (unsigned bit = fraction + channel.field.width; bit < sum.width; ++bit) {
       if (most < std::ldexp(1.0, static_cast<int>(bit - fraction))) break;
-      out_.plain(Opcode::enable_and, part_of(sum, bit, 1));
+      out_.plain(Opcode::enable_and, subfield(sum, bit, 1));
       out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(full_scale(channel.field)));
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
@@ -239,10 +239,10 @@ class Painter {
     const unsigned held = held_bits(channel, sum, fraction);
     const unsigned end = fraction + held;
     if (fraction > 0)
-      out_.plain(Opcode::set_constant, part_of(sum, 0, fraction), {},
+      out_.plain(Opcode::set_constant, subfield(sum, 0, fraction), {},
                  std::min(more, (std::uint64_t{1} << fraction) - 1));
-    out_.plain(Opcode::copy, part_of(sum, fraction, held), part_of(channel.field, 0, held));
-    if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
+    out_.plain(Opcode::copy, subfield(sum, fraction, held), subfield(channel.field, 0, held));
+    if (end < sum.width) out_.plain(Opcode::set_constant, subfield(sum, end, sum.width - end));
   }
 
   /// Number of the channel's bits that the sum holds; the bits above stay 0.
@@ -260,8 +260,8 @@ class Painter {
     const unsigned up = std::min<unsigned>(exponent > 0 ? static_cast<unsigned>(exponent) : 0, sum.width);
     const unsigned magnitude = cosine_.width - 1U;
     const unsigned down = std::min(exponent < 0 ? static_cast<unsigned>(-exponent) : 0, magnitude);
-    const Field target = part_of(sum, up, sum.width - up);
-    return {target, part_of(cosine_, down, std::min<unsigned>(magnitude - down, target.width))};
+    const Field target = subfield(sum, up, sum.width - up);
+    return {target, subfield(cosine_, down, std::min<unsigned>(magnitude - down, target.width))};
   }
 
   void add_shifted(Field sum, int exponent) {
@@ -273,9 +273,9 @@ class Painter {
     const Shifted part = shifted(sum, exponent);
     const unsigned below = sum.width - part.target.width;
     const unsigned end = below + part.source.width;
-    if (below > 0) out_.plain(Opcode::set_constant, part_of(sum, 0, below));
-    if (part.source.width > 0) out_.plain(Opcode::copy, part_of(sum, below, part.source.width), part.source);
-    if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
+    if (below > 0) out_.plain(Opcode::set_constant, subfield(sum, 0, below));
+    if (part.source.width > 0) out_.plain(Opcode::copy, subfield(sum, below, part.source.width), part.source);
+    if (end < sum.width) out_.plain(Opcode::set_constant, subfield(sum, end, sum.width - end));
   }
 
   const Context& context_;

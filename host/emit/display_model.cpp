@@ -56,7 +56,7 @@ division::Box pixel_box(const view::Extent& extent, std::int64_t farthest) {
   return box;
 }
 
-std::vector<division::Halfspace> halfspaces_of(const Context& context, std::uint32_t primitive, SentPlanes& planes) {
+std::vector<division::Halfspace> list_halfspaces(const Context& context, std::uint32_t primitive, SentPlanes& planes) {
   std::vector<division::Halfspace> sent;
   const view::Extent& extent = context.view.extents[primitive];
   if (extent.empty()) return sent;
@@ -85,7 +85,7 @@ std::vector<division::Primitive> list_primitives(const Context& context, SentPla
       one.complemented = context.complemented(primitive);
       one.joined = primitive != set.front();
       if (!one.complemented) one.near_colour = facet_colour(context, at_near(context, primitive));
-      one.halfspaces = halfspaces_of(context, primitive, planes);
+      one.halfspaces = list_halfspaces(context, primitive, planes);
     }
   }
   return sent;

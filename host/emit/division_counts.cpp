@@ -184,7 +184,7 @@ class Counter {
                                            const csg::Pruner& pruner, const Listed& listed) const {
     division::Counts counts;
     for (const std::uint32_t primitive : set) count_list(listed.halfspaces[primitive].size(), counts);
-    const csg::Block block = pruner.block_of(set, segment.pixels());
+    const csg::Block block = pruner.surface_block(set, segment.pixels());
     if (!block.pixels.empty()) count_tree_nodes(set, block, listed, counts);
     return counts;
   }

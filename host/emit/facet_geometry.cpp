@@ -39,7 +39,7 @@ bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal) {
   return model::is_flat(primitive.shape, in_own_axes(primitive, normal));
 }
 
-std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {
+std::vector<glm::dvec3> facet_vertices(const Context& context, const Facet& facet) {
   const std::vector<glm::dvec3>& all = context.geometry.solids[facet.primitive].vertices;
   if (facet.at == At::cap) return all;
   const facet::Plane& plane = context.geometry.planes.planes()[facet.halfspace.plane];

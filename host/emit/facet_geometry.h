@@ -23,6 +23,6 @@ glm::dvec3 own_normal(const Context& context, const Facet& facet);
 bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal);
 
 /// The vertices of a facet in model space, unordered; all vertices of the solid for a cap.
-std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet);
+std::vector<glm::dvec3> facet_vertices(const Context& context, const Facet& facet);
 
 }  // namespace csgsim::emit

@@ -54,7 +54,7 @@ void add_squares(Broadcast& out, const Axis& axis, isa::Field squares, const vie
   for (unsigned bit = 0; bit < bits; ++bit) {
     out.plain(Opcode::enable_all);
     out.stripe(axis.line(-axis.first), bit + 1);
-    out.expression(Opcode::linear_plus, part_of(squares, bit, squares.width - bit),
+    out.expression(Opcode::linear_plus, subfield(squares, bit, squares.width - bit),
                    axis.line(1 - axis.first - axis.side), 0, pixels);
   }
 }
@@ -97,9 +97,9 @@ void emit_paraboloid(const Context& context, Broadcast& out, const view::ScreenQ
   const auto up = [&](int exponent) { return static_cast<unsigned>(exponent + static_cast<int>(fraction)); };
   const auto add = [&](unsigned places) {
     if (places >= sum_field.width) return;
-    const isa::Field target = part_of(sum_field, places, sum_field.width - places);
+    const isa::Field target = subfield(sum_field, places, sum_field.width - places);
     const isa::Field squares = context.layout.squares;
-    out.plain(Opcode::add, target, part_of(squares, 0, std::min(squares.width, target.width)));
+    out.plain(Opcode::add, target, subfield(squares, 0, std::min(squares.width, target.width)));
   };
   // near = linear + greater -/+ smaller, far = linear - greater +/- smaller: subtracted terms are written first.
   const bool greater_is_taken = !is_near;

@@ -11,15 +11,15 @@
 namespace csgsim::emit {
 
 /// The `width` bits of a field from bit `from` on.
-constexpr isa::Field part_of(isa::Field field, unsigned from, unsigned width) {
+constexpr isa::Field subfield(isa::Field field, unsigned from, unsigned width) {
   return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
 }
 
 /// The red, green and blue parts of a colour field.
-constexpr std::array<isa::Field, 3> channels_of(isa::Field colour) {
+constexpr std::array<isa::Field, 3> colour_channels(isa::Field colour) {
   const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
-  return {part_of(colour, widths[2] + widths[1], widths[0]), part_of(colour, widths[2], widths[1]),
-          part_of(colour, 0, widths[2])};
+  return {subfield(colour, widths[2] + widths[1], widths[0]), subfield(colour, widths[2], widths[1]),
+          subfield(colour, 0, widths[2])};
 }
 
 }  // namespace csgsim::emit

@@ -198,7 +198,8 @@ Planned plan(const Needs& needs) {
     put(planned.layout, request, field);
     next += request.width;
   }
-  if (needs.quadrics.root_in_candidate) planned.layout.root = part_of(planned.layout.candidate, 0, needs.quadrics.root);
+  if (needs.quadrics.root_in_candidate)
+    planned.layout.root = subfield(planned.layout.candidate, 0, needs.quadrics.root);
   planned.layout.light = needs.quadrics.in_place ? planned.layout.candidate : planned.layout.sum;
   if (needs.quadrics.in_place) planned.layout.kept = planned.layout.mask;
   ScratchPlaces places(planned.layout.candidate, next);
@@ -219,9 +220,9 @@ Planned plan(const Needs& needs) {
 /// Names a field in two parts, low and high, if it is wider than max_field_width.
 void add_in_parts(std::vector<isa::NamedField>& fields, std::string_view name, isa::Field field) {
   const unsigned low = std::min<unsigned>(field.width, isa::max_field_width);
-  if (low > 0) fields.push_back({std::string(name), part_of(field, 0, low), isa::FieldRole::scratch});
+  if (low > 0) fields.push_back({std::string(name), subfield(field, 0, low), isa::FieldRole::scratch});
   if (low < field.width)
-    fields.push_back({std::string(name) + "_high", part_of(field, low, field.width - low), isa::FieldRole::scratch});
+    fields.push_back({std::string(name) + "_high", subfield(field, low, field.width - low), isa::FieldRole::scratch});
 }
 
 }  // namespace

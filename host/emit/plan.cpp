@@ -170,7 +170,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
     counted.boxes = active_sets[i].size();
     for (const std::uint32_t number : active_sets[i]) {
       const csg::ConvexSet& set = sets[number];
-      const csg::Block block = pruner.block_of(set, segment.pixels());
+      const csg::Block block = pruner.surface_block(set, segment.pixels());
       if (block.pixels.empty()) continue;
       csg::ActiveTree active = pruner.active_tree(set, block);
       if (active.nothing) continue;

@@ -32,7 +32,7 @@ class Faces {
   Faces(const Context& context, const Sides& sides, const Surface& surface)
       : pixels_(surface.block.pixels),
         step_(std::int64_t{1} << context.view.sampling.fraction_bits),
-        boundary_(boundary_of(context, sides, surface)),
+        boundary_(make_boundary(context, sides, surface)),
         rivals_(view::rivals(boundary_, pixels_, context.view.sampling.fraction_bits)) {}
 
   /// The neighbours of a face. If the face covers no pixel, there are none and the region is empty.
@@ -61,7 +61,7 @@ class Faces {
   }
 
  private:
-  static view::Boundary boundary_of(const Context& context, const Sides& sides, const Surface& surface) {
+  static view::Boundary make_boundary(const Context& context, const Sides& sides, const Surface& surface) {
     view::Boundary boundary;
     for (const Facet& front : surface.facets) boundary.fronts.push_back(context.linear_plane(front.halfspace));
     for (const Facet& back : sides.backs.facets) boundary.backs.push_back(context.linear_plane(back.halfspace));

@@ -48,8 +48,8 @@ unsigned sum_bits(const view::Range& range, unsigned z_bits) {
 /// Clamps a two's complement number to the depth range [0, farthest]. E is preserved.
 void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const view::Range& range) {
   const std::int64_t farthest = context.farthest();
-  const isa::Field depth = part_of(sum, 0, context.layout.candidate.width);
-  const isa::Field sign = part_of(sum, sum.width - 1U, 1);
+  const isa::Field depth = subfield(sum, 0, context.layout.candidate.width);
+  const isa::Field sign = subfield(sum, sum.width - 1U, 1);
   if (is_depth(range, farthest)) return;
   out.plain(Opcode::enable_store, context.layout.kept);
   if (range.low < 0) {
@@ -59,9 +59,9 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
   }
   if (range.high <= farthest) return;
   // The OR of the bits between the depth's bits and the sign.
-  const isa::Field beyond = part_of(sum, depth.width, 1);
+  const isa::Field beyond = subfield(sum, depth.width, 1);
   for (unsigned bit = depth.width + 1U; bit + 1U < sum.width; ++bit)
-    out.bitwise(Opcode::bit_or, beyond, beyond, part_of(sum, bit, 1));
+    out.bitwise(Opcode::bit_or, beyond, beyond, subfield(sum, bit, 1));
   out.plain(Opcode::enable_and, beyond);
   if (range.low < 0) out.plain(Opcode::enable_and_not, sign);
   out.constant(depth, static_cast<std::uint64_t>(farthest));
@@ -242,13 +242,13 @@ isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound
   const view::Range& range = is_near ? ranges.near : ranges.far;
   const unsigned fraction = quadric.factor.fraction();
   const unsigned bits = fraction + sum_bits(range, z_bits);
-  const isa::Field all = into.width == bits && fraction == 0 ? into : part_of(context.layout.sum, 0, bits);
-  const isa::Field sum = part_of(all, fraction, bits - fraction);
-  const isa::Field depth = part_of(sum, 0, z_bits);
+  const isa::Field all = into.width == bits && fraction == 0 ? into : subfield(context.layout.sum, 0, bits);
+  const isa::Field sum = subfield(all, fraction, bits - fraction);
+  const isa::Field depth = subfield(sum, 0, z_bits);
   if (is_paraboloid(quadric)) {
     emit_paraboloid(context, out, quadric, is_near, all, pixels);
   } else {
-    out.shifted(part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
+    out.shifted(subfield(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
     view::FixedLinear middle = quadric.middle;
     if (!is_near) middle.c += std::int64_t{1} << (context.view.sampling.fraction_bits + quadric.unit);
     out.surface(is_near ? Opcode::linear_minus : Opcode::linear_plus, sum, middle, pixels);

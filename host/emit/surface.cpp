@@ -43,7 +43,7 @@ class Extreme {
     }
     for (const Facet& facet : surface_.facets) {
       if (&facet == first_ || !is_curved(facet.at)) continue;
-      const isa::Field depth = depth_of(facet);
+      const isa::Field depth = curved_depth(facet);
       out_.plain(Opcode::enable_store, context_.layout.kept);
       replace_by(depth, false);
       out_.plain(Opcode::enable_load, context_.layout.kept);
@@ -85,7 +85,7 @@ class Extreme {
   }
 
   /// The depth of a curved facet. E stays 1 where the facet exists.
-  isa::Field depth_of(const Facet& facet, isa::Field into = {}) {
+  isa::Field curved_depth(const Facet& facet, isa::Field into = {}) {
     rooted_ = &facet;
     return emit_facet_depth(context_, out_, facet, surface_.block.pixels, enabled_, into);
   }
@@ -101,7 +101,7 @@ class Extreme {
   void start() {
     const isa::Field z1 = context_.layout.candidate;
     if (first_ != nullptr && is_curved(first_->at)) {
-      const isa::Field depth = depth_of(*first_, z1);
+      const isa::Field depth = curved_depth(*first_, z1);
       if (depth != z1) out_.plain(Opcode::copy, z1, depth);
     } else if (first_ != nullptr && first_->at == At::plane) {
       out_.surface(Opcode::load_linear, z1, context_.linear_plane(first_->halfspace), surface_.block.pixels);
@@ -114,7 +114,7 @@ class Extreme {
   void replace_by(const Facet& facet, bool equals_too) {
     out_.plain(Opcode::enable_load, context_.layout.mask);
     if (is_curved(facet.at)) {
-      const isa::Field depth = depth_of(facet);
+      const isa::Field depth = curved_depth(facet);
       out_.plain(Opcode::enable_store, context_.layout.mask);
       replace_by(depth, equals_too);
     } else {

@@ -69,15 +69,15 @@ struct Frustum : Flat {
   }
 };
 
-Flat surface_of(const Cube& /*cube*/) { return {"cube"}; }
-Ball surface_of(const Sphere& sphere) { return {{"sphere"}, sphere.radius}; }
-Frustum surface_of(const Cylinder& cylinder) { return {{"cylinder"}, cylinder}; }
-Flat surface_of(const Polyhedron& /*polyhedron*/) { return {"polyhedron"}; }
+Flat make_surface(const Cube& /*cube*/) { return {"cube"}; }
+Ball make_surface(const Sphere& sphere) { return {{"sphere"}, sphere.radius}; }
+Frustum make_surface(const Cylinder& cylinder) { return {{"cylinder"}, cylinder}; }
+Flat make_surface(const Polyhedron& /*polyhedron*/) { return {"polyhedron"}; }
 
 /// Calls the function with the surface of the shape.
 template <class Function>
 auto visit_surface(const Shape& shape, const Function& function) {
-  return std::visit([&](const auto& one) { return function(surface_of(one)); }, shape);
+  return std::visit([&](const auto& one) { return function(make_surface(one)); }, shape);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ FixedQuadratic circle(double column, double row, double radius, const PixelRect&
   return {-one, 0, -one, {a + 2 * one * x, b + 2 * one * y, c - a * x - b * y - one * (x * x + y * y)}};
 }
 
-int bits_of(double value) { return value < 1.0 ? 1 : std::ilogb(value) + 2; }
+int signed_bits(double value) { return value < 1.0 ? 1 : std::ilogb(value) + 2; }
 
 /// Whether the numbers from which depths are computed fit the machine.
 bool fits(const ScreenQuadric& screen, const Sampling& sampling) {
@@ -70,9 +70,10 @@ bool fits(const ScreenQuadric& screen, const Sampling& sampling) {
   const auto most = static_cast<double>(std::max(std::abs(ranges.near.low), std::abs(ranges.far.high)));
   const double side = std::max(sampling.width, sampling.height);
   const double square = 8.0 * side * side * std::ldexp(static_cast<double>(screen.factor.scaled()), -fraction);
-  const int sum = std::max(bits_of(most) + 1, static_cast<int>(sampling.z_bits) + 2) + fraction;
+  const int sum = std::max(signed_bits(most) + 1, static_cast<int>(sampling.z_bits) + 2) + fraction;
   return sum <= max_sum_bits &&
-         bits_of(std::abs(most) + square) + fraction + static_cast<int>(outline_fraction_bits) <= max_expression_bits;
+         signed_bits(std::abs(most) + square) + fraction + static_cast<int>(outline_fraction_bits) <=
+             max_expression_bits;
 }
 
 }  // namespace

@@ -23,16 +23,16 @@ using Values = std::array<std::int64_t, corners + 1>;
 
 constexpr bool is_pixel(const PixelRect& tile) { return tile.x0 == tile.x1 && tile.y0 == tile.y1; }
 
-constexpr std::int32_t middle_of(std::int32_t low, std::int32_t high) { return low + (high - low) / 2; }
+constexpr std::int32_t midpoint(std::int32_t low, std::int32_t high) { return low + (high - low) / 2; }
 
 /// The tile cut in two across its longer side. It must be larger than a pixel.
 std::array<PixelRect, 2> halves(const PixelRect& tile) {
   std::array<PixelRect, 2> parts{tile, tile};
   if (tile.x1 - tile.x0 >= tile.y1 - tile.y0) {
-    parts[0].x1 = middle_of(tile.x0, tile.x1);
+    parts[0].x1 = midpoint(tile.x0, tile.x1);
     parts[1].x0 = parts[0].x1 + 1;
   } else {
-    parts[0].y1 = middle_of(tile.y0, tile.y1);
+    parts[0].y1 = midpoint(tile.y0, tile.y1);
     parts[1].y0 = parts[0].y1 + 1;
   }
   return parts;
@@ -87,8 +87,8 @@ class Envelope {
 
  private:
   [[nodiscard]] Values ranks(const FixedLinear& function, const PixelRect& tile) const {
-    const std::int32_t x = middle_of(tile.x0, tile.x1);
-    const std::int32_t y = middle_of(tile.y0, tile.y1);
+    const std::int32_t x = midpoint(tile.x0, tile.x1);
+    const std::int32_t y = midpoint(tile.y0, tile.y1);
     Values values{value_at(function, tile.x0, tile.y0), value_at(function, tile.x1, tile.y0),
                   value_at(function, tile.x0, tile.y1), value_at(function, tile.x1, tile.y1), value_at(function, x, y)};
     for (std::int64_t& value : values) {

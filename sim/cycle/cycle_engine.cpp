@@ -18,8 +18,8 @@ namespace csgsim::cycle {
 
 namespace {
 
-engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay, const isa::Program& program,
-                            const machines::Machine& machine) {
+engine::RunResult make_result(systemc::RunReport&& report, const Relay& relay, const isa::Program& program,
+                              const machines::Machine& machine) {
   engine::RunResult result{.overflows = relay.overflows(),
                            .skipped = report.skipped,
                            .skips = relay.skips(),
@@ -40,7 +40,7 @@ engine::RunResult run_on(systemc::ClockedMachine& hardware, const machines::Mach
                          const isa::Program& program, std::span<engine::Observer* const> observers) {
   Relay relay(program, observers);
   systemc::RunReport report = hardware.run(program, relay);
-  return result_of(std::move(report), relay, program, machine);
+  return make_result(std::move(report), relay, program, machine);
 }
 
 class CycleEngine final : public engine::Engine {
@@ -91,7 +91,7 @@ std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, st
   std::vector<systemc::RunReport> reports = clocked_hardware(machine, form).run_sequence(programs, listeners);
   std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < reports.size(); ++i)
-    results.push_back(result_of(std::move(reports[i]), relays[i], programs[i], machine));
+    results.push_back(make_result(std::move(reports[i]), relays[i], programs[i], machine));
   return results;
 }
 

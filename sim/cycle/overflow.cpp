@@ -120,7 +120,7 @@ std::uint64_t count_in_row(const Expression& expression, std::uint32_t y, std::s
 
 }  // namespace
 
-std::optional<Expression> expression_of(const isa::Segment& segment, std::size_t index) {
+std::optional<Expression> find_expression(const isa::Segment& segment, std::size_t index) {
   if (index >= segment.instructions.size()) return std::nullopt;
   const isa::Instruction& instruction = segment.instructions[index];
   const bool has_sum = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);

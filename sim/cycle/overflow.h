@@ -19,7 +19,7 @@ struct Expression {
 };
 
 /// The expression that an instruction streams, if it has one whose sum must fit.
-std::optional<Expression> expression_of(const isa::Segment& segment, std::size_t index);
+std::optional<Expression> find_expression(const isa::Segment& segment, std::size_t index);
 
 /// Whether the sum may exceed the expression's width in two's complement at a pixel of the region; exact without
 /// squares.

@@ -85,7 +85,7 @@ Decided decide_exactly(std::uint64_t enabled, const PlaneSum& sum, const LinearT
   Decided decided;
   for (unsigned row = 0; row < blocks_per_side; ++row) {
     if ((enabled >> (row * blocks_per_side) & 0xffU) == 0) continue;
-    const Sums first = hn::Set(tag, sum.least_of(row * blocks_per_side));
+    const Sums first = hn::Set(tag, sum.min_sum(row * blocks_per_side));
     for (std::size_t from = 0; from < blocks_per_side; from += hn::Lanes(tag)) {
       const std::size_t block = row * blocks_per_side + from;
       const Sums low = hn::Add(first, hn::LoadU(tag, ramp + from));
@@ -205,7 +205,7 @@ Decided decide_coarsely(std::uint64_t enabled, const PlaneSum& sum, const Linear
   constexpr CoarseTag tag;
   const std::size_t count = hn::Lanes(tag);
   const auto coarse = [&](std::int64_t value) { return static_cast<std::int32_t>(value >> scale.dropped); };
-  const std::int32_t first = coarse(sum.least_of(0));
+  const std::int32_t first = coarse(sum.min_sum(0));
   const std::int32_t column_step = coarse(sum.column_step());
   const std::int32_t row_step = coarse(sum.row_step());
   const Coarse number = hn::Iota(tag, 0);

@@ -184,7 +184,7 @@ std::uint64_t wide_blocks(const Enabled& pixels, const LinearTask& task, const P
   std::uint64_t overflows = 0;
   each_bit(blocks, [&](unsigned block) {
     const Outcome outcome =
-        wide_block<kind>(task, ramp, sum.first_of(block), block, pixels.enable.word(block, pixels.shape));
+        wide_block<kind>(task, ramp, sum.first_sum(block), block, pixels.enable.word(block, pixels.shape));
     pixels.enable.set_word(block, outcome.enable, pixels.shape);
     overflows += outcome.overflows;
   });
@@ -198,13 +198,13 @@ void narrow_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum
   NarrowF f(task.linear);
   each_bit(blocks, [&](unsigned block) {
     const std::uint64_t enabled = pixels.enable.word(block, pixels.shape);
-    f.begin(sum.first_of(block));
+    f.begin(sum.first_sum(block));
     if constexpr (writes(kind)) {
       const bool everywhere = kind == LinearKind::load || (all >> block & 1U) != 0;
       const bool full = (pixels.enable.full() >> block & 1U) != 0;
       narrow_write<kind>(f, *task.lanes, block, full ? ~std::uint64_t{0} : enabled, everywhere);
-      const std::int64_t low = sum.least_of(block) >> task.linear.shift;
-      const std::int64_t high = (sum.least_of(block) + sum.spread()) >> task.linear.shift;
+      const std::int64_t low = sum.min_sum(block) >> task.linear.shift;
+      const std::int64_t high = (sum.min_sum(block) + sum.spread()) >> task.linear.shift;
       narrow_bounds<kind>(*task.lanes, block, full, everywhere, static_cast<std::uint32_t>(low),
                           static_cast<std::uint32_t>(high));
     } else {

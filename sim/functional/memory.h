@@ -45,7 +45,7 @@ class Memory {
 
   /// Whether the bit is known to be 0 everywhere without examining pixels.
   [[nodiscard]] bool is_zero(unsigned bit) const {
-    return (!planes_[bit] || planes_[bit]->any() == 0) && (holders_of_[bit] == 0 || in_planes({base_of(bit), 1}));
+    return (!planes_[bit] || planes_[bit]->any() == 0) && (holders_of_[bit] == 0 || in_planes({to_base(bit), 1}));
   }
 
   /// The lanes that store exactly this field in those blocks, for reading and writing there. The lanes returned by the
@@ -75,7 +75,7 @@ class Memory {
     std::unique_ptr<Lanes> lanes;
   };
 
-  static std::uint16_t base_of(unsigned bit) { return static_cast<std::uint16_t>(bit); }
+  static std::uint16_t to_base(unsigned bit) { return static_cast<std::uint16_t>(bit); }
   TileBits& stored_plane(unsigned bit);
   Holder& holder_for(isa::Field field);
   Holder& add_holder();

@@ -35,7 +35,7 @@ class PlaneSum {
     narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
   }
 
-  /// Whether the coefficients are so great that corners outside the picture may exceed 64 bits; then only first_of may
+  /// Whether the coefficients are so great that corners outside the picture may exceed 64 bits; then only first_sum may
   /// be called.
   [[nodiscard]] bool huge() const { return huge_; }
   /// Whether the sum may exceed its width at some pixel of the tile.
@@ -58,14 +58,14 @@ class PlaneSum {
   [[nodiscard]] bool flat() const { return a_ == 0 && b_ == 0; }
 
   /// The sum at the block's first pixel, modulo 2^64.
-  [[nodiscard]] std::int64_t first_of(unsigned block) const {
+  [[nodiscard]] std::int64_t first_sum(unsigned block) const {
     const std::uint64_t x = block % blocks_per_side * block_side;
     const std::uint64_t y = block / blocks_per_side * block_side;
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(c_) + static_cast<std::uint64_t>(a_) * x +
                                      static_cast<std::uint64_t>(b_) * y);
   }
   /// The minimum at the block's corners; the maximum is `spread` more.
-  [[nodiscard]] std::int64_t least_of(unsigned block) const { return first_of(block) + low_; }
+  [[nodiscard]] std::int64_t min_sum(unsigned block) const { return first_sum(block) + low_; }
   [[nodiscard]] std::int64_t spread() const { return spread_; }
   /// Difference from one block to the next in its row.
   [[nodiscard]] std::int64_t column_step() const { return a_ * block_side; }

@@ -179,7 +179,7 @@ void Tile::root(Field target) {
   take_root(pixels(), std::span(planes).first(target.width));
 }
 
-bool Tile::as_bits(Field first, Field second) const {
+bool Tile::use_bits(Field first, Field second) const {
   if (first.width == 1) return true;
   return first.width <= max_width_as_bits && memory_.in_planes(first, enable_.any()) &&
          (second.width == 0 || memory_.in_planes(second, enable_.any()));
@@ -187,7 +187,7 @@ bool Tile::as_bits(Field first, Field second) const {
 
 void Tile::set_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
-  if (as_bits(target, {})) {
+  if (use_bits(target, {})) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& plane = memory_.plane(target.base + bit, enable_.any());
       const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
@@ -227,7 +227,7 @@ bool Tile::has_same_parts(Field source, Field target, const std::vector<Field>& 
 
 void Tile::copy(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (as_bits(target, source)) {
+  if (use_bits(target, source)) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& to = memory_.plane(target.base + bit, enable_.any());
       const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
@@ -250,7 +250,7 @@ void Tile::copy(Field target, Field source) {
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
-  if (as_bits(left, right)) return compare_bits(comparison, left, right);
+  if (use_bits(left, right)) return compare_bits(comparison, left, right);
   Lanes& s = memory_.lanes(left, read());
   enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, read()));
 }
@@ -299,7 +299,7 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (as_bits(target, source)) return add_bits(target, source);
+  if (use_bits(target, source)) return add_bits(target, source);
   Lanes& to = memory_.lanes(target, read());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
   add_lanes(pixels(), to, memory_.lanes(source, read()), low_bits);

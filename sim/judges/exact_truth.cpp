@@ -86,7 +86,7 @@ class Painter {
     }
     const Part between{extreme(sight_, pieces.of(piece.fronts), place, 1),
                        extreme(sight_, pieces.of(piece.backs), place, -1)};
-    const std::optional<Part> part = within(between, pieces.quadrics_of(piece), place);
+    const std::optional<Part> part = within(between, pieces.quadrics_in(piece), place);
     if (!part) return;
     events_.push_back({*part->front, piece.primitive, true});
     events_.push_back({*part->back, piece.primitive, false});

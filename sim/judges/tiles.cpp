@@ -92,7 +92,7 @@ class Narrowing {
     }
     kept.edges.end = kept.fronts.begin = size();
     Range all{-infinity, infinity};
-    for (const facet::QuadricSide& side : from_.quadrics_of(piece)) {
+    for (const facet::QuadricSide& side : from_.quadrics_in(piece)) {
       const Range range = range_over(sight_.quadrics().quadric(side.quadric), tile_);
       all = {std::max(all.low, range.low), std::min(all.high, range.high)};
     }
@@ -110,7 +110,7 @@ class Narrowing {
     }
     kept.backs.end = size();
     kept.quadrics.begin = static_cast<std::uint32_t>(into_.quadrics.size());
-    const auto quadrics = from_.quadrics_of(piece);
+    const auto quadrics = from_.quadrics_in(piece);
     into_.quadrics.insert(into_.quadrics.end(), quadrics.begin(), quadrics.end());
     kept.quadrics.end = static_cast<std::uint32_t>(into_.quadrics.size());
     into_.pieces.push_back(kept);

@@ -46,7 +46,7 @@ struct Pieces {
   [[nodiscard]] std::span<const facet::Halfspace> of(Run run) const {
     return std::span(halfspaces).subspan(run.begin, run.end - run.begin);
   }
-  [[nodiscard]] std::span<const facet::QuadricSide> quadrics_of(const Piece& piece) const {
+  [[nodiscard]] std::span<const facet::QuadricSide> quadrics_in(const Piece& piece) const {
     return std::span(quadrics).subspan(piece.quadrics.begin, piece.quadrics.end - piece.quadrics.begin);
   }
 };
