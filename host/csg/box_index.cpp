@@ -98,10 +98,10 @@ void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) cons
   std::sort(numbers.begin() + begin, numbers.end());
 }
 
-std::vector<std::uint32_t> BoxIndex::covering(const Box& box, std::size_t most) const {
+std::vector<std::uint32_t> BoxIndex::covering(const Box& box, std::size_t max_count) const {
   std::vector<std::uint32_t> numbers;
   append_found(tree_->items, bg::index::covers(tree_->bounds(box)), numbers);
-  const std::size_t count = std::min(most, numbers.size());
+  const std::size_t count = std::min(max_count, numbers.size());
   std::partial_sort(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), numbers.end());
   numbers.resize(count);
   return numbers;

@@ -35,8 +35,8 @@ class BoxIndex {
   /// Appends the numbers of the entries that have a point in common with the box, in ascending order.
   void meeting(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
-  /// The numbers, ascending, of the entries that contain the whole box; the lowest `most` if there are more.
-  [[nodiscard]] std::vector<std::uint32_t> covering(const Box& box, std::size_t most) const;
+  /// The numbers, ascending, of the entries that contain the whole box; the lowest `max_count` if there are more.
+  [[nodiscard]] std::vector<std::uint32_t> covering(const Box& box, std::size_t max_count) const;
 
  private:
   struct Tree;

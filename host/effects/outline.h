@@ -26,12 +26,12 @@ class Outline {
   bool clip(const view::FixedLinear& line, Outline& spare);
 
   /// Position of an outline relative to a line.
-  enum class Lie : std::uint8_t {
+  enum class Position : std::uint8_t {
     beyond,  ///< the line is negative everywhere
     across,
     within,  ///< the line is certainly at least `least` everywhere
   };
-  [[nodiscard]] Lie lie(const view::FixedLinear& line, double least) const;
+  [[nodiscard]] Position position(const view::FixedLinear& line, double least) const;
 
   /// Bounding rectangle of its pixels, with a margin.
   [[nodiscard]] view::PixelRect pixels() const;

@@ -132,12 +132,12 @@ class Covering {
     covering_work_ += planes.size();
     crossed_.clear();
     for (const ShadowPlane& plane : planes) {
-      const Outline::Lie lie = outline.lie(compared.in(plane), compared.certainly_in());
-      if (lie == Outline::Lie::beyond) {
+      const Outline::Position position = outline.position(compared.in(plane), compared.certainly_in());
+      if (position == Outline::Position::beyond) {
         left.push_back(std::move(outline));
         return;
       }
-      if (lie == Outline::Lie::across) crossed_.push_back(&plane);
+      if (position == Outline::Position::across) crossed_.push_back(&plane);
     }
     for (const ShadowPlane* const plane : crossed_) {
       outside_ = outline;

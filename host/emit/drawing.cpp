@@ -190,7 +190,7 @@ void emit_shading(const Context& context, Broadcast& out) {
   Shadows shadows;
   for_effects(context, out, &Effect::light, shadows);
   for (const PlannedSurface& one : context.plan.surfaces) {
-    if (is_drawn(context, one)) emit_seen_colours(context, out, one, shadows);
+    if (is_drawn(context, one)) emit_visible_colours(context, out, one, shadows);
   }
 }
 

@@ -40,6 +40,6 @@ const EffectRow flat{.section = scene::effect_section<NoSettings>("effects.flat"
                      .parts = parts_of<FlatShading>,
                      .takes_quadrics = true};
 
-std::span<const EffectRow* const> flat_alone() { return rows; }
+std::span<const EffectRow* const> only_flat_shading() { return rows; }
 
 }  // namespace csgsim::emit

@@ -59,7 +59,7 @@ inline constexpr std::uint64_t max_products = 16'384;
 struct EffectRow;
 
 /// The list with only flat shading.
-std::span<const EffectRow* const> flat_alone();
+std::span<const EffectRow* const> only_flat_shading();
 
 struct Options {
   Strategy strategy = Strategy::stack;
@@ -68,7 +68,7 @@ struct Options {
   unsigned colour_bits = isa::most_colour_bits;
   csg::Pruning pruning;
   scene::Scene scene;
-  std::span<const EffectRow* const> effects = flat_alone();  ///< all known effects, in the order of their work
+  std::span<const EffectRow* const> effects = only_flat_shading();  ///< all known effects, in the order of their work
   Work work{};  ///< limit on the work of compiling, for each tried strategy and colouring separately
 };
 

@@ -136,7 +136,8 @@ void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSur
   }
 }
 
-void emit_seen_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Shadows& shadows) {
+void emit_visible_colours(const Context& context, Broadcast& out, const PlannedSurface& planned,
+                          const Shadows& shadows) {
   const Surface surface = plan_surface(context, planned, deciding_sides(context, planned));
   if (surface.nothing) return;
   out.origin = {isa::Purpose::shade, planned.primitive(), isa::no_node};

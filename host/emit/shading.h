@@ -24,6 +24,7 @@ void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSur
                         isa::Field depth, const Shadows& shadows);
 
 /// Colours a surface at the pixels that it owns.
-void emit_seen_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Shadows& shadows);
+void emit_visible_colours(const Context& context, Broadcast& out, const PlannedSurface& planned,
+                          const Shadows& shadows);
 
 }  // namespace csgsim::emit

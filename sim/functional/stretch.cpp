@@ -15,7 +15,7 @@ constexpr std::size_t most_instructions = 1024;
 Stretch::Stretch(std::span<const isa::Instruction> instructions, std::span<engine::Observer* const> observers)
     : observers_(observers) {
   find_end(instructions.first(std::min(instructions.size(), most_instructions)));
-  find_wakes();
+  find_first_acting();
 }
 
 void Stretch::find_end(std::span<const isa::Instruction> instructions) {
@@ -34,13 +34,13 @@ void Stretch::find_end(std::span<const isa::Instruction> instructions) {
   instructions_ = instructions.first(observed_.size());
 }
 
-void Stretch::find_wakes() {
-  wakes_.resize(size() + 1);
+void Stretch::find_first_acting() {
+  first_acting_.resize(size() + 1);
   auto next = static_cast<std::uint32_t>(size());
-  wakes_.back() = next;
+  first_acting_.back() = next;
   for (std::uint32_t i = next; i-- > 0;) {
     if (isa::acts_on_disabled(instructions_[i].opcode)) next = i;
-    wakes_[i] = next;
+    first_acting_[i] = next;
   }
 }
 

@@ -22,7 +22,7 @@ class Stretch {
   [[nodiscard]] std::size_t size() const { return instructions_.size(); }
 
   /// Index of the first instruction from `index` on that acts where no pixel is enabled; size() if there is none.
-  [[nodiscard]] std::size_t wakes_from(std::size_t index) const { return wakes_[index]; }
+  [[nodiscard]] std::size_t first_acting_from(std::size_t index) const { return first_acting_[index]; }
 
   /// Whether an observer reads the enable bits, and nothing else, after that instruction.
   [[nodiscard]] bool is_observed(std::size_t index) const { return observed_[index] != 0; }
@@ -31,11 +31,11 @@ class Stretch {
 
  private:
   void find_end(std::span<const isa::Instruction> instructions);
-  void find_wakes();
+  void find_first_acting();
 
   std::span<const isa::Instruction> instructions_;
   std::span<engine::Observer* const> observers_;
-  std::vector<std::uint32_t> wakes_;
+  std::vector<std::uint32_t> first_acting_;
   std::vector<std::uint8_t> observed_;
 };
 

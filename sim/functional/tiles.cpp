@@ -20,7 +20,7 @@ void run_tile(Tile& tile, const isa::Region& region, const Stretch& stretch, Til
   const std::span enabled(tally.enabled);
   std::uint64_t overflows = 0;
   for (std::size_t i = 0;; ++i) {
-    if (tile.enabled() == 0) i = stretch.wakes_from(i);
+    if (tile.enabled() == 0) i = stretch.first_acting_from(i);
     if (i == stretch.size()) break;
     enabled[i] += tile.enabled();
     overflows += tile.execute(stretch.instructions()[i]);

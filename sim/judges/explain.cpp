@@ -116,44 +116,44 @@ Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
 }
 
 /// Returns false if the primitive is not on the ray.
-bool Explainer::add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const {
+bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
   const Nature is = nature(halfspace.plane, place);
   switch (is.kind) {
     case Nature::Kind::surface: {
       const bool front = (sight_.plane(halfspace.plane).role == Role::front) == halfspace.positive;
-      (front ? chance.fronts : chance.backs).push_back({halfspace.plane, is.steps});
+      (front ? candidate.fronts : candidate.backs).push_back({halfspace.plane, is.steps});
       return true;
     }
     case Nature::Kind::holds: return halfspace.positive;
     case Nature::Kind::excludes: return !halfspace.positive;
-    case Nature::Kind::undecided: chance.edges.push_back({halfspace.plane, halfspace.positive}); return true;
-    case Nature::Kind::either: chance.doubtful = true; return true;
+    case Nature::Kind::undecided: candidate.edges.push_back({halfspace.plane, halfspace.positive}); return true;
+    case Nature::Kind::either: candidate.doubtful = true; return true;
   }
   return true;
 }
 
 /// The same for a quadric. If rays begin inside it, it has a back only if it is met at all.
-bool Explainer::add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const {
+bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
   QuadricMet met = quadrics_.met(side.quadric, place);
   const std::uint32_t nearer = sight_.surface({side.quadric, Root::nearer});
   const std::uint32_t farther = sight_.surface({side.quadric, Root::farther});
   if (met.doubtful) {
-    chance.doubtful = true;
+    candidate.doubtful = true;
     return true;
   }
   const bool on_far_nappe = quadric.ahead != 0 && (quadric.ahead < 0) == side.along_axis;
   if (!met.edge && quadric.opening < 0 && !on_far_nappe) {
     if (met.is_met == Maybe::unknown) met.nearer.high = std::max(met.nearer.high, line_.farthest());
-    if (met.is_met != Maybe::no) chance.backs.push_back({nearer, met.nearer});
+    if (met.is_met != Maybe::no) candidate.backs.push_back({nearer, met.nearer});
     return true;
   }
   if (met.is_met == Maybe::no) return false;
-  if (met.is_met == Maybe::unknown) chance.edges.push_back({nearer, true});
+  if (met.is_met == Maybe::unknown) candidate.edges.push_back({nearer, true});
   if (met.edge) return true;
   const bool is_from = quadric.opening < 0;
-  chance.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
-  if (!is_from) chance.backs.push_back({farther, met.farther});
+  candidate.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
+  if (!is_from) candidate.backs.push_back({farther, met.farther});
   return true;
 }
 
@@ -178,23 +178,24 @@ Ray Explainer::make_ray(Place place) const {
   // Indices after all surfaces: one per primitive, for its rectangle.
   const std::uint32_t rectangles = sight_.surface({sight_.quadrics().count(), Root::nearer});
   for (std::uint32_t primitive = 0; primitive < geometry_.solids.size(); ++primitive) {
-    Chance chance{
+    Candidate candidate{
         primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{nothing, {line_.farthest(), line_.farthest()}}}, false};
     const Maybe in_rect = in_rectangle(primitive, place);
     if (in_rect == Maybe::no) continue;
-    if (in_rect == Maybe::unknown) chance.edges.push_back({rectangles + primitive, true});
+    if (in_rect == Maybe::unknown) candidate.edges.push_back({rectangles + primitive, true});
     const facet::Convex& solid = geometry_.solids[primitive];
-    const bool on_ray = std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
-                                    [&](const facet::Halfspace& one) { return add_halfspace(chance, one, place); }) &&
-                        std::all_of(solid.quadrics.begin(), solid.quadrics.end(),
-                                    [&](const facet::QuadricSide& one) { return add_quadric(chance, one, place); });
+    const bool on_ray =
+        std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
+                    [&](const facet::Halfspace& one) { return add_halfspace(candidate, one, place); }) &&
+        std::all_of(solid.quadrics.begin(), solid.quadrics.end(),
+                    [&](const facet::QuadricSide& one) { return add_quadric(candidate, one, place); });
     if (!on_ray) continue;
-    for (const EdgeUse& edge : chance.edges) {
+    for (const EdgeUse& edge : candidate.edges) {
       if (std::find(ray.undecided_edges.begin(), ray.undecided_edges.end(), edge.plane) == ray.undecided_edges.end()) {
         ray.undecided_edges.push_back(edge.plane);
       }
     }
-    ray.chances.push_back(std::move(chance));
+    ray.candidates.push_back(std::move(candidate));
   }
   return ray;
 }

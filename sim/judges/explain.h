@@ -54,8 +54,8 @@ class Explainer {
 
   struct Nature;
   [[nodiscard]] Nature nature(std::uint32_t plane, Place place) const;
-  [[nodiscard]] bool add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const;
-  [[nodiscard]] bool add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const;
+  [[nodiscard]] bool add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const;
+  [[nodiscard]] bool add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const;
   [[nodiscard]] Maybe in_rectangle(std::uint32_t primitive, Place place) const;
   [[nodiscard]] Ray make_ray(Place place) const;
 

@@ -56,29 +56,29 @@ class Branch {
  public:
   Branch(const model::Tree& tree, const Ray& ray, std::uint32_t sides)
       : tree_(tree), ray_(ray), sides_(sides), of_primitive_(tree.primitives.size(), nullptr) {
-    for (const Chance& chance : ray.chances) of_primitive_[chance.primitive] = &chance;
+    for (const Candidate& candidate : ray.candidates) of_primitive_[candidate.primitive] = &candidate;
     mark_subtracted();
   }
 
   [[nodiscard]] bool can_show(std::uint32_t owner, std::int64_t depth) const {
     if (owner == nothing) {
-      return std::none_of(ray_.chances.begin(), ray_.chances.end(),
-                          [&](const Chance& one) { return state(one, visible_surface(one)) == Maybe::yes; });
+      return std::none_of(ray_.candidates.begin(), ray_.candidates.end(),
+                          [&](const Candidate& one) { return state(one, visible_surface(one)) == Maybe::yes; });
     }
     if (owner >= of_primitive_.size() || of_primitive_[owner] == nullptr) return false;
-    const Chance& shown = *of_primitive_[owner];
+    const Candidate& shown = *of_primitive_[owner];
     if (shown.doubtful) return true;
     Surface surface = visible_surface(shown);
     if (depth < surface.steps.low || depth > surface.steps.high) return false;
     surface.steps = {depth, depth};
     if (state(shown, surface) == Maybe::no) return false;
-    return std::none_of(ray_.chances.begin(), ray_.chances.end(),
-                        [&](const Chance& other) { return certainly_before(other, owner, surface); });
+    return std::none_of(ray_.candidates.begin(), ray_.candidates.end(),
+                        [&](const Candidate& other) { return certainly_before(other, owner, surface); });
   }
 
  private:
   /// Whether the other primitive's surface certainly hides the one shown at that depth.
-  [[nodiscard]] bool certainly_before(const Chance& other, std::uint32_t owner, const Surface& surface) const {
+  [[nodiscard]] bool certainly_before(const Candidate& other, std::uint32_t owner, const Surface& surface) const {
     if (other.primitive == owner || other.doubtful) return false;
     const Surface hiding = visible_surface(other);
     const bool first = other.primitive < owner;
@@ -87,20 +87,20 @@ class Branch {
     return nearer && state(other, hiding) == Maybe::yes;
   }
 
-  [[nodiscard]] Surface visible_surface(const Chance& chance) const {
-    const bool back = subtracted_[chance.primitive];
-    return make_surface(back ? chance.backs : chance.fronts, !back);
+  [[nodiscard]] Surface visible_surface(const Candidate& candidate) const {
+    const bool back = subtracted_[candidate.primitive];
+    return make_surface(back ? candidate.backs : candidate.fronts, !back);
   }
 
   /// Whether the primitive's visible surface is present and no operator removes it.
-  [[nodiscard]] Maybe state(const Chance& chance, const Surface& surface) const {
-    const Maybe there = least(on_ray(chance), not_empty(chance));
-    return there == Maybe::no ? there : least(there, shows(chance.primitive, surface));
+  [[nodiscard]] Maybe state(const Candidate& candidate, const Surface& surface) const {
+    const Maybe there = least(on_ray(candidate), not_empty(candidate));
+    return there == Maybe::no ? there : least(there, shows(candidate.primitive, surface));
   }
 
-  [[nodiscard]] Maybe on_ray(const Chance& chance) const {
-    Maybe result = chance.doubtful ? Maybe::unknown : Maybe::yes;
-    for (const EdgeUse& edge : chance.edges) {
+  [[nodiscard]] Maybe on_ray(const Candidate& candidate) const {
+    Maybe result = candidate.doubtful ? Maybe::unknown : Maybe::yes;
+    for (const EdgeUse& edge : candidate.edges) {
       const auto at = std::find(ray_.undecided_edges.begin(), ray_.undecided_edges.end(), edge.plane);
       const auto bit = static_cast<std::size_t>(at - ray_.undecided_edges.begin());
       if (bit >= max_tried_edges) {
@@ -112,17 +112,17 @@ class Branch {
     return result;
   }
 
-  [[nodiscard]] static Maybe not_empty(const Chance& chance) {
-    const Surface front = make_surface(chance.fronts, true);
+  [[nodiscard]] static Maybe not_empty(const Candidate& candidate) {
+    const Surface front = make_surface(candidate.fronts, true);
     Maybe result = Maybe::yes;
-    for (const Met& back : chance.backs) result = least(result, opposite(not_behind(back, front)));
+    for (const Met& back : candidate.backs) result = least(result, opposite(not_behind(back, front)));
     return result;
   }
 
-  [[nodiscard]] Maybe holds(const Chance& chance, const Surface& surface) const {
-    Maybe result = on_ray(chance);
-    for (const Met& front : chance.fronts) result = least(result, not_behind(front, surface));
-    for (const Met& back : chance.backs) result = least(result, opposite(not_behind(back, surface)));
+  [[nodiscard]] Maybe holds(const Candidate& candidate, const Surface& surface) const {
+    Maybe result = on_ray(candidate);
+    for (const Met& front : candidate.fronts) result = least(result, not_behind(front, surface));
+    for (const Met& back : candidate.backs) result = least(result, opposite(not_behind(back, surface)));
     return result;
   }
 
@@ -136,8 +136,8 @@ class Branch {
       bool through = false;
       if (node.is_leaf) {
         through = node.primitive == primitive;
-        const Chance* chance = of_primitive_[node.primitive];
-        if (chance != nullptr) values_[i] = holds(*chance, surface);
+        const Candidate* candidate = of_primitive_[node.primitive];
+        if (candidate != nullptr) values_[i] = holds(*candidate, surface);
         // A solid that is present is inside at its own front and outside at its back.
         if (through) values_[i] = subtracted_[primitive] ? Maybe::no : Maybe::yes;
       } else {
@@ -179,7 +179,7 @@ class Branch {
   const model::Tree& tree_;
   const Ray& ray_;
   std::uint32_t sides_;
-  std::vector<const Chance*> of_primitive_;
+  std::vector<const Candidate*> of_primitive_;
   std::vector<bool> node_subtracted_;
   std::vector<bool> subtracted_;
   mutable std::vector<Maybe> values_;

@@ -33,7 +33,7 @@ struct EdgeUse {
 };
 
 /// A primitive that may be on a ray.
-struct Chance {
+struct Candidate {
   std::uint32_t primitive = 0;
   std::vector<EdgeUse> edges;  ///< the undecided edges; the primitive is inside the decided ones
   std::vector<Met> fronts;
@@ -43,7 +43,7 @@ struct Chance {
 
 /// Everything that may be on one ray, primitives in tree order.
 struct Ray {
-  std::vector<Chance> chances;
+  std::vector<Candidate> candidates;
   std::vector<std::uint32_t> undecided_edges;  ///< indices of planes, each once
 };
 
