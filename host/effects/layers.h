@@ -20,7 +20,7 @@ struct Panes {
   std::vector<unsigned> layers;                    ///< by segment: maximum number of surfaces behind one another at a
                                                    ///< pixel
   std::uint32_t surfaces = 0;                      ///< maximum number of surfaces in a segment
-  std::vector<std::vector<std::uint32_t>> pieces;  ///< by primitive: touching_pieces
+  std::vector<std::vector<std::uint32_t>> pieces;  ///< by primitive: result of touching_pieces
 };
 
 /// Maximum number of rectangles that have a pixel in common.

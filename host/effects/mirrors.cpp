@@ -37,7 +37,7 @@ struct Settings {
 };
 
 void visit_keys(Settings& settings, auto&& visit) {
-  visit(scene::integer_key("depth", "", 1, max_depth, "maximum number of reflections in one another"), settings.depth);
+  visit(scene::integer_key("depth", "", 1, max_depth, "maximum depth of mirrors seen in mirrors"), settings.depth);
 }
 
 /// A mirroring face.

@@ -71,9 +71,9 @@ std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet
 /// Levels as linear functions of column and row.
 struct Fit {
   glm::dvec2 middle;      ///< mean position of the samples
-  glm::dvec3 at_middle;   ///< levels
-  glm::dvec3 per_column;  ///< levels
-  glm::dvec3 per_row;     ///< levels
+  glm::dvec3 at_middle;   ///< levels at `middle`
+  glm::dvec3 per_column;  ///< change of levels per column
+  glm::dvec3 per_row;     ///< change of levels per row
 };
 
 /// Least squares fit; empty if the samples are collinear.

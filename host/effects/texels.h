@@ -37,7 +37,7 @@ struct TexelCoordinates {
 
 TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Facet& facet, const TexelGrid& grid);
 
-/// Maximum error of a boundary between texels, pixels.
+/// Maximum error of a boundary between texels, in pixels.
 inline constexpr double boundary_error = 1.0 / 32;
 
 /// A line on which a coordinate is an integer: the coordinate is at least that integer where Ax + By + C >= 0.

@@ -29,11 +29,11 @@ struct Settings {
 
 void visit_keys(Settings& settings, auto&& visit) {
   visit(scene::choice_key("method", methods, "blend layers, or omit pixels by a pattern"), settings.method);
-  visit(
-      scene::integer_key("layers", "", 1, max_layers,
-                         "maximum number of transparent surfaces, the nearest, that a pixel shows behind one another; "
-                         "by default as many as their rectangles overlap, at most 16"),
-      settings.layers);
+  visit(scene::integer_key(
+            "layers", "", 1, max_layers,
+            "maximum number of transparent surfaces, the nearest ones, that a pixel shows; by default as many "
+            "as their rectangles allow, at most 16"),
+        settings.layers);
 }
 
 struct Prepared : emit::EffectState {

@@ -41,7 +41,7 @@ class Counter {
         view_(view),
         options_(divider_options(options)),
         positive_(csg::make_positive(tree)) {
-    // A group leaves what its leading half-spaces leave.
+    // Only the leaders at the corners of a rectangle decide which half-spaces are dropped.
     options_.pruning.pixels = false;
     boxes_.resize(positive_.nodes.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = bounding_box(positive_.nodes[i]);

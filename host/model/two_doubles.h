@@ -29,7 +29,7 @@ inline TwoDoubles exact_product(double a, double b) {
   return {product, std::fma(a, b, -product)};
 }
 
-/// Relative error at most 2^-100 of the sum of the magnitudes.
+/// The error is at most 2^-100 of the sum of the magnitudes.
 inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles sum = exact_sum(a.high, b.high);
   return exact_sum(sum.high, sum.low + (a.low + b.low));

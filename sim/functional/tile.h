@@ -42,7 +42,7 @@ class alignas(64) Tile {
   [[nodiscard]] const TileBits& bit(unsigned number, TileBits& copy) const {
     return memory_.read(number, shape_.blocks(), copy);
   }
-  /// Writes rows of 64 pixels, in the format of read_rows.
+  /// Sets E, or a bit of memory, from rows of 64 pixels in the format of read_rows.
   void write_enable(const std::uint64_t* rows, std::size_t stride);
   void write_bit(unsigned bit, const std::uint64_t* rows, std::size_t stride);
 

@@ -14,7 +14,7 @@ namespace csgsim::judges {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A pixel centre: integers, twice the distance from the middle of the picture in pixels, to the right and down.
+/// A pixel centre as integers: twice its distance from the middle of the picture, to the right and down, in pixels.
 struct Place {
   std::int32_t x = 0;
   std::int32_t y = 0;
