@@ -1,3 +1,5 @@
+// Reads the items of a line of commands, with errors at the item.
+// Used by the interpreter, expressions and shapes.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +14,7 @@
 
 namespace csgsim::commands {
 
-/// The items of a line, one after the other.
+/// A cursor over the items of a line.
 class Cursor {
  public:
   Cursor(read::Source& source, std::span<const Item> line) : source_(source), line_(line) {}
@@ -22,25 +24,25 @@ class Cursor {
   [[nodiscard]] bool is(Kind kind) const { return !at_end() && line_[at_].kind == kind; }
   [[nodiscard]] const Item& peek() const { return line_[at_]; }
   const Item& take() { return line_[at_++]; }
-  /// Takes the item if it is that.
+  /// Consumes the item and returns true if it is `what`.
   bool take_if(std::string_view what) {
     if (!is(what)) return false;
     ++at_;
     return true;
   }
 
-  /// The next items, which have to be: `what` says so in messages.
+  /// Consumes the next item, which must be of that kind; `what` names it in messages.
   const Item& word(std::string_view what) { return expected(Kind::word, what); }
   double number(std::string_view what) { return expected(Kind::number, what).number; }
   double above_0(std::string_view what) {
     const Item& item = expected(Kind::number, what);
-    if (!(item.number > 0)) fail(item.offset, fmt::format("{} has to be above 0", what));
+    if (!(item.number > 0)) fail(item.offset, fmt::format("{} must be above 0", what));
     return item.number;
   }
   void sign(std::string_view text, std::string_view where) {
     if (!take_if(text)) fail_here(fmt::format("expected `{}` {}", text, where));
   }
-  /// All numbers up to what is none.
+  /// Consumes all numbers up to the next item of another kind.
   std::vector<double> numbers() {
     std::vector<double> all;
     while (is(Kind::number)) all.push_back(take().number);
@@ -50,7 +52,7 @@ class Cursor {
     if (!at_end()) fail_here("expected the end of the line");
   }
 
-  /// Of the next item, or the end of the last one.
+  /// The offset of the next item, or of the end of the line.
   [[nodiscard]] std::uint32_t offset() const {
     return at_end() ? line_.back().offset + static_cast<std::uint32_t>(line_.back().text.size()) : line_[at_].offset;
   }

@@ -6,14 +6,14 @@ namespace csgsim::commands {
 
 namespace {
 
-model::Operator operator_of(const Item& sign) {
+model::Operator to_operator(const Item& sign) {
   if (sign.text == "+") return model::Operator::unite;
   return sign.text == "-" ? model::Operator::subtract : model::Operator::intersect;
 }
 
 int strength(const Item& sign) { return sign.text == "*" ? 2 : 1; }
 
-/// Dijkstra's shunting yard: no depth of parentheses is too deep.
+/// Dijkstra's shunting yard, which handles parentheses of any depth.
 class Yard {
  public:
   Yard(Cursor& line, const Algebra& algebra) : line_(line), algebra_(algebra) {}
@@ -47,18 +47,18 @@ class Yard {
 
   void close() {
     reduce(1);
-    if (waiting_.empty()) line_.fail(line_.offset(), "this `)` closes nothing; take it out");
+    if (waiting_.empty()) line_.fail(line_.offset(), "this `)` has no matching `(`; remove it");
     waiting_.pop_back();
     line_.take();
   }
 
-  /// Operators as strong or stronger, back to an open parenthesis.
+  /// Applies the operators of at least that strength, back to an open parenthesis.
   void reduce(int weakest) {
     while (!waiting_.empty() && !waiting_.back()->is("(") && strength(*waiting_.back()) >= weakest) {
       const std::uint32_t right = solids_.back();
       solids_.pop_back();
       const Item& sign = *waiting_.back();
-      solids_.back() = algebra_.combine(operator_of(sign), solids_.back(), right, sign);
+      solids_.back() = algebra_.combine(to_operator(sign), solids_.back(), right, sign);
       waiting_.pop_back();
     }
   }

@@ -1,3 +1,5 @@
+// Boolean expressions over named solids.
+// Used by the interpreter.
 #pragma once
 
 #include <cstdint>
@@ -8,14 +10,14 @@
 
 namespace csgsim::commands {
 
-/// What an expression is made of.
+/// The callbacks that evaluate an expression.
 struct Algebra {
   std::function<std::uint32_t(const Item& name)> solid;
   std::function<std::uint32_t(model::Operator op, std::uint32_t left, std::uint32_t right, const Item& sign)> combine;
 };
 
-/// Names with + (union), - (difference) and * (intersection), which binds closer than the others, and parentheses, up
-/// to the end of the line; operators of one strength from left to right.
+/// Reads an expression up to the end of the line: names, + (union), - (difference), * (intersection), which binds more
+/// tightly than the others, and parentheses. Operators of equal strength are left-associative.
 std::uint32_t read_expression(Cursor& line, const Algebra& algebra);
 
 }  // namespace csgsim::commands

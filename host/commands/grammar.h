@@ -1,11 +1,12 @@
+// The lexical grammar of files of commands.
+// Used by lines.cpp.
 #pragma once
 
 #include <tao/pegtl.hpp>
 
 #include "host/read/grammar.h"
 
-/// The grammar of a file of commands: words, numbers and signs in lines. What lines mean is another matter, so that
-/// nothing nests here.
+/// Words, numbers and signs in lines. The interpreter handles the meaning of lines, so that nothing nests here.
 namespace csgsim::commands::grammar {
 
 namespace peg = tao::pegtl;

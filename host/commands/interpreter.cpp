@@ -23,9 +23,9 @@ class Interpreter {
   explicit Interpreter(read::Source& source) : source_(source) {}
 
   Model run() {
-    for (const std::vector<Item>& items : lines_of(source_)) {
+    for (const std::vector<Item>& items : split_lines(source_)) {
       Cursor line(source_, items);
-      carry_out(line);
+      execute(line);
       line.end();
     }
     for (const std::string_view name : {std::string_view("Object"), last_}) {
@@ -49,7 +49,7 @@ class Interpreter {
   };
   static constexpr std::array<CommandRow, 6> commands();
 
-  void carry_out(Cursor& line);
+  void execute(Cursor& line);
   void define(const Item& name, Cursor& line);
   void move(Cursor& line);
   void rotate(Cursor& line);
@@ -68,7 +68,7 @@ class Interpreter {
   read::Source& source_;
   Model model_;
   std::map<std::string_view, Named> names_;
-  std::string_view last_;  ///< that a line has made a solid of
+  std::string_view last_;  ///< the last name that a line assigned a solid to
   model::FacetControl facets_;
   double tolerance_ = usual_tolerance;
 };
@@ -80,18 +80,18 @@ constexpr std::array<Interpreter::CommandRow, 6> Interpreter::commands() {
 }
 
 constexpr std::string_view command_forms =
-    "a line is `NAME = ...`, or move, rotate, scale, colour, facets or tolerance with what it takes";
+    "a line is `NAME = ...`, or move, rotate, scale, colour, facets or tolerance with arguments";
 
-int axis_of(const Item& item) {
+int axis_index(const Item& item) {
   if (item.is("x")) return 0;
   if (item.is("y")) return 1;
   return item.is("z") ? 2 : 3;
 }
 
-/// Numbers along x, y and z, as many as there are; or each behind the axis' letter.
+/// Numbers along x, y and z, in this order, or each after the letter of its axis.
 struct AlongAxes {
   glm::dvec3 values;
-  std::size_t numbers = 0;  ///< without letters
+  std::size_t numbers = 0;  ///< count of numbers without letters
 };
 
 AlongAxes read_along_axes(Cursor& line, double usual) {
@@ -99,22 +99,22 @@ AlongAxes read_along_axes(Cursor& line, double usual) {
   if (!line.is(Kind::word)) {
     const std::uint32_t offset = line.offset();
     const std::vector<double> numbers = line.numbers();
-    if (numbers.empty()) line.fail_here("expected numbers, or x, y or z with one");
-    if (numbers.size() > 3) line.fail(offset, "there are three axes; take numbers out");
+    if (numbers.empty()) line.fail_here("expected numbers, or x, y or z with a number");
+    if (numbers.size() > 3) line.fail(offset, "there are three axes; remove the extra numbers");
     for (std::size_t i = 0; i < numbers.size(); ++i) found.values[static_cast<int>(i)] = numbers[i];
     found.numbers = numbers.size();
     return found;
   }
   while (line.is(Kind::word)) {
     const Item& letter = line.take();
-    const int axis = axis_of(letter);
+    const int axis = axis_index(letter);
     if (axis > 2) line.fail(letter.offset, fmt::format("expected x, y or z, found `{}`", read::shown(letter.text)));
-    found.values[axis] = line.number("a number behind the axis");
+    found.values[axis] = line.number("a number after the axis");
   }
   return found;
 }
 
-void Interpreter::carry_out(Cursor& line) {
+void Interpreter::execute(Cursor& line) {
   const Item& first = line.word(command_forms);
   if (line.take_if("=")) return define(first, line);
   static constexpr auto rows = commands();
@@ -135,7 +135,7 @@ std::uint32_t Interpreter::add(Solid solid, std::uint32_t offset) {
 void Interpreter::define(const Item& name, Cursor& line) {
   constexpr std::array<std::string_view, 3> others{"sweep", "curve", "patch"};
   if (is_solid_word(name.text) || std::ranges::find(others, name.text) != others.end())
-    line.fail(name.offset, fmt::format("{} is a word of the language; take another name", name.text));
+    line.fail(name.offset, fmt::format("{} is a reserved word; choose another name", name.text));
   if (line.take_if("curve")) {
     names_.insert_or_assign(name.text, read_curve(line));
     return;
@@ -165,17 +165,17 @@ void Interpreter::define(const Item& name, Cursor& line) {
 Interpreter::SolidName& Interpreter::solid_named(const Item& name) {
   const auto found = names_.find(name.text);
   if (found == names_.end()) {
-    const std::string_view meant = solid_word_like(name.text);
-    source_.fail(name.offset, fmt::format("no line before this one makes {0}; {1}", read::shown(name.text),
+    const std::string_view meant = similar_solid_word(name.text);
+    source_.fail(name.offset, fmt::format("{0} is not defined before this line; {1}", read::shown(name.text),
                                           meant.empty() ? fmt::format("write `{} = ...` above", read::shown(name.text))
                                                         : fmt::format("did you mean {}?", meant)));
   }
   if (std::holds_alternative<Curve>(found->second))
     source_.fail(name.offset,
-                 fmt::format("{} is a curve, which bounds no solid; make one by a sweep", read::shown(name.text)));
+                 fmt::format("{} is a curve, not a solid; make a solid with a sweep", read::shown(name.text)));
   if (std::holds_alternative<PatchName>(found->second))
     source_.fail(name.offset,
-                 fmt::format("{} is a patch, which bounds no solid; csgsim mesh takes it", read::shown(name.text)));
+                 fmt::format("{} is a patch, not a solid; csgsim mesh accepts it", read::shown(name.text)));
   return std::get<SolidName>(found->second);
 }
 
@@ -196,7 +196,7 @@ void Interpreter::scale(Cursor& line) {
   AlongAxes by = read_along_axes(line, 1);
   if (by.numbers == 1) by.values = glm::dvec3(by.values.x);
   if (by.values.x == 0 || by.values.y == 0 || by.values.z == 0)
-    line.fail(offset, "a scale of 0 leaves nothing; take another number");
+    line.fail(offset, "a scale of 0 removes the solid; use another number");
   place(solid, glm::scale(glm::dmat4(1), by.values), name.offset);
 }
 
@@ -206,7 +206,7 @@ void Interpreter::rotate(Cursor& line) {
   if (line.at_end()) line.fail_here("expected x, y or z and degrees");
   while (!line.at_end()) {
     const Item& letter = line.word("x, y or z");
-    const int axis = axis_of(letter);
+    const int axis = axis_index(letter);
     if (axis > 2) line.fail(letter.offset, fmt::format("expected x, y or z, found `{}`", read::shown(letter.text)));
     const double degrees = line.number("degrees");
     const double cosine = model::cos_degrees(degrees);
@@ -234,7 +234,7 @@ void Interpreter::colour(Cursor& line) {
 
 void Interpreter::set_facets(Cursor& line) {
   const std::uint32_t offset = line.offset();
-  const double count = line.number("how many facets a circle has");
+  const double count = line.number("the number of facets of a circle");
   constexpr double most = 100'000;
   if (!(count >= 3 && count <= most && count == std::floor(count)))
     line.fail(offset, fmt::format("a circle has 3 to {} facets", most));
@@ -246,10 +246,10 @@ const Curve& Interpreter::curve_named(Cursor& line, std::string_view use, std::s
   const auto found = names_.find(name.text);
   const auto* const curve = found == names_.end() ? nullptr : std::get_if<Curve>(&found->second);
   if (curve == nullptr)
-    line.fail(name.offset, fmt::format("no line before this one makes a curve {0}; write `{0} = curve ...` above",
+    line.fail(name.offset, fmt::format("there is no curve {0} before this line; write `{0} = curve ...` above",
                                        read::shown(name.text)));
   if (curve->numbers < fewest || curve->numbers > most)
-    line.fail(name.offset, fmt::format("the points of a {} have {} numbers, those of {} have {}", use,
+    line.fail(name.offset, fmt::format("the points of a {} have {} numbers, but those of {} have {}", use,
                                        fewest == most ? fmt::format("{}", most) : fmt::format("{} or {}", fewest, most),
                                        read::shown(name.text), curve->numbers));
   return *curve;

@@ -1,3 +1,5 @@
+// The interpreter of files of commands.
+// Used by read.cpp.
 #pragma once
 
 #include "host/commands/model.h"
@@ -5,7 +7,7 @@
 
 namespace csgsim::commands {
 
-/// Carries out the lines of a file. Throws InputError, with the place, for what is no command.
+/// Executes the lines of a file. Throws InputError with the position of an invalid command.
 Model interpret(read::Source& source);
 
 }  // namespace csgsim::commands

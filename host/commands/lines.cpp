@@ -13,15 +13,15 @@ namespace csgsim::commands {
 
 namespace {
 
-/// What the actions of the grammar work on.
+/// Collects the items that the grammar's actions produce.
 class Reader {
  public:
   explicit Reader(read::Source& source) : source_(source) {}
 
   void add(Kind kind, std::string_view text) {
     if (++items_ > read::max_values)
-      source_.fail(offset_of(text.data()), fmt::format("more than {} words; split the model", read::max_values));
-    Item item{kind, text, 0, offset_of(text.data())};
+      source_.fail(to_offset(text.data()), fmt::format("more than {} words; split the model", read::max_values));
+    Item item{kind, text, 0, to_offset(text.data())};
     if (kind == Kind::number) {
       const std::optional<double> number = read::parse_number(text);
       if (!number)
@@ -38,7 +38,7 @@ class Reader {
   }
 
   [[noreturn]] void fail(const char* at) {
-    const std::uint32_t offset = offset_of(at);
+    const std::uint32_t offset = to_offset(at);
     const char found = source_.text()[offset];
     const std::string shown = found > ' ' && found <= '~'
                                   ? fmt::format("`{}`", found)
@@ -54,7 +54,7 @@ class Reader {
   }
 
  private:
-  [[nodiscard]] std::uint32_t offset_of(const char* at) const {
+  [[nodiscard]] std::uint32_t to_offset(const char* at) const {
     return static_cast<std::uint32_t>(at - source_.text().data());
   }
 
@@ -96,7 +96,7 @@ struct Control : tao::pegtl::normal<Rule> {
 
 }  // namespace
 
-std::vector<std::vector<Item>> lines_of(read::Source& source) {
+std::vector<std::vector<Item>> split_lines(read::Source& source) {
   const std::string_view text = source.text();
   tao::pegtl::memory_input<tao::pegtl::tracking_mode::lazy> input(text.data(), text.size(), "");
   Reader reader(source);

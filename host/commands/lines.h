@@ -1,3 +1,5 @@
+// Splits a file of commands into lines of words, numbers and signs.
+// Used by the interpreter.
 #pragma once
 
 #include <cstdint>
@@ -15,12 +17,12 @@ struct Item {
   Kind kind = Kind::word;
   std::string_view text;
   double number = 0;
-  std::uint32_t offset = 0;  ///< in the text
+  std::uint32_t offset = 0;  ///< position in the text
 
   [[nodiscard]] bool is(std::string_view what) const { return kind != Kind::number && text == what; }
 };
 
-/// The lines that have something in them. Throws InputError where the text is nothing that a line can have.
-std::vector<std::vector<Item>> lines_of(read::Source& source);
+/// The lines that are not empty. Throws InputError for text that the grammar does not allow.
+std::vector<std::vector<Item>> split_lines(read::Source& source);
 
 }  // namespace csgsim::commands

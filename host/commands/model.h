@@ -1,3 +1,5 @@
+// The model that a file of commands defines.
+// Used by the interpreter and read.cpp.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +26,7 @@ struct SweptSolid {
   double tolerance = 0;
 };
 
-/// A patch of a file, which bounds no solid.
+/// A patch of a file, which is not a solid.
 struct Patch {
   std::string_view name;
   std::uint32_t offset = 0;
@@ -49,21 +51,21 @@ struct Combined {
 };
 
 struct Swept {
-  std::uint32_t number = 0;  ///< of Model::sweeps
+  std::uint32_t number = 0;  ///< index into Model::sweeps
 };
 
-/// A solid that a line makes, of those before it. It may be part of several others.
+/// A solid defined by a line from earlier ones. Several others may use it.
 struct Solid {
   std::variant<model::Shape, Swept, Combined, Moved, Coloured> made;
   model::Location location;
 };
 
-/// What the lines of a file make.
+/// The solids, sweeps and patches that the lines of a file define.
 struct Model {
   std::vector<Solid> solids;
   std::vector<SweptSolid> sweeps;
   std::vector<Patch> patches;
-  std::uint32_t drawn = nothing;  ///< of the solids, `Object`, or else the last that a line names
+  std::uint32_t drawn = nothing;  ///< index of the solid to draw: `Object`, or else the last one assigned to a name
 };
 
 }  // namespace csgsim::commands

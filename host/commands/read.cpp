@@ -19,7 +19,7 @@ namespace csgsim::commands {
 
 namespace {
 
-/// Solids that are part of several others are in the tree as often.
+/// Expands the solids to a tree; a solid that several others use is copied for each.
 class TreeMaker {
  public:
   TreeMaker(read::Source& source, const Model& model) : source_(source), model_(model), pieces_(model.sweeps.size()) {}
@@ -74,7 +74,7 @@ class TreeMaker {
     if (tree_.primitives.size() >= read::max_primitives)
       fail(solid.location, fmt::format("more than {} solids; split the model", read::max_primitives));
     if (read::empties(one.matrix))
-      fail(solid.location, "it is moved and scaled out of what numbers hold; take other numbers");
+      fail(solid.location, "moving and scaling exceeds the range of numbers; use other numbers");
     children_.push_back(model::add_leaf(tree_, {}));
     model::Primitive& primitive = tree_.primitives.back();
     primitive.shape = std::move(shape);
@@ -85,7 +85,7 @@ class TreeMaker {
   }
 
   void add_sweep(std::uint32_t number, const Waiting& one, const Solid& solid) {
-    const std::vector<model::Polyhedron>& pieces = pieces_of(number, solid);
+    const std::vector<model::Polyhedron>& pieces = sweep_pieces(number, solid);
     const std::size_t first = children_.size();
     for (const model::Polyhedron& piece : pieces) {
       model::Primitive& primitive = add_leaf(piece, one, solid);
@@ -100,7 +100,7 @@ class TreeMaker {
     children_.push_back(static_cast<std::uint32_t>(tree_.nodes.size() - 1));
   }
 
-  const std::vector<model::Polyhedron>& pieces_of(std::uint32_t number, const Solid& solid) {
+  const std::vector<model::Polyhedron>& sweep_pieces(std::uint32_t number, const Solid& solid) {
     std::optional<std::vector<model::Polyhedron>>& pieces = pieces_[number];
     if (pieces) return *pieces;
     const SweptSolid& sweep = model_.sweeps[number];
@@ -114,8 +114,9 @@ class TreeMaker {
     } catch (const InputError& error) {
       fail(solid.location, fmt::format("sweep: {}", error.what()));
     }
-    if (made.defect) fail(solid.location, fmt::format("sweep: its surface bounds no solid: {}", made.defect->what));
-    if (made.pieces.empty()) fail(solid.location, "sweep: it has no volume");
+    if (made.defect)
+      fail(solid.location, fmt::format("sweep: its surface does not bound a solid: {}", made.defect->what));
+    if (made.pieces.empty()) fail(solid.location, "sweep: the solid has no volume");
     for (const read::Remark& remark : made.remarks) source_.tell(sweep.offset, fmt::format("sweep: {}", remark.what));
     pieces = std::move(made.pieces);
     return *pieces;
@@ -134,7 +135,7 @@ class TreeMaker {
   const Model& model_;
   model::Tree tree_;
   std::vector<Waiting> waiting_;
-  std::vector<std::uint32_t> children_;  ///< trees that are not yet part of another
+  std::vector<std::uint32_t> children_;  ///< trees that are not yet part of another tree
   std::vector<std::optional<std::vector<model::Polyhedron>>> pieces_;
 };
 
@@ -145,7 +146,7 @@ model::Tree read_text(std::string_view text, std::string_view name, const read::
   source.charge_to(options.work);
   const Model model = interpret(source);
   if (model.drawn == nothing)
-    throw InputError(fmt::format("{}: there is no solid in it; a line as `Object = block 1 2 3` makes one", name));
+    throw InputError(fmt::format("{}: the file defines no solid; add a line such as `Object = block 1 2 3`", name));
   return TreeMaker(source, model).make();
 }
 

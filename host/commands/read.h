@@ -1,3 +1,5 @@
+// Reads files of commands, the language of the thesis, as CSG trees or surfaces.
+// Used by sessions and sim/studies/mesh.
 #pragma once
 
 #include <string>
@@ -10,22 +12,22 @@
 
 namespace csgsim::commands {
 
-/// The tree of a file of commands, the language of the thesis (2.3; docs/sweeps.md). Throws InputError with
-/// file:line:column. Of the options, the limit on work counts.
+/// Reads a file of commands, in the language of the thesis (2.3; docs/sweeps.md), as a CSG tree. Throws InputError with
+/// file:line:column. Of the options, only the limit on work applies.
 model::Tree read_text(std::string_view text, std::string_view name, const read::Options& options = {});
 
-/// A surface of a file of commands that is subdivided.
+/// A surface of a file of commands that can be subdivided.
 struct NamedSurface {
   std::string name;
   bool is_sweep = false;
-  swept::Sweep sweep;  ///< or else
+  swept::Sweep sweep;  ///< if is_sweep
   swept::Net net;
-  double tolerance = 0;  ///< that the file says
+  double tolerance = 0;  ///< tolerance given in the file
   model::Location location;
 };
 
-/// All sweeps and patches of a file, in the order of its lines; of one name, the last. Throws InputError as read_text
-/// does.
+/// All sweeps and patches of a file, in the order of its lines; the last one of each name. Throws InputError as
+/// read_text does.
 std::vector<NamedSurface> surfaces_in(std::string_view text, std::string_view name);
 
 }  // namespace csgsim::commands

@@ -52,10 +52,13 @@ glm::dvec3 read_point(Cursor& line, std::size_t& numbers) {
   if (point.empty() || point.size() > 3)
     line.fail(offset, fmt::format("a point has 1 to 3 numbers, not {}", point.size()));
   if (numbers != 0 && point.size() != numbers)
-    line.fail(offset, fmt::format("the numbers of this point are {}, of those before it {}; make them alike",
-                                  point.size(), numbers));
+    line.fail(
+        offset,
+        fmt::format(
+            "this point has a different number of coordinates ({}) than those before it ({}); use the same number",
+            point.size(), numbers));
   if (std::ranges::any_of(point, [](double one) { return std::abs(one) > model::most_coordinate; }))
-    line.fail(offset, fmt::format("a point is farther than {:g} from the origin", model::most_coordinate));
+    line.fail(offset, fmt::format("the point is farther than {:g} from the origin", model::most_coordinate));
   numbers = point.size();
   return {point[0], numbers > 1 ? point[1] : 0, numbers > 2 ? point[2] : 0};
 }
@@ -66,7 +69,7 @@ bool is_solid_word(std::string_view word) {
   return std::ranges::any_of(solid_rows, [&](const SolidRow& row) { return row.word == word; });
 }
 
-std::string_view solid_word_like(std::string_view word) {
+std::string_view similar_solid_word(std::string_view word) {
   std::vector<std::string_view> words;
   words.reserve(solid_rows.size());
   for (const SolidRow& row : solid_rows) words.push_back(row.word);
@@ -99,10 +102,10 @@ swept::Net read_net(Cursor& line) {
   const std::uint32_t begin = line.offset();
   if (!line.take_if("width")) line.fail_here("expected `width`, the points of a row");
   const std::uint32_t offset = line.offset();
-  const double width = line.number("how many points a row has");
+  const double width = line.number("the number of points in a row");
   constexpr double most = 10'000;
   if (!(width >= 4 && width <= most && width == std::floor(width)))
-    line.fail(offset, "a row of a patch has 4 points or more");
+    line.fail(offset, "a row of a patch has at least 4 points");
   if (!line.take_if("points")) line.fail_here("expected `points`");
   swept::Net net;
   std::size_t numbers = 0;

@@ -1,3 +1,5 @@
+// Solids, curves and patches of a line of commands.
+// Used by the interpreter.
 #pragma once
 
 #include <array>
@@ -12,26 +14,26 @@
 
 namespace csgsim::commands {
 
-/// A curve of a file, with how many numbers each of its points has.
+/// A curve of a file; `numbers` is the count of numbers in each of its points.
 struct Curve {
   swept::Curve curve;
   std::size_t numbers = 0;
   std::uint32_t offset = 0;
 };
 
-/// The words that a primitive solid begins with.
+/// Whether a word names a primitive solid.
 bool is_solid_word(std::string_view word);
 
-/// The one of them that a word is nearly; empty if it is like none.
-std::string_view solid_word_like(std::string_view word);
+/// The name of a primitive solid that is similar to the word; empty if there is none.
+std::string_view similar_solid_word(std::string_view word);
 
-/// After its word: a primitive, of which round ones are faceted like this.
+/// Reads a primitive solid after its word; round ones get these facets.
 model::Shape read_solid(std::string_view word, Cursor& line, const model::FacetControl& facets);
 
-/// After `curve`.
+/// Reads a curve after the word `curve`.
 Curve read_curve(Cursor& line);
 
-/// After `patch`; a tolerance, which may end it, is left.
+/// Reads a patch after the word `patch`, up to its tolerance, if any.
 swept::Net read_net(Cursor& line);
 
 }  // namespace csgsim::commands

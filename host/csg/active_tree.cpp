@@ -12,15 +12,15 @@ namespace csgsim::csg {
 
 namespace {
 
-/// Adds a node to the operands of an operator; the operands of one with the same operator instead of it, which is left
-/// without any.
+/// Adds a node to the operands of an operator. If the node has the same operator, its operands are added instead, and
+/// the node is left empty.
 void keep(ActiveTree& tree, std::uint32_t index, PositiveOperator op, std::vector<std::uint32_t>& operands) {
   ActiveNode& node = tree.nodes[index];
   if (node.is_leaf || node.op != op) {
     operands.push_back(index);
     return;
   }
-  // The fewer go to the more, so that deep trees take no longer than wide ones.
+  // The smaller list is appended to the larger one, so that deep trees take no longer than wide ones.
   if (node.children.size() > operands.size()) std::swap(node.children, operands);
   operands.insert(operands.end(), node.children.begin(), node.children.end());
   node.children.clear();
@@ -43,7 +43,8 @@ void tighten(Block& block, const view::View& view, const facet::Convex& solid, c
   }
 }
 
-/// Results to hold for an operator whose operands need that many, neediest first (Ershov, Sethi and Ullman).
+/// Number of results to hold for an operator whose operands are sorted by need, greatest first (Ershov, Sethi and
+/// Ullman).
 std::uint32_t bits_needed(const std::vector<ActiveNode>& nodes, const std::vector<std::uint32_t>& children) {
   std::uint32_t bits = 1;
   for (std::size_t i = 0; i < children.size(); ++i) {
@@ -73,19 +74,19 @@ std::uint32_t ActiveTree::depth() const {
 
 struct Pruner::Pruned {
   Known known = Known::depends;
-  std::uint32_t node = model::no_index;  ///< in the active tree, if it depends
+  std::uint32_t node = model::no_index;  ///< index in the active tree, if `known` is depends
 };
 
 namespace {
 
-/// Primitives of an I-tree that are looked at one after another rather than found by the index.
+/// Up to this number of primitives, an I-tree is scanned linearly instead of with the index.
 constexpr std::uint32_t few_primitives = 32;
 
-/// Intersections above a primitive whose other operands are each looked for alone; those of further intersections are
-/// looked for together, with what is between them.
+/// Number of intersections above a primitive whose other operands are searched separately; those of further
+/// intersections are searched together, including what is between them.
 constexpr unsigned few_intersections = 8;
 
-BoxIndex index_of(const view::View& view) {
+BoxIndex make_index(const view::View& view) {
   std::vector<BoxIndex::Entry> entries;
   for (std::uint32_t i = 0; i < view.extents.size(); ++i) {
     const view::Extent& extent = view.extents[i];
@@ -99,10 +100,10 @@ BoxIndex index_of(const view::View& view) {
 Pruner::Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree,
                const Pruning& pruning, const Counted& counted)
     : geometry_(geometry), view_(view), tree_(tree), pruning_(pruning), counted_(counted), paths_(tree) {
-  if (pruning.picture && view.extents.size() > few_primitives) boxes_ = index_of(view);
+  if (pruning.picture && view.extents.size() > few_primitives) boxes_ = make_index(view);
 }
 
-Block Pruner::block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
+Block Pruner::surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const {
   Block block{region, 0, std::numeric_limits<std::int64_t>::max()};
   for (const std::uint32_t primitive : set) {
     counted_.add(&isa::Preparation::boxes);
@@ -132,14 +133,14 @@ bool Pruner::disjoint(std::uint32_t primitive, const Place& place) const {
           }));
 }
 
-/// Appends the primitives from `first` up to, but without, `end` that are not disjoint from the place, in order.
+/// Appends the primitives in [first, end) that are not disjoint from the place, in order.
 void Pruner::find(std::uint32_t first, std::uint32_t end, const Place& place, std::vector<std::uint32_t>& found) const {
   const std::size_t begin = found.size();
   if (!boxes_ || end - first <= few_primitives) {
     for (std::uint32_t i = first; i < end; ++i) found.push_back(i);
   } else {
     const Block& block = place.block;
-    counted_.add(&isa::Preparation::boxes, boxes_->boxes_of_way());
+    counted_.add(&isa::Preparation::boxes, boxes_->path_boxes());
     boxes_->meeting(picture_box(block.pixels, block.z_low, block.z_high, first, end - 1), found);
   }
   const auto is_elsewhere = [&](std::uint32_t one) { return one < first || one >= end || disjoint(one, place); };
@@ -152,7 +153,7 @@ std::vector<std::uint32_t> Pruner::meeting(std::span<const std::uint32_t> set, c
   std::vector<std::uint32_t> found;
   const std::uint32_t leaf = tree_.leaf_of[set.front()];
   std::uint32_t operand = paths_.operand_above(leaf);
-  // The primitives from `first` to `last` have been looked at, or are not of the I-tree.
+  // The primitives from `first` to `last` have been examined, or are not in the I-tree.
   std::uint32_t first = set.front();
   std::uint32_t last = first;
   for (unsigned i = 0; operand != model::no_index; ++i) {
@@ -201,13 +202,13 @@ Known Pruner::known(const PositiveNode& leaf, const Place& place) const {
   return in_set ? Known::in : leaf_known(leaf, place);
 }
 
-/// Those of the primitives, from the first one on, that are below a node; the first is.
+/// The leading part of the primitives that is below a node; the first one is.
 Pruner::Primitives Pruner::below(std::uint32_t node, Primitives from) const {
   return from.first(
       static_cast<std::size_t>(std::upper_bound(from.begin(), from.end(), paths_.last(node)) - from.begin()));
 }
 
-/// Whether a child of the node that has none of these primitives decides the node by what it is elsewhere.
+/// Whether a child of the node without any of these primitives decides the node by its value elsewhere.
 bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const {
   std::uint32_t deciding = paths_.deciding_children(node);
   while (deciding > 0 && !meeting.empty()) {
@@ -219,13 +220,13 @@ bool Pruner::is_decided_elsewhere(std::uint32_t node, Primitives meeting) const 
   return deciding > 0;
 }
 
-/// What a walk through a part of the tree does next: it visits the operators on the way down in which primitives that
-/// meet the place come together. No tree is too deep for it.
+/// Prunes a part of the tree without recursion, so that deep trees do not overflow the stack. It visits only the
+/// operators at which the paths to primitives that meet the place join.
 class Pruner::Walk {
  public:
   Walk(const Pruner& pruner, const Place& place, ActiveTree& into) : pruner_(pruner), place_(place), into_(into) {}
 
-  /// `meeting`: the primitives at or below the root that are not disjoint from the place; one at least.
+  /// `meeting`: the primitives at or below the root that are not disjoint from the place; at least one.
   Pruned prune(std::uint32_t root, Primitives meeting) {
     bool has_result = !begin(root, meeting);
     while (!open_.empty()) {
@@ -248,12 +249,12 @@ class Pruner::Walk {
  private:
   struct Visit {
     std::uint32_t node;
-    Primitives left;         ///< those at or below children that have not been visited
-    std::size_t first_node;  ///< of those that are added to the active tree for it
+    Primitives left;         ///< primitives below children that have not been visited
+    std::size_t first_node;  ///< size of the active tree before this visit
     std::vector<std::uint32_t> kept{};
   };
 
-  /// False if it has the result at once; else its operands have to be visited.
+  /// Returns false if the result is known; else the operands have to be visited.
   bool begin(std::uint32_t top, Primitives some) {
     pruner_.counted_.add(&isa::Preparation::nodes);
     const TreePaths& paths = pruner_.paths_;
@@ -273,7 +274,7 @@ class Pruner::Walk {
     return false;
   }
 
-  /// The result of an operand of the visit's; false if it decides the operator.
+  /// Takes the result of an operand. Returns false if it decides the operator.
   bool take_result(Visit& visit) {
     const PositiveOperator op = pruner_.tree_.nodes[visit.node].op;
     if (result_.known == (op == PositiveOperator::intersect ? Known::out : Known::in)) {
@@ -311,7 +312,7 @@ class Pruner::Walk {
   Pruned result_;
 };
 
-/// Complemented leaves of a union, and others of an intersection, become one (thesis 7.3.2).
+/// Joins the complemented leaves of a union, or the other leaves of an intersection, into one (thesis 7.3.2).
 void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std::uint32_t>& operands) const {
   if (!pruning_.sets) return;
   std::optional<std::uint32_t> first;
@@ -329,7 +330,7 @@ void Pruner::join_leaves(ActiveTree& into, PositiveOperator op, std::vector<std:
   });
 }
 
-/// Adds what is left of the operands of an intersection above the set's first primitive; false if that is nothing.
+/// Adds the remaining operands of an intersection above the set's first primitive. Returns false if it is empty.
 /// `meeting`: the primitives below it that are not disjoint from the place, and the set's first.
 bool Pruner::add_operands(std::uint32_t node, Primitives meeting, const Place& place, ActiveTree& into) const {
   const std::uint32_t own = paths_.child_towards(node, place.set.front());
@@ -355,7 +356,7 @@ ActiveTree Pruner::active_tree(std::span<const std::uint32_t> set, const Block& 
   auto begin = found.insert(std::lower_bound(found.begin(), found.end(), set.front()), set.front());
   auto end = begin + 1;
   std::uint32_t at = leaf;
-  // Upwards, from one node to the next that has more of what was found.
+  // Walks up through the nodes at which more of the found primitives join.
   while (begin != found.begin() || end != found.end()) {
     counted_.add(&isa::Preparation::nodes);
     std::uint32_t node = model::no_index;

@@ -1,3 +1,5 @@
+// Active trees: CSG trees pruned for a block of picture and depth.
+// Used by the emitter.
 #pragma once
 
 #include <cstdint>
@@ -19,58 +21,59 @@
 
 namespace csgsim::csg {
 
-/// A node of an active tree. Children precede their parents; the neediest operand stands first, so that evaluating from
-/// left to right holds the fewest results at a time. No operand of an operator has the same operator.
+/// A node of an active tree. Children precede their parents. The operand that needs the most results comes first, so
+/// that evaluation from left to right holds as few results as possible. No operand of an operator has the same
+/// operator.
 struct ActiveNode {
   bool is_leaf = false;
   bool complemented = false;  ///< leaf: the space outside the intersection of its primitives
   PositiveOperator op = PositiveOperator::unite;
   std::uint32_t primitive = model::no_index;
-  std::uint32_t bits = 0;  ///< results to hold while this node is worked out into one of them; 0 for a leaf
+  std::uint32_t bits = 0;  ///< number of results to hold while this node is evaluated to a result; 0 for a leaf
   std::vector<std::uint32_t> children;
-  std::vector<std::uint32_t> others;  ///< leaf: primitives besides the first whose intersection it is
+  std::vector<std::uint32_t> others;  ///< leaf: the primitives other than the first whose intersection it is
 
-  /// How many primitives the leaf stands for.
+  /// Number of primitives of the leaf.
   [[nodiscard]] std::uint32_t primitives() const { return 1 + static_cast<std::uint32_t>(others.size()); }
 };
 
-/// What is left of a primitive's I-tree (thesis 6.2) over its block: the intersection of `operands`. The primitive's
-/// surface is visible where it is in all of them. Without operands it is visible everywhere in the block.
+/// What remains of a primitive's I-tree (thesis 6.2) over its block: the intersection of `operands`. The primitive's
+/// surface is visible where it is inside all of them. Without operands it is visible everywhere in the block.
 struct ActiveTree {
-  bool nothing = false;  ///< the surface is out everywhere in the block
+  bool nothing = false;  ///< the surface is outside everywhere in the block
   std::vector<ActiveNode> nodes;
   std::vector<std::uint32_t> operands;  ///< indices into nodes
 
-  /// Results to hold besides the one that stands for the primitive itself.
+  /// Number of results to hold in addition to that of the primitive itself.
   [[nodiscard]] std::uint32_t bits() const;
 
-  /// Levels of the tree: 0 without operands, 1 for a leaf.
+  /// Number of levels of the tree: 0 without operands, 1 for a leaf.
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// Prunes I-trees for regions of the picture. Keeps references to its arguments; for one thread.
+/// Prunes I-trees for regions of the picture. It keeps references to its arguments and is not thread-safe.
 ///
-/// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that have some of these
-/// are visited; the other parts are known, as they are the same wherever none of their primitives is.
+/// An index of boxes finds the primitives that may meet the block. Only the parts of an I-tree that contain some of
+/// these are visited; the values of the other parts are precomputed, as they do not depend on the place.
 class Pruner {
  public:
   Pruner(const facet::Geometry& geometry, const view::View& view, const PositiveTree& tree, const Pruning& pruning = {},
          const Counted& counted = {});
 
-  /// The part of the region and the depths that the surface of a set can be in; its pixels are empty if there are none.
-  [[nodiscard]] Block block_of(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
+  /// The part of the region and the depths in which the surface of a set can be; its pixels are empty if there is none.
+  [[nodiscard]] Block surface_block(std::span<const std::uint32_t> set, const view::PixelRect& region) const;
 
-  /// Over a block of the set's, which has pixels.
+  /// The active tree over a block of the set, which must have pixels.
   [[nodiscard]] ActiveTree active_tree(std::span<const std::uint32_t> set, const Block& block) const;
 
-  /// The primitives of the set's I-tree that may meet the block: the others are disjoint from it by the prunings
-  /// `picture` and `space`. In tree order; some that are not of the I-tree may be among them.
+  /// The primitives, in tree order, of the set's I-tree that the prunings `picture` and `space` do not prove disjoint
+  /// from the block. Some that are not in the I-tree may be among them.
   [[nodiscard]] std::vector<std::uint32_t> meeting(std::span<const std::uint32_t> set, const Block& block) const;
 
  private:
   struct Pruned;
   class Walk;
-  /// Where a set's surface is looked at.
+  /// The place for which a set's surface is examined.
   struct Place {
     Block block;
     std::span<const std::uint32_t> set;
@@ -93,10 +96,11 @@ class Pruner {
   Pruning pruning_;
   Counted counted_;
   TreePaths paths_;
-  /// Which pairs are, as far as they have been asked for: every region would find the same.
+  /// Cached results for pairs of primitives, which are the same for every region.
   mutable std::unordered_map<std::uint64_t, bool> separated_;
-  mutable std::unordered_map<std::uint32_t, Hull> hulls_;  ///< of primitives, as far as they have been asked for
-  std::optional<BoxIndex> boxes_;  ///< of the primitives, by pixels, depths and number; if picture pruning is asked for
+  mutable std::unordered_map<std::uint32_t, Hull> hulls_;  ///< cached hulls of primitives
+  std::optional<BoxIndex> boxes_;  ///< index of the primitives by pixels, depths and number; empty without picture
+                                   ///< pruning
 };
 
 }  // namespace csgsim::csg

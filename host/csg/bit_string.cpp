@@ -14,7 +14,7 @@ struct Part {
   std::vector<std::uint32_t> items;  ///< nodes of the active tree
 };
 
-/// Two siblings by their positions in the string, and what combines them.
+/// Two siblings by their positions in the string, and their operator.
 struct Siblings {
   std::uint32_t first = 0;
   std::uint32_t second = 0;
@@ -25,11 +25,11 @@ class Development {
  public:
   explicit Development(const std::vector<ActiveNode>& nodes, std::uint32_t root)
       : nodes_(nodes), depths_(nodes.size(), 0) {
-    for (std::size_t i = 0; i < nodes.size(); ++i) depths_[i] = least_depth(nodes[i].children);
+    for (std::size_t i = 0; i < nodes.size(); ++i) depths_[i] = min_depth(nodes[i].children);
     parts_.push_back(opened(root));
   }
 
-  /// One level deeper; false if all parts are leaves.
+  /// Adds a level; returns false if all parts are leaves.
   bool deepen() {
     std::vector<Siblings> level;
     const std::size_t above = parts_.size();
@@ -49,13 +49,13 @@ class Development {
   [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
 
  private:
-  /// The depth of the shallowest binary tree over nodes of known depths: ceil(log2(sum of 2^depth)).
-  [[nodiscard]] std::uint32_t least_depth(const std::vector<std::uint32_t>& children) const {
+  /// The minimum depth of a binary tree over nodes of known depths: ceil(log2(sum of 2^depth)).
+  [[nodiscard]] std::uint32_t min_depth(const std::vector<std::uint32_t>& children) const {
     std::vector<std::uint32_t> depths;
     for (const std::uint32_t child : children) depths.push_back(depths_[child]);
     std::sort(depths.begin(), depths.end());
     std::uint32_t depth = 0;
-    std::size_t subtrees = 0;  // of that depth
+    std::size_t subtrees = 0;  // number of subtrees of that depth
     for (const std::uint32_t next : depths) {
       for (; depth < next && subtrees > 1; ++depth) subtrees = (subtrees + 1) / 2;
       depth = std::max(depth, next);
@@ -73,12 +73,12 @@ class Development {
     return part.items.size() == 1 ? opened(part.items.front()) : part;
   }
 
-  /// Items go to the lighter half, an item of depth d weighing 2^d: with the deepest first neither half gets deeper
-  /// than need be.
+  /// Each item goes to the lighter half, where an item of depth d has the weight 2^d. With the deepest items first,
+  /// neither half gets deeper than necessary.
   [[nodiscard]] std::pair<Part, Part> halves(const Part& part) const {
     Part first{part.op, {}};
     Part second{part.op, {}};
-    // How far the first half is ahead, in weights of the item at hand: no more than the items left can make up.
+    // The lead of the first half in weights of the current item, limited to what the remaining items can compensate.
     std::uint64_t lead = 0;
     std::uint32_t depth = depths_[part.items.front()];
     for (const std::uint32_t item : part.items) {
@@ -100,7 +100,7 @@ class Development {
   std::vector<std::vector<Siblings>> levels_;
 };
 
-/// Adjacent siblings meet together.
+/// Adjacent siblings share a meeting.
 void add_meeting(std::vector<Meeting>& meetings, const Siblings& siblings) {
   if (!meetings.empty()) {
     Meeting& last = meetings.back();

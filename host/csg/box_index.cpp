@@ -16,7 +16,7 @@ using Point = bg::model::point<float, 4, bg::cs::cartesian>;
 using Bounds = bg::model::box<Point>;
 using Item = std::pair<Bounds, std::uint32_t>;
 
-Point point_of(const std::array<float, 4>& coordinates) {
+Point to_point(const std::array<float, 4>& coordinates) {
   Point point;
   bg::set<0>(point, coordinates[0]);
   bg::set<1>(point, coordinates[1]);
@@ -25,9 +25,9 @@ Point point_of(const std::array<float, 4>& coordinates) {
   return point;
 }
 
-Bounds bounds_of(const BoxIndex::Box& box) { return {point_of(box.low), point_of(box.high)}; }
+Bounds to_bounds(const BoxIndex::Box& box) { return {to_point(box.low), to_point(box.high)}; }
 
-/// What coordinates are multiplied by, a power of two for each axis, so that what is told apart stays so.
+/// Scale factors, a power of two for each axis, so that distinct coordinates stay distinct.
 using Scale = std::array<float, 4>;
 
 BoxIndex::Box scaled(BoxIndex::Box box, const Scale& scale) {
@@ -38,8 +38,9 @@ BoxIndex::Box scaled(BoxIndex::Box box, const Scale& scale) {
   return box;
 }
 
-/// All axes reach about as far then: the tree is cut across the longest, which would else be depths alone.
-Scale scale_of(std::span<const BoxIndex::Entry> entries) {
+/// Scales all axes to about the same extent. The tree is split across the longest axis, which would otherwise always be
+/// the depths.
+Scale choose_scale(std::span<const BoxIndex::Entry> entries) {
   Scale scale{1, 1, 1, 1};
   for (std::size_t axis = 0; !entries.empty() && axis < scale.size(); ++axis) {
     float low = entries.front().box.low[axis];
@@ -53,10 +54,10 @@ Scale scale_of(std::span<const BoxIndex::Entry> entries) {
   return scale;
 }
 
-std::vector<Item> items_of(std::span<const BoxIndex::Entry> entries, const Scale& scale) {
+std::vector<Item> make_items(std::span<const BoxIndex::Entry> entries, const Scale& scale) {
   std::vector<Item> items;
   items.reserve(entries.size());
-  for (const BoxIndex::Entry& entry : entries) items.emplace_back(bounds_of(scaled(entry.box, scale)), entry.number);
+  for (const BoxIndex::Entry& entry : entries) items.emplace_back(to_bounds(scaled(entry.box, scale)), entry.number);
   return items;
 }
 
@@ -64,7 +65,7 @@ constexpr std::size_t fan_out = 16;
 
 using Items = bg::index::rtree<Item, bg::index::quadratic<fan_out>>;
 
-/// In an order that depends on how the standard library parts what is equal, when the tree is made.
+/// Appends the numbers in an order that depends on how the standard library partitions equal elements.
 template <class Predicate>
 void append_found(const Items& items, const Predicate& predicate, std::vector<std::uint32_t>& numbers) {
   const auto append = [&](const Item& item) { numbers.push_back(item.second); };
@@ -74,9 +75,9 @@ void append_found(const Items& items, const Predicate& predicate, std::vector<st
 }  // namespace
 
 struct BoxIndex::Tree {
-  explicit Tree(std::span<const Entry> entries) : scale(scale_of(entries)), items(items_of(entries, scale)) {}
+  explicit Tree(std::span<const Entry> entries) : scale(choose_scale(entries)), items(make_items(entries, scale)) {}
 
-  [[nodiscard]] Bounds bounds(const Box& box) const { return bounds_of(scaled(box, scale)); }
+  [[nodiscard]] Bounds bounds(const Box& box) const { return to_bounds(scaled(box, scale)); }
 
   Scale scale;
   Items items;
@@ -84,7 +85,7 @@ struct BoxIndex::Tree {
 
 BoxIndex::BoxIndex(std::span<const Entry> entries) : tree_(std::make_shared<const Tree>(entries)) {}
 
-std::uint64_t BoxIndex::boxes_of_way() const {
+std::uint64_t BoxIndex::path_boxes() const {
   std::uint64_t boxes = 0;
   for (std::size_t left = tree_->items.size(); left > 0; left = left > fan_out ? (left + fan_out - 1) / fan_out : 0)
     boxes += std::min(left, fan_out);
@@ -97,10 +98,10 @@ void BoxIndex::meeting(const Box& box, std::vector<std::uint32_t>& numbers) cons
   std::sort(numbers.begin() + begin, numbers.end());
 }
 
-std::vector<std::uint32_t> BoxIndex::covering(const Box& box, std::size_t most) const {
+std::vector<std::uint32_t> BoxIndex::covering(const Box& box, std::size_t max_count) const {
   std::vector<std::uint32_t> numbers;
   append_found(tree_->items, bg::index::covers(tree_->bounds(box)), numbers);
-  const std::size_t count = std::min(most, numbers.size());
+  const std::size_t count = std::min(max_count, numbers.size());
   std::partial_sort(numbers.begin(), numbers.begin() + static_cast<std::ptrdiff_t>(count), numbers.end());
   numbers.resize(count);
   return numbers;

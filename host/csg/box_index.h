@@ -1,3 +1,5 @@
+// A spatial index of four-dimensional boxes.
+// Used by pruning, the region index, pane pieces and sim/software/convert.
 #pragma once
 
 #include <array>
@@ -10,9 +12,9 @@
 
 namespace csgsim::csg {
 
-/// Boxes of four dimensions, found by what they meet: columns, rows, depths, and whatever a caller numbers. Coordinates
-/// are floats, and become so by rounding that keeps their order: integers that are not told apart by a float count as
-/// equal, so that what is found holds what was asked for, and may hold a little more.
+/// An index of boxes in four dimensions: columns, rows, depths, and a number that the caller assigns. Coordinates are
+/// rounded monotonically to floats, so that integers with the same float count as equal: results contain everything
+/// asked for, and possibly a little more.
 class BoxIndex {
  public:
   struct Box {
@@ -20,28 +22,28 @@ class BoxIndex {
     std::array<float, 4> high{};
   };
   struct Entry {
-    Box box;  ///< no low above its high
+    Box box;  ///< each low is at most its high
     std::uint32_t number = 0;
   };
 
   explicit BoxIndex(std::span<const Entry> entries);
 
-  /// Boxes that a way from the root down to the entries looks at, where nodes are full: what a question takes besides
-  /// what it finds.
-  [[nodiscard]] std::uint64_t boxes_of_way() const;
+  /// Number of boxes examined on a path from the root down to the entries, if nodes are full: the cost of a query in
+  /// addition to its results.
+  [[nodiscard]] std::uint64_t path_boxes() const;
 
-  /// Appends the numbers of the entries that have a point in common with the box, the least first.
+  /// Appends the numbers of the entries that have a point in common with the box, in ascending order.
   void meeting(const Box& box, std::vector<std::uint32_t>& numbers) const;
 
-  /// The numbers of the entries that hold the whole box, the least first; of more than `most` the least ones.
-  [[nodiscard]] std::vector<std::uint32_t> covering(const Box& box, std::size_t most) const;
+  /// The numbers, ascending, of the entries that contain the whole box; the lowest `max_count` if there are more.
+  [[nodiscard]] std::vector<std::uint32_t> covering(const Box& box, std::size_t max_count) const;
 
  private:
   struct Tree;
   std::shared_ptr<const Tree> tree_;
 };
 
-/// Pixels, depths and numbers from the first to the last; an interval of depths may be given either way round.
+/// The box of the pixels, depths and numbers from `first` to `last`; the limits of depths may be in either order.
 BoxIndex::Box picture_box(const view::PixelRect& pixels, std::int64_t z_low, std::int64_t z_high,
                           std::uint32_t first = 0, std::uint32_t last = 0);
 

@@ -3,7 +3,7 @@
 namespace csgsim::csg {
 
 std::vector<ConvexSet> convex_sets(const PositiveTree& tree, bool joined) {
-  // The topmost node of the intersections that a node is part of; parents come after their children.
+  // The topmost intersection above each node, through intersections only; parents come after their children.
   std::vector<std::uint32_t> top(tree.nodes.size());
   for (std::uint32_t i = static_cast<std::uint32_t>(tree.nodes.size()); i-- > 0;) {
     const std::uint32_t parent = tree.nodes[i].parent;

@@ -1,3 +1,5 @@
+// Sets of primitives that are drawn as one convex solid.
+// Used by the emitter, the pruner and sim/story.
 #pragma once
 
 #include <cstdint>
@@ -10,9 +12,9 @@ namespace csgsim::csg {
 /// Primitives that are drawn as one convex solid (thesis 7.3.2): the intersection of all their half-spaces.
 using ConvexSet = std::vector<std::uint32_t>;
 
-/// Every primitive of the tree in one set, in tree order. Those that follow one another, that intersections alone join
-/// and that are not complemented share a set if `joined`; every other one is on its own. Where surfaces coincide the
-/// owner would depend on joining complemented ones, or some with others between them.
+/// The sets that contain every primitive of the tree once, in tree order. If `joined`, consecutive primitives that are
+/// not complemented and are only joined by intersections share a set; all others are alone. Joining complemented ones,
+/// or primitives with others between them, would change the owner of coincident surfaces.
 std::vector<ConvexSet> convex_sets(const PositiveTree& tree, bool joined);
 
 }  // namespace csgsim::csg

@@ -1,3 +1,5 @@
+// An optional counter of host work.
+// Used by pruning and the emitter.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +9,11 @@
 
 namespace csgsim::csg {
 
-/// Where what the host does is counted (docs/host.md). By default nobody counts.
+/// Counts host work (docs/host.md) if constructed with a destination.
 class Counted {
  public:
   Counted() = default;
-  /// It has to live as long as this.
+  /// `into` must outlive this object.
   explicit Counted(isa::Preparation& into) : into_(&into) {}
 
   void add(std::uint64_t isa::Preparation::*kind, std::uint64_t times = 1) const {
@@ -22,7 +24,7 @@ class Counted {
   isa::Preparation* into_ = nullptr;
 };
 
-/// A quadric over a rectangle is worked out from three functions, each at its corners and where it turns.
+/// Testing a quadric over a rectangle evaluates three functions, each at its corners and its turning points.
 inline constexpr std::uint64_t tests_of_quadric = 4;
 
 }  // namespace csgsim::csg

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::CappedTag<double, farthest_row>;
 using Numbers = hn::Vec<Tag>;
 
-/// How far points are along a direction, added up as glm::dot() does.
+/// Distances of points along a direction, summed in the order of glm::dot().
 class Along {
  public:
   Along(const std::array<std::span<const double>, 3>& axes, const glm::dvec3& direction)

@@ -1,3 +1,5 @@
+// The farthest point along a direction, vectorized.
+// Used by hull.cpp.
 #pragma once
 
 #include <array>
@@ -7,12 +9,11 @@
 
 namespace csgsim::csg {
 
-/// Points that are looked at together: lists of coordinates are as long as some times so many.
+/// Number of points processed together; the lengths of coordinate lists are multiples of it.
 inline constexpr std::size_t farthest_row = 8;
 
-/// The number of the first of the points that are farthest along a direction; as many as there are if none is found,
-/// since something is not a number, or the processor has no vectors of doubles. `axes`: the points' coordinates, an
-/// axis each.
+/// Index of the first of the points that are farthest along a direction; the number of points if none is found, because
+/// a value is NaN or the processor has no vectors of doubles. `axes`: the points' coordinates, one list per axis.
 std::size_t first_farthest(const std::array<std::span<const double>, 3>& axes, const glm::dvec3& direction);
 
 }  // namespace csgsim::csg

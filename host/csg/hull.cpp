@@ -9,7 +9,7 @@ namespace csgsim::csg {
 
 namespace {
 
-/// Points that are looked at one after another.
+/// Up to this number, points are scanned linearly.
 constexpr std::size_t few_points = 12;
 
 const glm::dvec3& farthest_by_one(std::span<const glm::dvec3> points, const glm::dvec3& direction) {
@@ -39,14 +39,14 @@ void Hull::arrange() {
 }
 
 const glm::dvec3& Hull::support(const glm::dvec3& direction) {
-  if (points_.size() <= few_points || !was_asked_) {
-    was_asked_ = true;
+  if (points_.size() <= few_points || !was_queried_) {
+    was_queried_ = true;
     return farthest_by_one(points_, direction);
   }
   if (axes_[0].empty()) arrange();
   const std::size_t found = csg::first_farthest({axes_[0], axes_[1], axes_[2]}, direction);
   if (found < points_.size()) return points_[found];
-  // Something is not a number, or there are no vectors of them.
+  // A value is NaN, or there are no vectors of doubles.
   return farthest_by_one(points_, direction);
 }
 

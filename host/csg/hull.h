@@ -1,3 +1,5 @@
+// Point sets with a support function.
+// Used by separation tests.
 #pragma once
 
 #include <array>
@@ -9,17 +11,17 @@
 
 namespace csgsim::csg {
 
-/// Points whose farthest along a direction is asked for. Keeps a reference to the points.
+/// Points with a support function: the farthest point along a direction. Keeps a reference to the points.
 class Hull {
  public:
   explicit Hull(std::span<const glm::dvec3> points);
 
   [[nodiscard]] std::span<const glm::dvec3> points() const { return points_; }
-  /// The least and the greatest coordinates, if there are points.
+  /// Minimum and maximum coordinates, if there are points.
   [[nodiscard]] const glm::dvec3& low() const { return box_.low; }
   [[nodiscard]] const glm::dvec3& high() const { return box_.high; }
 
-  /// The first of the points, of which there are some, that are farthest along a direction.
+  /// The first of the points (at least one) that are farthest along a direction.
   const glm::dvec3& support(const glm::dvec3& direction);
 
  private:
@@ -27,10 +29,10 @@ class Hull {
 
   std::span<const glm::dvec3> points_;
   facet::Box box_;
-  /// The coordinates of the points an axis after the other, for vectors of them; the last point again and again up to
-  /// a whole number of rows. Made when they are asked for a second time.
+  /// The coordinates of the points by axis, for vector loads; the last point is repeated up to a multiple of
+  /// farthest_row. Built by the second query.
   std::array<std::vector<double>, 3> axes_;
-  bool was_asked_ = false;
+  bool was_queried_ = false;
 };
 
 }  // namespace csgsim::csg

@@ -9,7 +9,7 @@ namespace csgsim::csg {
 
 namespace {
 
-/// A bound beyond every value the machine uses, for planes whose coefficients fit no width.
+/// A bound beyond all values that the machine uses, for planes whose coefficients do not fit.
 constexpr double beyond = 1e15;
 
 void count_test(const facet::Halfspace& /*bound*/, const Counted& counted) {
@@ -22,7 +22,7 @@ void count_test(const facet::QuadricSide& /*bound*/, const Counted& counted) {
 
 std::int64_t clamp_to_integer(double value) { return static_cast<std::int64_t>(std::clamp(value, -beyond, beyond)); }
 
-/// The range of an unrounded plane, a step wider at both ends than it can be after any rounding.
+/// The range of an unrounded plane, wider at both ends by a step more than any rounding.
 view::Range real_range(const view::View& view, const view::RealLinear& linear, const view::PixelRect& pixels) {
   const double cx = (view.sampling.width - 1.0) / 2.0;
   const double cy = (view.sampling.height - 1.0) / 2.0;

@@ -12,16 +12,16 @@ namespace csgsim::csg {
 
 namespace {
 
-/// Whether a target's label is alive before the first leaf of a subtree.
+/// Whether a target's label is in use before the first leaf of a subtree.
 enum class Label : std::uint8_t { not_yet, alive, never };
 
-/// The labels of the two targets of a subtree.
+/// The label states of the two targets of a subtree.
 struct Context {
   Label in;
   Label out;
 };
 
-/// Labels by context.
+/// Numbers of labels, indexed by context.
 class Table {
  public:
   std::uint32_t& operator[](Context c) { return at_[index(c)]; }
@@ -32,22 +32,22 @@ class Table {
   std::array<std::uint32_t, 6> at_{};
 };
 
-/// A leaf, or an operator over at least two children, none of which has the same operator.
+/// A leaf, or an operator over at least two children with other operators.
 struct Node {
   std::uint32_t source = model::no_index;  ///< index of the active tree's node
   PositiveOperator op = PositiveOperator::intersect;
   std::uint32_t first_child = 0;
   std::uint32_t child_count = 0;  ///< 0 for a leaf
   std::uint32_t leaves = 0;
-  /// The most labels alive between two leaves of this subtree, in the order of operands that has the fewest. Counts the
-  /// leaves waited for in this subtree and its two targets.
+  /// Maximum number of labels in use between two leaves of this subtree, for the best order of operands. It counts the
+  /// leaves of this subtree that pixels wait for, and its two targets.
   Table labels{};
 };
 
-/// Parents precede their children, which are consecutive; the root is the first.
+/// Parents precede their children, which are consecutive; the root is first.
 using Nodes = std::vector<Node>;
 
-/// Appends what `sources` are operands of `op`, with nested operators of the same kind dissolved.
+/// Appends the nodes in `sources`, operands of `op`; nested operators of the same kind are replaced by their operands.
 void append_operands(const ActiveTree& active, PositiveOperator op, std::span<const std::uint32_t> sources,
                      Nodes& into) {
   std::vector<std::uint32_t> open(sources.rbegin(), sources.rend());
@@ -81,8 +81,8 @@ Nodes flatten(const ActiveTree& active) {
   return nodes;
 }
 
-/// The target that lies past an operator's operands is reached `through` them (an intersection's if in), the `exit`
-/// from each of them.
+/// The states of an operator's targets: `through` for the target reached past all operands (for an intersection, that
+/// of "in"), and `exit` for the target reached from each operand.
 struct Directed {
   Label through;
   Label exit;
@@ -100,7 +100,8 @@ Label after_jump(Label label) { return label == Label::never ? Label::never : La
 
 std::uint32_t count(Label label) { return label == Label::alive ? 1 : 0; }
 
-/// A child but the last goes through to its next sibling, whose label only its own leaves can have made alive.
+/// A child other than the last passes through to its next sibling, whose label only the child's own leaves can have
+/// allocated.
 Context child_context(const Node& parent, Context c, bool first, bool last) {
   const auto [through, exit] = directed(parent.op, c);
   return context(parent.op, {last ? through : Label::not_yet, first ? exit : after_jump(exit)});
@@ -111,7 +112,7 @@ struct Order {
   std::uint32_t last;
 };
 
-/// Chooses the order of one node's children in one context. Only who is first and who is last makes a difference.
+/// Chooses the order of a node's children in one context. Only the first and the last child matter.
 class Orderer {
  public:
   Orderer(const Nodes& nodes, const Node& parent, Context c)
@@ -155,8 +156,8 @@ class Orderer {
   Context first_;
   Context middle_;
   Context last_;
-  std::uint32_t passing_;  ///< labels alive over all children but the last, which none of them jumps to
-  std::uint32_t between_;  ///< labels alive between two children
+  std::uint32_t passing_;  ///< labels in use across all children but the last, to which none of them jumps
+  std::uint32_t between_;  ///< labels in use between two children
   Order natural_;
   /// The children that need the most labels in the middle, the costliest first.
   std::array<std::uint32_t, 3> costliest_{model::no_index, model::no_index, model::no_index};
@@ -170,7 +171,7 @@ void count_labels(Nodes& nodes) {
       continue;
     }
     for (std::uint32_t c = 0; c < node.child_count; ++c) node.leaves += nodes[node.first_child + c].leaves;
-    // Only FALSE goes without a label, and no subtree is left towards FALSE when it is in.
+    // Only FALSE needs no label, and no subtree is left towards FALSE when it is in.
     for (const Label in : {Label::not_yet, Label::alive}) {
       for (const Label out : {Label::not_yet, Label::alive, Label::never}) {
         const Orderer orderer(nodes, node, {in, out});
@@ -186,10 +187,11 @@ Nodes prepare(const ActiveTree& active) {
   return nodes;
 }
 
-/// A place in the list: a leaf's position, or one of the answers.
+/// A position in the list: that of a leaf, or one of the results.
 using Position = std::uint32_t;
 
-/// A leaf of the list before it has labels. The targets are those of its side of the tree, complemented or not.
+/// A leaf of the list before labels are assigned. Its targets apply to the leaf as it is in the tree, complemented or
+/// not.
 struct WiredLeaf {
   std::uint32_t source = model::no_index;
   Position if_true = 0;
@@ -202,7 +204,7 @@ struct Wiring {
   Position hidden = 0;
 };
 
-/// A subtree with its place in the list.
+/// A subtree with its position in the list.
 struct Placed {
   std::uint32_t node;
   Context context;
@@ -211,7 +213,7 @@ struct Placed {
   Position if_false;
 };
 
-/// Appends the children of a placed operator, in the best order.
+/// Appends the children of a placed operator in the best order.
 void place_children(const Nodes& nodes, const Placed& parent, std::vector<Placed>& into) {
   const Node& node = nodes[parent.node];
   const Order order = Orderer(nodes, node, parent.context).best();
@@ -247,14 +249,14 @@ Wiring wire(const Nodes& nodes, Context root) {
   return wiring;
 }
 
-/// Gives positions their labels, from the first leaf to the last.
+/// Assigns labels to positions, from the first leaf to the last.
 class Labeller {
  public:
   explicit Labeller(const Wiring& wiring) : wiring_(wiring), label_(wiring.leaves.size() + 1, no_label) {
     label_.front() = 0;
   }
 
-  /// Makes the leaf's targets alive and its name dead. Leaves come in order.
+  /// Allocates labels for the leaf's targets and frees its name. Leaves are passed in order.
   void pass(Position at) {
     const WiredLeaf& leaf = wiring_.leaves[at];
     const std::uint32_t name = label_[at];

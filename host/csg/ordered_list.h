@@ -1,3 +1,5 @@
+// Ordered Boolean lists: active trees as short-circuit code over labels.
+// Used by the strategy list.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +11,11 @@ namespace csgsim::csg {
 
 inline constexpr std::uint32_t no_label = 0xffffffffU;
 
-/// Where a pixel goes from a leaf.
+/// The destination of a pixel after a leaf.
 enum class Destination : std::uint8_t {
-  leaf,     ///< on to the next leaf that bears the label
-  visible,  ///< TRUE: past all leaves that are left; waits with a label that none of them bears
-  hidden    ///< FALSE: out of the mask, so that it needs no label
+  leaf,     ///< the next leaf with that label
+  visible,  ///< TRUE: past all remaining leaves, waiting with a label that none of them has
+  hidden    ///< FALSE: removed from the mask, so that it needs no label
 };
 
 struct Target {
@@ -23,43 +25,41 @@ struct Target {
   bool operator==(const Target&) const = default;
 };
 
-/// A leaf of the list: the pixels that are in the mask and hold the label `name` are compared with the primitive.
+/// A leaf of the list: pixels in the mask with the label `name` are compared with the primitive.
 struct ListLeaf {
   std::uint32_t primitive = model::no_index;
   std::uint32_t name = no_label;
-  Target if_in;                          ///< in the primitive itself: complements have their targets swapped
-  Target if_out;                         ///< out of the primitive itself
-  std::uint32_t node = model::no_index;  ///< of the active tree
+  Target if_in;                          ///< target if in the primitive itself; the targets of complements are swapped
+  Target if_out;                         ///< target if outside the primitive itself
+  std::uint32_t node = model::no_index;  ///< node of the active tree
 
   bool operator==(const ListLeaf&) const = default;
 };
 
 /// An active tree as an ordered Boolean list (J. Rossignac, "Ordered Boolean List (OBL): Reducing the Footprint for
-/// Evaluating Boolean Expressions", IEEE TVCG 17(9), 2011): short-circuit code that looks at each leaf once.
+/// Evaluating Boolean Expressions", IEEE TVCG 17(9), 2011): short-circuit code that examines each leaf once.
 ///
-/// All pixels start in the mask and with label 0. At each leaf those that hold its name go to `if_in` or `if_out`, and
-/// the others wait. After the last leaf the pixels still in the mask are the visible ones; all of them hold
-/// `true_label`.
+/// All pixels start in the mask with label 0. At each leaf, the pixels with its name go to `if_in` or `if_out`, and the
+/// others wait. After the last leaf, the pixels still in the mask are the visible ones; all of them have `true_label`.
 ///
-/// A label names several things one after another, so it is no index: it means the next leaf that bears it, or TRUE
-/// after the last of these. A leaf with a target that no pixel waits for yet gives that target its own name, so that
-/// the pixels that go there keep their label; of two such targets it is the one looked at sooner. The other one gets,
-/// of the labels that are free, the one that differs from the name in the fewest bits. A leaf with other targets only
-/// has to rewrite the label of every pixel that stays in the mask.
+/// A label is reused: it means the next leaf with that name, or TRUE after the last one. If no pixel waits for a leaf's
+/// target yet, the target gets the leaf's name, so that the pixels that go there keep their label; of two such targets,
+/// the one examined sooner gets it. The other one gets the free label that differs from the name in the fewest bits.
+/// Only a leaf with other targets has to rewrite the label of every pixel that stays in the mask.
 struct OrderedList {
-  std::vector<ListLeaf> leaves;  ///< empty: visible at once
+  std::vector<ListLeaf> leaves;  ///< empty: everything is visible
   std::uint32_t true_label = 0;
-  std::uint32_t labels = 1;      ///< 0 ... labels - 1 are in use
+  std::uint32_t labels = 1;      ///< the labels 0 ... labels - 1 are in use
   std::uint32_t label_bits = 0;  ///< ceil(log2(labels))
 };
 
-/// The list with the fewest labels, FALSE having none, that any order of operands has. An operator's operands stay in
-/// the tree's order where no other one needs fewer. The worst trees of n leaves need ceil(log2(2n/3 + 4/3)) labels (by
-/// enumeration up to 11 leaves; not proved). Time is linear in the nodes. Not for a tree of `nothing`.
+/// The list with the minimum number of labels over all orders of operands, where FALSE needs none. Operands stay in the
+/// tree's order unless another one needs fewer labels. The worst trees of n leaves need ceil(log2(2n/3 + 4/3)) labels
+/// (by enumeration up to 11 leaves; not proved). Time is linear in the number of nodes. The tree must not be `nothing`.
 OrderedList make_ordered_list(const ActiveTree& active);
 
-/// Labels alive at once, at most, in the order that has the fewest, with TRUE and FALSE counted from where a pixel can
-/// first be there. The published bound for n > 0 leaves is ceil(log2(2n/3 + 2)). Not for a tree of `nothing`.
+/// Maximum number of labels in use at once in the best order, counting TRUE and FALSE from where a pixel can first
+/// reach them. The published bound for n > 0 leaves is ceil(log2(2n/3 + 2)). The tree must not be `nothing`.
 std::uint32_t footprint(const ActiveTree& active);
 
 }  // namespace csgsim::csg

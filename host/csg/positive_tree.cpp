@@ -20,7 +20,7 @@ PositiveTree make_positive(const model::Tree& tree) {
   positive.nodes.resize(tree.nodes.size());
   positive.root = tree.root;
   positive.leaf_of.resize(tree.primitives.size(), model::no_index);
-  // Parents come after their children, so going backwards every node knows already whether it is complemented.
+  // Parents come after their children, so the backward pass visits a node after its `complemented` is set.
   for (std::size_t i = tree.nodes.size(); i-- > 0;) {
     const model::Node& node = tree.nodes[i];
     PositiveNode& made = positive.nodes[i];

@@ -1,3 +1,5 @@
+// CSG trees in positive form: only unions, intersections and complemented leaves.
+// Used by pruning, the emitter, solids, sessions and sim/software.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +14,7 @@ enum class PositiveOperator : std::uint8_t { unite, intersect };
 /// A node of the positive form: only unions and intersections; leaves may be complemented.
 struct PositiveNode {
   bool is_leaf = false;
-  bool complemented = false;  ///< leaf: stands for the space outside its primitive
+  bool complemented = false;  ///< leaf: the space outside its primitive
   PositiveOperator op = PositiveOperator::unite;
   std::uint32_t primitive = model::no_index;
   std::uint32_t parent = model::no_index;
@@ -20,7 +22,7 @@ struct PositiveNode {
 };
 
 /// A CSG tree in positive form (thesis 6.2): A - B becomes A and not B, and de Morgan's laws push complements to the
-/// leaves. Nodes have the indices of the tree it comes from, children before parents.
+/// leaves. Nodes have the indices of the original tree, children before parents.
 struct PositiveTree {
   std::vector<PositiveNode> nodes;
   std::uint32_t root = model::no_index;

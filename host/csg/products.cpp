@@ -58,7 +58,7 @@ void ProductTraversal::visit() {
 }
 
 bool ProductTraversal::next() {
-  // The last union that has an operand left goes on to it; those visited after it start again.
+  // Advances the last union that has an operand left, and restarts those visited after it.
   for (std::size_t i = unions_.size(); i-- > 0;) {
     const std::uint32_t at = unions_[i];
     if (++chosen_[at] < nodes_[at].children.size()) {

@@ -1,3 +1,5 @@
+// Products of active trees, multiplied out or by repeated traversal.
+// Used by the strategies bits and products.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +21,21 @@ struct RootedTree {
 /// The tree must have operands.
 RootedTree with_root(const ActiveTree& active);
 
-/// Products of the sum that each node of a tree multiplies out to (thesis 6.3.1): unions add, intersections multiply.
-/// `countless` where the number does not fit.
+/// Number of products of the sum that each node of a tree expands to (thesis 6.3.1): unions add, intersections
+/// multiply. `countless` on overflow.
 std::vector<std::uint64_t> count_products(const std::vector<ActiveNode>& nodes);
 
-/// Products by repeated traversal (thesis 6.4): at a union one operand at a time is visited, at an intersection all.
-/// They come in the order, and with the leaves, that restructuring the tree gives (6.3), the rightmost union varying
-/// fastest, but no product is ever held except the one that is visited. Refers to the nodes.
+/// Products by repeated traversal (thesis 6.4): a union visits one operand at a time, an intersection all of them. The
+/// products have the order and the leaves that restructuring the tree gives (6.3), with the rightmost union varying
+/// fastest, but only the current product is stored. Keeps a reference to the nodes.
 class ProductTraversal {
  public:
   ProductTraversal(const std::vector<ActiveNode>& nodes, std::uint32_t root);
 
-  /// Leaves that the present traversal visits, in the order of the visit.
+  /// Leaves of the current traversal, in the order of visits.
   [[nodiscard]] const std::vector<std::uint32_t>& leaves() const { return leaves_; }
 
-  /// Goes on to the next product; false if there is none.
+  /// Advances to the next product; returns false if there is none.
   bool next();
 
  private:
@@ -41,8 +43,8 @@ class ProductTraversal {
 
   const std::vector<ActiveNode>& nodes_;
   std::uint32_t root_;
-  std::vector<std::uint32_t> chosen_;  ///< for each union the operand that is visited
-  std::vector<std::uint32_t> unions_;  ///< unions on the way, in the order of the visit
+  std::vector<std::uint32_t> chosen_;  ///< by node: the operand that a union visits
+  std::vector<std::uint32_t> unions_;  ///< unions of the current traversal, in the order of visits
   std::vector<std::uint32_t> leaves_;
 };
 

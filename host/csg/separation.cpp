@@ -12,11 +12,10 @@ namespace {
 
 constexpr int most_steps = 64;
 
-/// How far from the origin, relative to the hulls, a support plane has to pass to be trusted.
+/// Minimum distance of a support plane from the origin, relative to the hulls, for a trusted result.
 constexpr double certainty = 1e-9;
 
-/// The least size that hulls are scaled by, relative to their coordinates: those are rounded to some 1e-16, which has
-/// to stay below the certainty.
+/// Minimum scale of the hulls, relative to their coordinates. Rounding of about 1e-16 has to stay below `certainty`.
 constexpr double coarsest = 1e-6;
 
 }  // namespace
@@ -31,14 +30,14 @@ bool separated(Hull& first, Hull& second, const Counted& counted) {
   if (first.points().empty() || second.points().empty()) return false;
   const glm::dvec3 low = glm::min(first.low(), second.low());
   const glm::dvec3 high = glm::max(first.high(), second.high());
-  // Scaled so that no unit dominates, but not so far that the rounding of coordinates would count.
+  // The scale equalizes the axes, but is limited so that rounding of coordinates remains negligible.
   const glm::dvec3 coarse = coarsest * glm::max(glm::abs(low), glm::abs(high));
   const glm::dvec3 size = glm::max(high - low, glm::max(coarse, glm::dvec3(1e-300)));
   const auto difference = [&](const glm::dvec3& a, const glm::dvec3& b) { return (a - b) / size; };
 
   glm::dvec3 nearest = difference(first.points().front(), second.points().front());
   for (int step = 0; step < most_steps; ++step) {
-    // The point of the difference that lies farthest back along `nearest`; directions transform the other way.
+    // The point of the difference farthest back along `nearest`; directions transform inversely.
     const glm::dvec3 direction = nearest / size;
     counted.add(&isa::Preparation::supports, first.points().size() + second.points().size());
     const glm::dvec3 farthest = difference(first.support(-direction), second.support(direction));

@@ -1,3 +1,5 @@
+// Separation tests for convex hulls, boxes and primitives.
+// Used by pruning, products and sim/software.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -12,18 +14,18 @@
 namespace csgsim::csg {
 
 /// Whether a plane is found that strictly separates the hulls of two sets of points. Coordinates may have different
-/// units, and a gap may be as small as 1e-9 of the larger hull's. True is certain; false may leave hulls undecided that
-/// nearly touch. Sets without points are not separated from anything.
+/// units, and the gap may be as small as 1e-9 of the larger hull. True is certain; false includes hulls that nearly
+/// touch. Empty sets are not separated from anything.
 ///
-/// Gilbert's algorithm (1966) walks towards the point of the Minkowski difference that is nearest to the origin; a
-/// support plane that leaves the origin out proves separation.
+/// Gilbert's algorithm (1966) walks towards the point of the Minkowski difference nearest to the origin; a support
+/// plane that excludes the origin proves separation.
 bool separated(std::span<const glm::dvec3> first, std::span<const glm::dvec3> second, const Counted& counted = {});
 bool separated(Hull& first, Hull& second, const Counted& counted = {});
 
 /// Whether the boxes have no point in common.
 bool disjoint(const facet::Box& a, const facet::Box& b);
 
-/// Whether two primitives surely have no point of the picture and depth range in common, by the prunings asked for.
+/// Whether the enabled prunings prove that two primitives have no point of the picture and depth range in common.
 bool disjoint(const view::View& view, std::uint32_t a, std::uint32_t b, const Pruning& pruning,
               const Counted& counted = {});
 

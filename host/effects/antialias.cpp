@@ -29,24 +29,23 @@ struct SampleSettings {
   std::int64_t least_difference = 1;
 };
 
-constexpr double most_samples = 16;
+constexpr double max_samples = 16;
 
 void visit_keys(SampleSettings& settings, auto&& visit) {
-  visit(scene::integer_key("samples", "samples a pixel", 2, most_samples, "2, 4, 8 or 16"), settings.samples);
-  visit(
-      scene::boolean_key("adaptive",
-                         "begins with a quarter of the samples, 2 at least; a pixel gets twice as many only where two "
-                         "halves of its own differ"),
-      settings.adaptive);
+  visit(scene::integer_key("samples", "samples per pixel", 2, max_samples, "2, 4, 8 or 16"), settings.samples);
+  visit(scene::boolean_key("adaptive",
+                           "start with a quarter of the samples, at least 2; a pixel gets twice as many only where the "
+                           "means of two halves of its samples differ"),
+        settings.adaptive);
   visit(scene::integer_key("least_difference", "levels of a channel", 1, 255,
-                           "adaptive: means that differ by less count as equal"),
+                           "adaptive: means that differ by less are considered equal"),
         settings.least_difference);
 }
 
 void complete(const SampleSettings& settings) {
   const std::int64_t samples = settings.samples;
   if (!std::has_single_bit(static_cast<std::uint64_t>(samples)))
-    throw InputError(fmt::format("{} samples a pixel have no mean that is a shift; take 2, 4, 8 or 16", samples));
+    throw InputError(fmt::format("{} samples per pixel cannot be averaged by a shift; take 2, 4, 8 or 16", samples));
 }
 
 bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dvec2(0); }
@@ -54,22 +53,22 @@ bool is_shifted(const view::View& view) { return view.sampling.offset != glm::dv
 constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 constexpr std::array<std::string_view, 3> newer_names{"newer_red", "newer_green", "newer_blue"};
 
-/// Two samples are all that adaptive ones begin with.
+/// Adaptive sampling starts with at least two samples.
 bool is_adaptive(const SampleSettings& settings) { return settings.adaptive && settings.samples > 2; }
 
-unsigned log2_of(const SampleSettings& settings) {
+unsigned log2_samples(const SampleSettings& settings) {
   return static_cast<unsigned>(std::countr_zero(static_cast<std::uint64_t>(settings.samples)));
 }
 
-/// A channel of the picture, and what its samples are added up in.
+/// A channel of the picture, with the fields that accumulate its samples.
 struct Channel {
   isa::Field colour;
-  isa::Field sum;    ///< of all samples
-  isa::Field newer;  ///< of those that are not in the sum yet; of width 0 if there is no such field
+  isa::Field sum;    ///< sum of all samples
+  isa::Field newer;  ///< sum of the samples that are not in `sum` yet; width 0 if there is no such field
 };
 
-std::array<Channel, 3> sums_of(const emit::Context& context, const SampleSettings& settings) {
-  const std::array<isa::Field, 3> colours = channels_of(context.layout.colour);
+std::array<Channel, 3> channel_sums(const emit::Context& context, const SampleSettings& settings) {
+  const std::array<isa::Field, 3> colours = colour_channels(context.layout.colour);
   std::array<Channel, 3> channels;
   for (std::size_t i = 0; i < colours.size(); ++i) {
     channels[i] = {colours[i], context.layout.of("antialias", sum_names[i]), {}};
@@ -78,17 +77,17 @@ std::array<Channel, 3> sums_of(const emit::Context& context, const SampleSetting
   return channels;
 }
 
-/// Adds samples up. Every function works where E is 1.
+/// Accumulates samples. All functions operate on the pixels where E is 1.
 class Samples {
  public:
   Samples(const emit::Context& context, emit::Broadcast& out, const SampleSettings& settings)
-      : context_(context), settings_(settings), out_(out), channels_(sums_of(context, settings)) {}
+      : context_(context), settings_(settings), out_(out), channels_(channel_sums(context, settings)) {}
 
   void clear(isa::Field Channel::*sum, std::uint64_t value) {
     for (const Channel& one : channels_) plain(Opcode::set_constant, one.*sum, {}, value);
   }
 
-  /// The picture to the sum.
+  /// Adds the picture to the sum.
   void add(isa::Field Channel::*sum) {
     for (const Channel& one : channels_) plain(Opcode::add, one.*sum, one.colour);
   }
@@ -97,27 +96,27 @@ class Samples {
     for (const Channel& one : channels_) plain(Opcode::add, one.sum, one.newer);
   }
 
-  /// The sum, divided by 2^shift, to the picture.
+  /// Writes the sum divided by 2^shift to the picture.
   void divide(unsigned shift) {
-    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, part_of(one.sum, shift, one.colour.width));
+    for (const Channel& one : channels_) plain(Opcode::copy, one.colour, subfield(one.sum, shift, one.colour.width));
   }
 
-  /// Adds what makes a division by 2^shift round to the nearest.
+  /// Adds one half, so that the division by 2^shift rounds to nearest.
   void add_half(unsigned shift) {
-    const isa::Field half = part_of(context_.layout.of("antialias", "more"), 0, shift);
+    const isa::Field half = subfield(context_.layout.of("antialias", "more"), 0, shift);
     plain(Opcode::set_constant, half, {}, std::uint64_t{1} << (shift - 1));
     for (const Channel& one : channels_) plain(Opcode::add, one.sum, half);
   }
 
-  /// Leaves in `bit` whether the means of 2^shift samples, of the sum and of the newer ones, differ enough.
+  /// Sets `bit` where the means of 2^shift samples, in the sum and in the newer samples, differ enough.
   void compare(unsigned shift, isa::Field bit) {
     plain(Opcode::enable_all);
     plain(Opcode::set_constant, bit, {}, 0);
     for (const Channel& one : channels_) {
       if (settings_.least_difference >= std::int64_t{1} << one.colour.width) continue;
       const unsigned width = one.colour.width + shift;
-      is_less(part_of(one.sum, 0, width), part_of(one.newer, 0, width), shift, bit);
-      is_less(part_of(one.newer, 0, width), part_of(one.sum, 0, width), shift, bit);
+      is_less(subfield(one.sum, 0, width), subfield(one.newer, 0, width), shift, bit);
+      is_less(subfield(one.newer, 0, width), subfield(one.sum, 0, width), shift, bit);
     }
   }
 
@@ -129,8 +128,8 @@ class Samples {
  private:
   /// Sets the bit, at any pixel, where `less` + 2^shift least_difference <= `greater`.
   void is_less(isa::Field less, isa::Field greater, unsigned shift, isa::Field bit) {
-    const isa::Field more = part_of(context_.layout.of("antialias", "more"), 0, less.width + 1U);
-    const isa::Field other = part_of(context_.layout.of("antialias", "other"), 0, less.width + 1U);
+    const isa::Field more = subfield(context_.layout.of("antialias", "more"), 0, less.width + 1U);
+    const isa::Field other = subfield(context_.layout.of("antialias", "other"), 0, less.width + 1U);
     plain(Opcode::enable_all);
     plain(Opcode::set_constant, more, {}, static_cast<std::uint64_t>(settings_.least_difference) << shift);
     plain(Opcode::add, more, less);
@@ -147,7 +146,7 @@ class Samples {
   std::array<Channel, 3> channels_;
 };
 
-/// The picture without offset, billed to no effect.
+/// Draws the picture without offset, not billed to the effect.
 void draw_centre(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw) {
   const std::uint8_t billed = std::exchange(out.effect, isa::no_effect);
   draw(call.context);
@@ -160,18 +159,18 @@ void draw_all(const emit::EffectCall& call, emit::Broadcast& out, const emit::Dr
   samples.plain(Opcode::enable_all);
   samples.clear(&Channel::sum, static_cast<std::uint64_t>(settings.samples / 2));
   for (const auto& drawing : call.state.drawings) {
-    draw(emit::context_of(*drawing, call.context));
+    draw(emit::context_for(*drawing, call.context));
     samples.plain(Opcode::enable_all);
     samples.add(&Channel::sum);
   }
-  // Last, so that the depths stay.
+  // The unshifted picture is drawn last, so that its depths remain.
   draw_centre(call, out, draw);
   samples.plain(Opcode::enable_all);
   samples.add(&Channel::sum);
-  samples.divide(log2_of(settings));
+  samples.divide(log2_samples(settings));
 }
 
-/// Draws at ever fewer pixels.
+/// Adds samples at fewer and fewer pixels.
 class Refinement {
  public:
   Refinement(const emit::EffectCall& call, emit::Broadcast& out, const emit::DrawPicture& draw,
@@ -184,12 +183,12 @@ class Refinement {
         refined_(call.context.layout.of("antialias", "refined")),
         differs_(call.context.layout.of("antialias", "differs")),
         layout_(call.context.layout) {
-    // The depths of the picture without offset stay.
+    // Preserves the depths of the unshifted picture.
     layout_.depth = layout_.of("antialias", "depth");
   }
 
   void draw() {
-    const unsigned shift = std::max(1U, log2_of(settings_) - 2);
+    const unsigned shift = std::max(1U, log2_samples(settings_) - 2);
     const std::size_t half = std::size_t{1} << (shift - 1);
     samples_.plain(Opcode::enable_all);
     samples_.clear(&Channel::sum, 0);
@@ -209,12 +208,12 @@ class Refinement {
 
  private:
   void draw_whole(std::size_t sample, isa::Field Channel::*sum) {
-    draw_(emit::context_of(*call_.state.drawings[sample - 1], call_.context));
+    draw_(emit::context_for(*call_.state.drawings[sample - 1], call_.context));
     samples_.plain(Opcode::enable_all);
     samples_.add(sum);
   }
 
-  /// Where there are 2^shift samples and they do not differ, these are all.
+  /// Finishes the pixels whose 2^shift samples do not differ.
   void finish(unsigned shift) {
     samples_.plain(Opcode::enable_load, refined_);
     samples_.plain(Opcode::enable_and_not, differs_);
@@ -225,16 +224,16 @@ class Refinement {
     samples_.plain(Opcode::enable_store, refined_);
   }
 
-  /// Where `refined`, there are 2^shift samples: as many again. E is `refined`.
+  /// Doubles the 2^shift samples at the pixels where `refined` is 1. E equals `refined`.
   void refine(unsigned shift) {
     const std::size_t begin = out_.size();
-    const unsigned last = log2_of(settings_);
+    const unsigned last = log2_samples(settings_);
     samples_.clear(&Channel::newer, 0);
     emit::Context elsewhere = emit::with_layout(call_.context, layout_);
     elsewhere.base = refined_;
     const std::size_t there = std::size_t{1} << shift;
     for (std::size_t i = there; i < 2 * there; ++i) {
-      draw_(emit::context_of(*call_.state.drawings[i - 1], elsewhere));
+      draw_(emit::context_for(*call_.state.drawings[i - 1], elsewhere));
       samples_.plain(Opcode::enable_load, refined_);
       samples_.add(&Channel::newer);
     }
@@ -266,7 +265,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
                                                        const emit::Workshop& workshop) const override {
     const std::array<unsigned, 3> widths = isa::channel_widths(workshop.options.colour_bits);
-    const unsigned more = log2_of(settings);
+    const unsigned more = log2_samples(settings);
     std::vector<emit::FieldRequest> requests;
     const auto add = [&](std::string_view name, unsigned width, std::string_view what, std::string_view without) {
       requests.push_back({std::string(name), isa::FieldRole::effect, width, what, without});
@@ -277,7 +276,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
     constexpr std::string_view full = "take --set effects.antialias.adaptive=false";
     for (std::size_t i = 0; i < newer_names.size(); ++i)
       add(newer_names[i], widths[i] + more - 1, "sum of newer samples", full);
-    add("refined", 1, "samples to come", full);
+    add("refined", 1, "pixels to refine", full);
     add("differs", 1, "samples differ", full);
     add("depth", drawing.view.sampling.z_bits, "depth of samples", full);
     for (const std::string_view name : {"more", "other"})
@@ -296,7 +295,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    // What is drawn within a sample, and the samples themselves, have no samples of their own.
+    // Samples, and drawings inside a sample, are not sampled again.
     if (drawing.nesting > 0 || is_shifted(drawing.view)) return;
     const auto count = static_cast<std::size_t>(settings.samples);
     for (const glm::dvec2& offset : sample_offsets(count)) {
@@ -307,7 +306,7 @@ class Antialias final : public emit::EffectOf<SampleSettings> {
 };
 
 /// Columns and rows in sixteenths of a pixel: a digital net (Sobol', USSR Computational Mathematics and Mathematical
-/// Physics, 1967), of which the first 2, 4 and 8 are nets too, as far apart as such can be.
+/// Physics, 1967). Its first 2, 4 and 8 points are also nets, and as far apart as possible.
 constexpr std::array<std::array<int, 2>, 16> net{{{0, 0},
                                                   {12, 8},
                                                   {8, 4},
@@ -335,11 +334,11 @@ std::vector<glm::dvec2> sample_offsets(std::size_t count) {
 }
 
 extern const emit::EffectRow antialias{
-    .section =
-        scene::effect_section<SampleSettings>("effects.antialias", "smooth edges: the mean of several samples a pixel"),
+    .section = scene::effect_section<SampleSettings>("effects.antialias",
+                                                     "smooth edges: the mean of several samples per pixel"),
     .technique =
-        "successive refinement, Fuchs et al., SIGGRAPH 1985: the picture is drawn once a sample, moved by parts of a "
-        "pixel, which changes the constants C alone, and the colours are added up in pixel memory",
+        "successive refinement, Fuchs et al., SIGGRAPH 1985: the picture is drawn once per sample, moved by parts of a "
+        "pixel, which changes only the constants C, and the colours are summed in pixel memory",
     .parts = emit::parts_of<Antialias>,
     .takes_quadrics = true};
 

@@ -11,7 +11,7 @@ using isa::Opcode;
 
 void add_times(emit::Broadcast& out, Field target, unsigned constant, Field source) {
   for (unsigned i = 0; i < part_bits; ++i)
-    if (((constant >> i) & 1U) != 0) out.plain(Opcode::add, part_of(target, i, target.width - i), source);
+    if (((constant >> i) & 1U) != 0) out.plain(Opcode::add, subfield(target, i, target.width - i), source);
 }
 
 void emit_blend(emit::Broadcast& out, Field colour, Field over, unsigned part, Field product) {
@@ -19,14 +19,14 @@ void emit_blend(emit::Broadcast& out, Field colour, Field over, unsigned part, F
     out.plain(Opcode::copy, colour, over);
     return;
   }
-  const std::array<Field, 3> channels = channels_of(colour);
-  const std::array<Field, 3> over_channels = channels_of(over);
+  const std::array<Field, 3> channels = colour_channels(colour);
+  const std::array<Field, 3> over_channels = colour_channels(over);
   for (std::size_t i = 0; i < channels.size(); ++i) {
-    const Field sum = part_of(product, 0, channels.at(i).width + part_bits);
+    const Field sum = subfield(product, 0, channels.at(i).width + part_bits);
     out.plain(Opcode::set_constant, sum, {}, whole / 2);
     add_times(out, sum, part, over_channels.at(i));
     add_times(out, sum, whole - part, channels.at(i));
-    out.plain(Opcode::copy, channels.at(i), part_of(sum, part_bits, channels.at(i).width));
+    out.plain(Opcode::copy, channels.at(i), subfield(sum, part_bits, channels.at(i).width));
   }
 }
 

@@ -1,3 +1,5 @@
+// Blending of colours in pixel memory.
+// Used by the effects.
 #pragma once
 
 #include "host/emit/broadcast.h"
@@ -5,17 +7,18 @@
 
 namespace csgsim::effects {
 
-/// Parts of a colour are in 1/256.
+/// Weights of colours are in units of 1/256.
 inline constexpr unsigned part_bits = 8;
 inline constexpr unsigned whole = 1U << part_bits;
 
-using emit::channels_of;
-using emit::part_of;
+using emit::colour_channels;
+using emit::subfield;
 
-/// Where E: target += constant * source, with a constant below `whole`.
+/// target += constant * source where E is 1; the constant must be below `whole`.
 void add_times(emit::Broadcast& out, isa::Field target, unsigned constant, isa::Field source);
 
-/// Where E: colour := part / 256 of `over` and the rest of itself, rounded, halves up. `product` is 16 bits of scratch.
+/// Where E is 1: colour := (part * over + (256 - part) * colour) / 256, rounded half up. `product` is 16 bits of
+/// scratch.
 void emit_blend(emit::Broadcast& out, isa::Field colour, isa::Field over, unsigned part, isa::Field product);
 
 }  // namespace csgsim::effects

@@ -28,30 +28,30 @@ struct Cut {
   double angle = 45;
 };
 
-constexpr double most_spacing = 256;
+constexpr double max_spacing = 256;
 
 void visit_keys(Cut& cut, auto&& visit) {
-  visit(scene::vector_key("normal", "", "points to the side that is taken away"), cut.normal);
-  visit(scene::vector_key("point", "model units", "a point of the plane"), cut.point);
-  visit(scene::colour_key("colour", "of the section; the usual one of what is cut, if not given"), cut.colour);
-  visit(scene::number_key("hatch", "pixels", 0, most_spacing,
-                          "from one line of the hatching to the next, 4 at least; 0: none"),
+  visit(scene::vector_key("normal", "", "points to the side that is removed"), cut.normal);
+  visit(scene::vector_key("point", "model units", "a point on the plane"), cut.point);
+  visit(scene::colour_key("colour", "colour of the section; by default that of the solid that is cut"), cut.colour);
+  visit(scene::number_key("hatch", "pixels", 0, max_spacing,
+                          "distance between hatching lines, at least 4; 0: no hatching"),
         cut.hatch);
-  visit(scene::number_key("angle", "degrees", -180, 180, "of the lines, from the picture's columns"), cut.angle);
-  visit(scene::colour_key("hatch_colour", "of the lines"), cut.hatch_colour);
+  visit(scene::number_key("angle", "degrees", -180, 180, "angle of the lines to the picture's columns"), cut.angle);
+  visit(scene::colour_key("hatch_colour", "colour of the lines"), cut.hatch_colour);
 }
 
-constexpr double least_spacing = 4;
+constexpr double min_spacing = 4;
 
 void complete(const Cut& cut) {
-  if (glm::length(cut.normal) == 0) throw InputError("a cut has a normal; add normal = [x, y, z], not all 0");
-  if (cut.hatch > 0 && cut.hatch < least_spacing) {
-    throw InputError(fmt::format("lines {:g} pixels apart run together; take hatch = {:g} or more, or 0 for none",
-                                 cut.hatch, least_spacing));
+  if (glm::length(cut.normal) == 0) throw InputError("a cut needs a normal; add normal = [x, y, z], not all 0");
+  if (cut.hatch > 0 && cut.hatch < min_spacing) {
+    throw InputError(fmt::format("lines {:g} pixels apart merge; take hatch = {:g} or more, or 0 for no hatching",
+                                 cut.hatch, min_spacing));
   }
 }
 
-/// A cube that holds what is left of anything within `reach` of the plane's point: its upper face is the plane.
+/// A cube that contains the kept side of everything within `reach` of the plane's point; the plane is its upper face.
 model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
   const glm::dvec3 up = glm::normalize(cut.normal);
   const glm::dvec3 side = std::abs(up.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
@@ -67,17 +67,17 @@ model::Primitive kept_side(const Cut& cut, std::uint32_t number, double reach) {
   return primitive;
 }
 
-/// 2^bits units of a hatching's linear expression are from one line to the next: across 2^14 pixels lines are off by
-/// 1/128 of that at most.
+/// The distance between lines is 2^bits units of the hatching's linear expression. Across 2^14 pixels, the lines are
+/// off by at most 1/128 of their distance.
 constexpr unsigned period_bits = 20;
 
-/// Lines whose width is a quarter of their distance: E stays 1 on them.
+/// E stays 1 on the lines, whose width is a quarter of their distance.
 void emit_lines(emit::Broadcast& out, const Cut& cut, const glm::dvec2& offset) {
   const double turn = cut.angle * std::numbers::pi / 180;
   const auto coefficient = [&](double part) { return view::to_fixed(part / cut.hatch, period_bits).value_or(0); };
   const view::FixedLinear across{coefficient(-std::sin(turn)), coefficient(std::cos(turn)),
                                  coefficient(std::cos(turn) * offset.y - std::sin(turn) * offset.x)};
-  // The upper half of a period, and of that what is in the upper half of the same moved on by a quarter.
+  // The upper half of a period, intersected with the upper half of the same pattern shifted by a quarter.
   out.stripe(across, period_bits);
   out.stripe({across.a, across.b, across.c + (std::int64_t{1} << (period_bits - 2))}, period_bits);
 }
@@ -118,10 +118,10 @@ class Cuts final : public emit::EffectOf<std::vector<Cut>> {
 
 extern const emit::EffectRow cuts{
     .section = scene::effect_section<std::vector<Cut>>(
-        "effects.cuts", "cutting planes: what is before them is taken away, what they cut is capped"),
+        "effects.cuts", "cutting planes: everything in front of them is removed, and the cut solids are capped"),
     .technique =
-        "each plane is one more half-space that intersects the model, so that caps and the holes in them follow "
-        "from the tree; hatching is a linear expression of which all but the low bits are cut off",
+        "each plane is one more half-space that intersects the model, so that the caps and their holes follow "
+        "from the tree; hatching uses only the low bits of a linear expression",
     .parts = emit::parts_of<Cuts>};
 
 }  // namespace csgsim::effects

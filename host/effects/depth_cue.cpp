@@ -28,22 +28,22 @@ struct CueSettings {
 
 void visit_keys(CueSettings& settings, auto&& visit) {
   visit(scene::number_key("near", "model units", -scene::any_number, scene::any_number,
-                          "distance from the eye from which on colours fade; the nearest depth, if not given"),
+                          "distance from the eye at which colours start to fade; by default the nearest depth"),
         settings.near);
   visit(scene::number_key("far", "model units", -scene::any_number, scene::any_number,
-                          "distance from which on nothing is left of them; the farthest depth, if not given"),
+                          "distance at which colours have faded completely; by default the farthest depth"),
         settings.far);
-  visit(scene::colour_key("colour", "that they fade into; the background's, if not given"), settings.colour);
-  visit(scene::integer_key("bits", "bits", 1, 6, "of the part that has faded: 2^bits steps"), settings.bits);
+  visit(scene::colour_key("colour", "colour to fade into; by default the background's"), settings.colour);
+  visit(scene::integer_key("bits", "bits", 1, 6, "resolution of the fading: 2^bits steps"), settings.bits);
 }
 
-/// Depths, in steps and not rounded, between which colours fade.
+/// Depths in unrounded steps between which colours fade.
 struct Fading : emit::EffectState {
   double begin = 0;
   double end = 0;
 };
 
-/// Works where the drawing is made.
+/// Fades the colours at the pixels of the drawing.
 class Fader {
  public:
   Fader(const emit::Context& context, emit::Broadcast& out, const Fading& fading, unsigned bits)
@@ -52,19 +52,19 @@ class Fader {
   void fade(std::uint32_t cue) {
     out_.origin = emit::effect_origin;
     weigh();
-    for (const isa::Field channel : channels_of(context_.layout.colour))
+    for (const isa::Field channel : colour_channels(context_.layout.colour))
       blend(channel,
             cue >> static_cast<unsigned>(channel.base - context_.layout.colour.base) & ((1U << channel.width) - 1));
   }
 
  private:
-  /// E stays 1 from that depth on.
+  /// E stays 1 at depths of at least `step`.
   void from_depth(std::int64_t step) {
     out_.surface(Opcode::linear_le, context_.layout.depth, {0, 0, step << context_.view.sampling.fraction_bits},
                  context_.plan.pixels());
   }
 
-  /// How many of 2^bits parts have faded, to the nearest; none where nothing is seen.
+  /// faded_ := the number of the 2^bits parts that have faded, rounded to nearest; 0 where nothing is visible.
   void weigh() {
     emit::enable_drawing(context_, out_);
     out_.plain(Opcode::set_constant, faded_, {}, 0);
@@ -81,29 +81,30 @@ class Fader {
     out_.plain(Opcode::set_constant, faded_, {}, 0);
   }
 
-  /// channel := ((2^bits - faded) * channel + faded * cue + half) / 2^bits. What is left of the channel is
-  /// 1 + (2^bits - 1 - faded) parts: one, and those of the bits that `faded` has not; none where its top bit is 1.
+  /// channel := ((2^bits - faded) * channel + faded * cue + half) / 2^bits. The channel's weight 2^bits - faded is
+  /// computed as 1 + (2^bits - 1 - faded): one, plus the bits that are 0 in `faded`; it is 0 where the top bit of
+  /// `faded` is 1.
   void blend(isa::Field channel, std::uint32_t level) {
-    const isa::Field sum = part_of(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
-    const auto from = [&](unsigned bit) { return part_of(sum, bit, sum.width - bit); };
+    const isa::Field sum = subfield(context_.layout.of("depth_cue", "sum"), 0, channel.width + bits_);
+    const auto from = [&](unsigned bit) { return subfield(sum, bit, sum.width - bit); };
     emit::enable_drawing(context_, out_);
     out_.plain(Opcode::set_constant, sum, {}, std::uint64_t{1} << (bits_ - 1));
     for (unsigned bit = 0; bit < channel.width; ++bit)
       if ((level >> bit & 1U) != 0) out_.plain(Opcode::add, from(bit), narrowed(faded_, sum.width - bit));
-    out_.plain(Opcode::enable_and_not, part_of(faded_, bits_, 1));
+    out_.plain(Opcode::enable_and_not, subfield(faded_, bits_, 1));
     out_.plain(Opcode::add, sum, channel);
     for (unsigned bit = 0; bit < bits_; ++bit) {
       emit::enable_drawing(context_, out_);
-      out_.plain(Opcode::enable_and_not, part_of(faded_, bits_, 1));
-      out_.plain(Opcode::enable_and_not, part_of(faded_, bit, 1));
+      out_.plain(Opcode::enable_and_not, subfield(faded_, bits_, 1));
+      out_.plain(Opcode::enable_and_not, subfield(faded_, bit, 1));
       out_.plain(Opcode::add, from(bit), channel);
     }
     emit::enable_drawing(context_, out_);
-    out_.plain(Opcode::copy, channel, part_of(sum, bits_, channel.width));
+    out_.plain(Opcode::copy, channel, subfield(sum, bits_, channel.width));
   }
 
   static isa::Field narrowed(isa::Field field, unsigned width) {
-    return part_of(field, 0, std::min<unsigned>(field.width, width));
+    return subfield(field, 0, std::min<unsigned>(field.width, width));
   }
 
   const emit::Context& context_;
@@ -136,11 +137,10 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
     const double near = settings.near.value_or(scale.near);
     const double far = settings.far.value_or(scale.far);
     if (scale.perspective && near <= 0)
-      throw InputError(
-          fmt::format("colours cannot fade from {:g} model units on, behind the eye; take near above 0", near));
+      throw InputError(fmt::format("near = {:g} model units is behind the eye; take near above 0", near));
     if (!(far > near)) {
-      throw InputError(
-          fmt::format("colours fade from {:g} to {:g} model units from the eye; take far above near", near, far));
+      throw InputError(fmt::format(
+          "fading from {:g} to {:g} model units from the eye is not possible; take far above near", near, far));
     }
     const unsigned z_bits = drawing.view.sampling.z_bits;
     state.begin = isa::depth_of(scale, z_bits, near);
@@ -152,9 +152,10 @@ class DepthCue final : public emit::EffectOf<CueSettings, Fading> {
 
 extern const emit::EffectRow depth_cue{
     .section = scene::effect_section<CueSettings>(
-        "effects.depth_cue", "colours fade with depth: linear in distance, in its reciprocal in a perspective view"),
+        "effects.depth_cue",
+        "colours fade with depth: linearly with distance, or with its reciprocal in a perspective view"),
     .technique =
-        "after all surfaces the depth in pixel memory is compared with a constant for each step of fading, and "
+        "after all surfaces, the depth in pixel memory is compared with a constant for each step of fading, and "
         "channels are multiplied by shifting and adding, after Fuchs et al., SIGGRAPH 1985",
     .parts = emit::parts_of<DepthCue>,
     .takes_quadrics = true};

@@ -30,15 +30,15 @@ struct EdgeSettings {
 };
 
 void visit_keys(EdgeSettings& settings, auto&& visit) {
-  visit(scene::colour_key("colour", "of the lines"), settings.colour);
-  visit(scene::choice_key("between", between_names, "whose edges are drawn"), settings.between);
+  visit(scene::colour_key("colour", "colour of the lines"), settings.colour);
+  visit(scene::choice_key("between", between_names, "the parts whose edges are drawn"), settings.between);
   visit(scene::number_key("crease", "degrees", 0, 180,
-                          "facets of a ball, or around a cylinder, that meet at less count as one"),
+                          "facets of a sphere or of a cylinder's side that meet at a smaller angle count as one"),
         settings.crease);
 }
 
-/// A number for each half-space of a primitive, and for where it has none; the same for those between which there is no
-/// edge.
+/// A number for each half-space of a primitive, and one for its other parts. Facets have the same number if no edge is
+/// drawn between them.
 struct Numbers : emit::EffectState {
   std::vector<std::vector<std::uint32_t>> of_halfspaces;  ///< by primitive
   std::vector<std::uint32_t> of_primitives;
@@ -47,8 +47,8 @@ struct Numbers : emit::EffectState {
   [[nodiscard]] unsigned bits() const { return static_cast<unsigned>(std::bit_width(most)); }
 };
 
-std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Convex& solid,
-                            const facet::PlaneTable& planes, double crease) {
+std::vector<bool> find_curved(const model::Primitive& primitive, const facet::Convex& solid,
+                              const facet::PlaneTable& planes, double crease) {
   std::vector<bool> curved;
   for (const facet::Halfspace& halfspace : solid.halfspaces)
     curved.push_back(!emit::is_flat(primitive, planes.planes()[halfspace.plane].normal));
@@ -58,7 +58,7 @@ std::vector<bool> curved_of(const model::Primitive& primitive, const facet::Conv
   return curved;
 }
 
-/// 0 is for where nothing is seen.
+/// Number 0 is the background.
 void number(Numbers& numbers, const model::Tree& tree, const facet::Geometry& scene, const EdgeSettings& settings) {
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
     const facet::Convex& solid = scene.solids[i];
@@ -66,18 +66,18 @@ void number(Numbers& numbers, const model::Tree& tree, const facet::Geometry& sc
     numbers.of_primitives.push_back(whole);
     std::vector<std::uint32_t>& own = numbers.of_halfspaces.emplace_back(solid.halfspaces.size(), whole);
     if (settings.between == Between::primitives) continue;
-    const std::vector<bool> curved = curved_of(tree.primitives[i], solid, scene.planes, settings.crease);
+    const std::vector<bool> curved = find_curved(tree.primitives[i], solid, scene.planes, settings.crease);
     for (std::size_t h = 0; h < own.size(); ++h)
       if (!curved[h]) own[h] = ++numbers.most;
   }
 }
 
-/// The drawings of an EffectState, in this order.
+/// Indices into the drawings of an EffectState.
 enum : std::size_t { here, right, below };
 
 constexpr std::array<glm::dvec2, 3> places{{{0, 0}, {1, 0}, {0, 1}}};
 
-/// The numbers of what is seen in a drawing, into the field.
+/// Draws the numbers of what is visible in a drawing into the field.
 void draw_numbers(const emit::Context& outer, emit::Broadcast& out, const Numbers& numbers,
                   const emit::Drawing& drawing, isa::Field field) {
   const emit::Paint paint = [&](const emit::Facet& facet) {
@@ -94,7 +94,7 @@ void draw_numbers(const emit::Context& outer, emit::Broadcast& out, const Number
   layout.candidate_colour = {};
   layout.owner = {};
   const emit::Context elsewhere = emit::with_layout(outer, layout);
-  emit::Context context = emit::context_of(drawing, elsewhere);
+  emit::Context context = emit::context_for(drawing, elsewhere);
   context.called = {};
   context.paint = &paint;
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
@@ -143,13 +143,13 @@ class Edges final : public emit::EffectOf<EdgeSettings, Numbers> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
-    // Lines are drawn in the finished picture, not in what is drawn within it.
+    // Lines are drawn in the finished picture, not in drawings inside it.
     if (drawing.nesting > 0) return;
     number(state, *drawing.tree, *drawing.geometry, settings);
     for (const glm::dvec2& place : places) {
       view::Sampling sampling = drawing.view.sampling;
       sampling.offset += place;
-      // Numbers have no part in any effect.
+      // No effect applies to the numbers.
       state.drawings.push_back(
           emit::make_drawing(drawing.tree, drawing.geometry,
                              view::make_view(*drawing.geometry, *drawing.tree, drawing.view.camera, sampling),
@@ -165,8 +165,8 @@ extern const emit::EffectRow edges{
                                                    "lines where facets or primitives meet, as in a technical drawing"),
     .technique =
         "after Saito and Takahashi, Comprehensible Rendering of 3-D Shapes, SIGGRAPH 1990: pixels are compared "
-        "with their neighbours by what is seen there; as pixels cannot ask a neighbour, the numbers of facets "
-        "are drawn three times: here, moved by a column and moved by a row",
+        "with their neighbours by what is visible there; as pixels cannot read a neighbour, the numbers of facets "
+        "are drawn three times: unshifted, shifted by a column and shifted by a row",
     .parts = emit::parts_of<Edges>};
 
 }  // namespace csgsim::effects

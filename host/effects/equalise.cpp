@@ -23,25 +23,26 @@ struct Settings {
   std::int64_t reach = 0;
 };
 
-constexpr std::int64_t most_samples = 64;
+constexpr std::int64_t max_samples = 64;
 
 void visit_keys(Settings& settings, auto&& visit) {
-  visit(scene::integer_key("samples", "a side", 1, most_samples, "of the lattice of pixels whose levels are counted"),
+  visit(scene::integer_key("samples", "per side", 1, max_samples,
+                           "size of the lattice of pixels whose levels are counted"),
         settings.samples);
   visit(scene::integer_key("reach", "pixels", 0, isa::max_array_side,
-                           "of a sample in all four directions; 0: the whole picture"),
+                           "reach of a sample in all four directions; 0: the whole picture"),
         settings.reach);
 }
 
-/// Bits of a count of samples, and one more for dividing.
+/// Bits of a count of samples, plus one for the division.
 unsigned count_bits(const Settings& settings) {
   return static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(settings.samples * settings.samples))) + 1;
 }
 
-/// Bits of the widest channel that there is.
-constexpr unsigned most_level_bits = isa::channel_widths(isa::most_colour_bits)[1];
+/// Bits of the widest possible channel.
+constexpr unsigned max_level_bits = isa::channel_widths(isa::most_colour_bits)[1];
 
-/// Equalises one picture, a channel after another.
+/// Equalises one picture, one channel after another.
 class Equaliser {
  public:
   Equaliser(const emit::Context& context, emit::Broadcast& out, const Settings& settings)
@@ -51,7 +52,7 @@ class Equaliser {
         rank_(context_.layout.of("equalise", "rank")),
         seen_(context_.layout.of("equalise", "seen")),
         counted_(context_.layout.of("equalise", "counted")),
-        // Outside the drawing of surfaces the mask is free.
+        // The mask is free while no surfaces are drawn.
         sample_(context_.layout.mask) {}
 
   void emit() {
@@ -65,14 +66,14 @@ class Equaliser {
     out_.plain(Opcode::enable_all);
     out_.plain(Opcode::set_constant, counted_, {}, 0);
     bool is_first = true;
-    for (const isa::Field channel : channels_of(context_.layout.colour)) {
+    for (const isa::Field channel : colour_channels(context_.layout.colour)) {
       emit_channel(channel, samples, is_first);
       is_first = false;
     }
   }
 
  private:
-  /// The pixels of the lattice at which something may be seen.
+  /// The pixels of the lattice at which something may be visible.
   [[nodiscard]] std::vector<view::PixelRect> lattice() const {
     std::vector<view::PixelRect> pixels;
     const auto place = [&](std::int64_t i, std::uint32_t side) {
@@ -89,7 +90,7 @@ class Equaliser {
   }
 
   [[nodiscard]] bool may_be_seen(const view::PixelRect& pixel) const {
-    // What other cameras see is not in this drawing's plan.
+    // The plan does not include what other cameras see.
     const bool is_alone = std::none_of(context_.called.begin(), context_.called.end(),
                                        [](const emit::CalledEffect& one) { return one.row->parts.draws_around; });
     const std::vector<emit::PlannedSurface>& surfaces = context_.plan.surfaces;
@@ -99,38 +100,39 @@ class Equaliser {
   }
 
   void emit_channel(isa::Field level, const std::vector<view::PixelRect>& samples, bool counts_samples) {
-    const isa::Field told = part_of(rank_, 0, level.width);
-    const isa::Field rank = part_of(rank_, level.width, counted_.width);
+    const isa::Field reference = subfield(rank_, 0, level.width);
+    const isa::Field rank = subfield(rank_, level.width, counted_.width);
     out_.plain(Opcode::enable_all);
     out_.plain(Opcode::set_constant, rank, {}, 0);
     for (const view::PixelRect& sample : samples) {
       out_.plain(Opcode::enable_load, seen_);
       out_.clip(sample, context_.plan.pixels());
       const std::size_t begin = out_.size();
-      tell(level, told);
-      count(sample, told, level, rank, counts_samples);
+      spread(level, reference);
+      count(sample, reference, level, rank, counts_samples);
       skip_if_none(begin);
     }
     scale(level);
   }
 
-  /// The level of the enabled pixel to all pixels, bit by bit.
-  void tell(isa::Field level, isa::Field told) {
+  /// Copies the level of the enabled pixel to all pixels, bit by bit.
+  void spread(isa::Field level, isa::Field reference) {
     out_.plain(Opcode::enable_store, sample_);
     out_.plain(Opcode::enable_all);
-    out_.plain(Opcode::set_constant, told, {}, 0);
+    out_.plain(Opcode::set_constant, reference, {}, 0);
     for (unsigned bit = 0; bit < level.width; ++bit) {
       out_.plain(Opcode::enable_load, sample_);
-      out_.plain(Opcode::enable_and, part_of(level, bit, 1));
+      out_.plain(Opcode::enable_and, subfield(level, bit, 1));
       const std::size_t begin = out_.size();
       out_.plain(Opcode::enable_all);
-      out_.plain(Opcode::set_constant, part_of(told, bit, 1), {}, 1);
+      out_.plain(Opcode::set_constant, subfield(reference, bit, 1), {}, 1);
       skip_if_none(begin);
     }
   }
 
-  /// One more for the pixels in the sample's reach whose level is above the one told.
-  void count(const view::PixelRect& sample, isa::Field told, isa::Field level, isa::Field rank, bool counts_samples) {
+  /// Increments the rank of the pixels in the sample's reach whose level is above the sample's.
+  void count(const view::PixelRect& sample, isa::Field reference, isa::Field level, isa::Field rank,
+             bool counts_samples) {
     out_.plain(Opcode::enable_all);
     if (settings_.reach > 0) {
       const auto reach = static_cast<std::int32_t>(settings_.reach);
@@ -141,7 +143,7 @@ class Equaliser {
       out_.plain(Opcode::enable_store, sample_);
       out_.plain(Opcode::add, counted_, sample_);
     }
-    out_.plain(Opcode::field_lt, told, level);
+    out_.plain(Opcode::field_lt, reference, level);
     out_.plain(Opcode::enable_store, sample_);
     out_.plain(Opcode::add, rank, sample_);
   }
@@ -150,8 +152,8 @@ class Equaliser {
     out_.insert(begin, {Opcode::skip_if_none, {}, {}, out_.size() - begin, out_.origin});
   }
 
-  /// The level becomes 2^width * rank / counted, or all ones where that is more, by long division: the rank and what is
-  /// left of it move up a bit at a time, below them zeros.
+  /// level := 2^width * rank / counted, or all ones if that is greater, by long division: rank and remainder are
+  /// shifted up one bit at a time, and zeros shifted in.
   void scale(isa::Field level) {
     out_.plain(Opcode::enable_all);
     out_.equals(counted_, 0);
@@ -159,26 +161,26 @@ class Equaliser {
     out_.plain(Opcode::enable_and, seen_);
     out_.plain(Opcode::enable_store, sample_);
     out_.plain(Opcode::set_constant, level, {}, 0);
-    out_.plain(Opcode::set_constant, part_of(rank_, 0, level.width), {}, 0);
+    out_.plain(Opcode::set_constant, subfield(rank_, 0, level.width), {}, 0);
     for (unsigned bit = level.width; bit-- > 0;) {
-      const isa::Field rest = part_of(rank_, bit, counted_.width);
+      const isa::Field rest = subfield(rank_, bit, counted_.width);
       out_.plain(Opcode::enable_load, sample_);
       out_.plain(Opcode::field_le, counted_, rest);
-      // a - b = not (not a + b)
+      // Uses a - b = not (not a + b).
       out_.plain(Opcode::bit_not, rest, rest);
       out_.plain(Opcode::add, rest, counted_);
       out_.plain(Opcode::bit_not, rest, rest);
-      out_.plain(Opcode::set_constant, part_of(level, bit, 1), {}, 1);
+      out_.plain(Opcode::set_constant, subfield(level, bit, 1), {}, 1);
     }
   }
 
   const emit::Context& context_;
   emit::Broadcast& out_;
   const Settings& settings_;
-  isa::Field rank_;     ///< and below it the level that is told
-  isa::Field seen_;     ///< 1 where something is seen
-  isa::Field counted_;  ///< samples that reach the pixel
-  isa::Field sample_;   ///< 1 at the sample; also what is added to a count
+  isa::Field rank_;     ///< rank; the bits below hold the sample's level
+  isa::Field seen_;     ///< 1 where something is visible
+  isa::Field counted_;  ///< number of samples that reach the pixel
+  isa::Field sample_;   ///< 1 at the sample; also the increment of a count
 };
 
 class Equalise final : public emit::EffectOf<Settings> {
@@ -186,7 +188,7 @@ class Equalise final : public emit::EffectOf<Settings> {
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& /*drawing*/,
                                                        const emit::Workshop& /*workshop*/) const override {
     const unsigned count = count_bits(settings);
-    return {{.name = "rank", .width = most_level_bits + count, .what = "rank", .is_scratch = true},
+    return {{.name = "rank", .width = max_level_bits + count, .what = "rank", .is_scratch = true},
             {.name = "seen", .width = 1, .what = "seen", .is_scratch = true},
             {.name = "counted", .width = count, .what = "count", .is_scratch = true}};
   }
@@ -200,8 +202,8 @@ class Equalise final : public emit::EffectOf<Settings> {
     const machines::Machine& machine = workshop.machine;
     if (!machines::has_global_or(machine) || machines::regions(machine).size() > 1) {
       throw InputError(fmt::format(
-          "the effect equalise asks for levels of pixels by a global OR over the whole picture, which {} does "
-          "not have; take a machine that does, such as pixel-planes-4, or leave the effect out by --set "
+          "the effect equalise reads levels of pixels with a global OR over the whole picture, which {} does "
+          "not have; take a machine that has one, such as pixel-planes-4, or leave the effect out by --set "
           "effects.equalise.on=false",
           machine.name));
     }
@@ -213,10 +215,10 @@ class Equalise final : public emit::EffectOf<Settings> {
 extern const emit::EffectRow equalise{
     .section = scene::effect_section<Settings>(
         "effects.equalise",
-        "where something is seen, each channel's level becomes its rank among those of a lattice of pixels"),
+        "where something is visible, each channel's level becomes its rank among those of a lattice of pixels"),
     .technique =
         "Fuchs et al., SIGGRAPH 1985: adaptive histogram equalisation by broadcasting levels, with which every pixel "
-        "compares its own; here the levels of a lattice of pixels, asked for bit by bit by the global OR",
+        "compares its own; here the levels of a lattice of pixels, read bit by bit with the global OR",
     .parts = emit::parts_of<Equalise>,
     .takes_quadrics = true};
 

@@ -22,19 +22,21 @@ using isa::Opcode;
 
 constexpr std::string_view effect = "transparency";
 constexpr std::string_view without =
-    "take --set effects.transparency.method=screen-door, or draw what is see-through as if it were opaque by --set "
+    "take --set effects.transparency.method=screen-door, or draw transparent primitives as opaque by --set "
     "effects.transparency.on=false";
 
-/// Which sim/observe/frame.h knows.
+/// Field names that sim/observe/frame.h uses.
 constexpr std::string_view nearest_depth = "nearest_depth";
 constexpr std::string_view nearest_colour = "nearest_colour";
 
 constexpr std::array<std::string_view, 3> sum_names{"red", "green", "blue"};
 
-/// Peels the panes off, nearest first (Everitt, Interactive Order-Independent Transparency, 2001, after Mammen,
-/// Transparency and Antialiasing Algorithms Implemented with the Virtual Pixel Maps Technique, 1989), and sums what
-/// each adds to the colour. Parts are in 1/256: that of the nearest is its opacity, that of each other its opacity of
-/// what the nearer ones let through, that of the opaque surface all that is left. They add up to 256.
+/// Depth peeling (Everitt, Interactive Order-Independent Transparency, 2001, after Mammen, Transparency and
+/// Antialiasing Algorithms Implemented with the Virtual Pixel Maps Technique, 1989): peels off the panes, nearest
+/// first, and sums their contributions to the colour. Weights are in 1/256: that of the nearest pane is its opacity,
+/// that of each other pane its opacity times what the nearer ones let through, that of the opaque surface the
+/// remainder. They add up to 256.
+/// what the nearer ones let through, that of the opaque surface the remainder. They add up to 256.
 class Peeling {
  public:
   Peeling(const emit::Context& context, emit::Broadcast& out, const Panes& panes)
@@ -45,8 +47,8 @@ class Peeling {
         last_(field(nearest_depth)),
         pane_colour_(field(nearest_colour)),
         product_(field("product")),
-        glass_(channels_of(pane_colour_)),
-        colour_(channels_of(context.layout.colour)) {}
+        glass_(colour_channels(pane_colour_)),
+        colour_(colour_channels(context.layout.colour)) {}
 
   void run() {
     peel(last_, context_.beyond);
@@ -67,7 +69,7 @@ class Peeling {
   [[nodiscard]] Field sum(std::size_t channel) const { return field(sum_names.at(channel)); }
   [[nodiscard]] Field mask() const { return context_.layout.mask; }
 
-  /// The nearest panes behind `beyond` and before the opaque surfaces, into `depth` and the panes' colour.
+  /// Draws the nearest panes behind `beyond` and in front of the opaque surfaces into `depth` and the panes' colour.
   void peel(Field depth, Field beyond) {
     emit::Layout layout = context_.layout;
     layout.depth = depth;
@@ -84,7 +86,7 @@ class Peeling {
     emit_shading(inner, out_);
   }
 
-  /// E and mask := where there is a pane before the opaque surface.
+  /// E and mask := 1 where a pane is in front of the opaque surface.
   void keep_found(Field depth) {
     out_.origin = emit::effect_origin;
     enable_drawing(context_, out_);
@@ -92,7 +94,7 @@ class Peeling {
     out_.plain(Opcode::enable_store, mask());
   }
 
-  /// Calls visit(opacity) for each that there is, with E 1 at the pixels of the mask whose pane has it.
+  /// Calls visit(opacity) for each opacity, with E 1 at the pixels of the mask whose pane has it.
   template <class Visit>
   void for_opacities(const Visit& visit) {
     for (std::size_t i = 0; i < panes_.opacities.size(); ++i) {
@@ -102,7 +104,7 @@ class Peeling {
     }
   }
 
-  /// One layer over the opaque surface.
+  /// Blends one layer over the opaque surface.
   void blend_one() {
     for_opacities([&](unsigned opacity) { emit_blend(out_, context_.layout.colour, pane_colour_, opacity, product_); });
   }
@@ -117,7 +119,7 @@ class Peeling {
     });
   }
 
-  /// That layer and all behind it; `last` is the depth of the one before, where there is one.
+  /// Peels layer number `layer` and all behind it; `last_` is the depth of the layer before, if the pixel has one.
   void peel_behind(unsigned layer) {
     if (layer > layers_) return;
     peel(field("next"), last_);
@@ -132,14 +134,14 @@ class Peeling {
 
   void add_layer() {
     const Field through = field("through");
-    const Field product = part_of(product_, 0, 2 * part_bits);
+    const Field product = subfield(product_, 0, 2 * part_bits);
     for_opacities([&](unsigned opacity) {
       out_.plain(Opcode::set_constant, product, {}, whole / 2);
       add_times(out_, product, opacity, through);
     });
-    const Field weight = part_of(product, part_bits, part_bits);
+    const Field weight = subfield(product, part_bits, part_bits);
     out_.plain(Opcode::enable_load, mask());
-    // a - b is not (not a + b).
+    // Uses a - b = not (not a + b).
     out_.plain(Opcode::bit_not, through, through);
     out_.plain(Opcode::add, through, weight);
     out_.plain(Opcode::bit_not, through, through);
@@ -151,16 +153,16 @@ class Peeling {
     add_weighted(field("through"), colour_);
     out_.plain(Opcode::enable_load, mask());
     for (std::size_t i = 0; i < colour_.size(); ++i)
-      out_.plain(Opcode::copy, colour_.at(i), part_of(sum(i), part_bits, colour_.at(i).width));
+      out_.plain(Opcode::copy, colour_.at(i), subfield(sum(i), part_bits, colour_.at(i).width));
   }
 
   /// sums += weight * colour, where the mask is 1.
   void add_weighted(Field weight, const std::array<Field, 3>& channels) {
     for (unsigned i = 0; i < part_bits; ++i) {
       out_.plain(Opcode::enable_load, mask());
-      out_.plain(Opcode::enable_and, part_of(weight, i, 1));
+      out_.plain(Opcode::enable_and, subfield(weight, i, 1));
       for (std::size_t c = 0; c < channels.size(); ++c)
-        out_.plain(Opcode::add, part_of(sum(c), i, sum(c).width - i), channels.at(c));
+        out_.plain(Opcode::add, subfield(sum(c), i, sum(c).width - i), channels.at(c));
     }
   }
 
@@ -168,30 +170,30 @@ class Peeling {
   emit::Broadcast& out_;
   const Panes& panes_;
   unsigned layers_;
-  Field last_;         ///< depth of the layer that was peeled last; where there is none, of the opaque surface
-  Field pane_colour_;  ///< of the layer being peeled
+  Field last_;         ///< depth of the last peeled layer; of the opaque surface at pixels without one
+  Field pane_colour_;  ///< colour of the layer being peeled
   Field product_;
   std::array<Field, 3> glass_;   ///< channels of the layer's colour
-  std::array<Field, 3> colour_;  ///< channels of the drawing's
+  std::array<Field, 3> colour_;  ///< channels of the drawing's colour
 };
 
-/// In 1/256.
+/// The opacity in 1/256.
 unsigned rounded(double opacity) {
   const auto nearest = static_cast<unsigned>(view::to_fixed(opacity, part_bits).value_or(0));
   return std::min(nearest, whole - 1);
 }
 
-unsigned layers_of(const emit::SegmentPlan& segment, const std::vector<bool>& drawn) {
+unsigned count_layers(const emit::SegmentPlan& segment, const std::vector<bool>& drawn) {
   std::vector<view::PixelRect> rectangles;
   for (const emit::PlannedSurface& one : segment.surfaces)
     if (drawn[one.primitive()]) rectangles.push_back(one.block.pixels);
-  return most_overlapping(rectangles);
+  return max_overlap(rectangles);
 }
 
 }  // namespace
 
-unsigned most_overlapping(std::span<const view::PixelRect> rectangles) {
-  // The most lie over a left edge and an upper edge of some of them.
+unsigned max_overlap(std::span<const view::PixelRect> rectangles) {
+  // The maximum is reached at the left edge of one rectangle and the upper edge of another.
   unsigned most = 0;
   for (const view::PixelRect& at : rectangles) {
     std::vector<std::int32_t> tops;
@@ -212,7 +214,7 @@ unsigned most_overlapping(std::span<const view::PixelRect> rectangles) {
   return most;
 }
 
-Panes panes_of(const emit::Drawing& drawing, unsigned most_layers) {
+Panes find_panes(const emit::Drawing& drawing, unsigned max_layers) {
   Panes panes;
   std::vector<unsigned> of_primitives;
   for (const lighting::Finish& finish : drawing.look.finishes) {
@@ -227,7 +229,7 @@ Panes panes_of(const emit::Drawing& drawing, unsigned most_layers) {
     panes.kinds.push_back(static_cast<std::uint32_t>(std::lower_bound(all.begin(), all.end(), one) - all.begin()));
   panes.pieces = touching_pieces(drawing, panes.drawn);
   for (const emit::SegmentPlan& segment : drawing.plan.segments) {
-    panes.layers.push_back(std::min(most_layers, layers_of(segment, panes.drawn)));
+    panes.layers.push_back(std::min(max_layers, count_layers(segment, panes.drawn)));
     panes.surfaces = std::max(panes.surfaces, static_cast<std::uint32_t>(segment.surfaces.size()));
   }
   return panes;

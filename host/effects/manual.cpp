@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::string_view introduction =
     "# Scene files\n\n"
-    "What `csgsim manual scenes` prints. A scene is what is seen of a model besides its solids: `csgsim render MODEL "
-    "--scene "
-    "scene.toml`.\nEvery key can be set on the command line too, over the file's or without one: "
+    "Output of `csgsim manual scenes`. A scene holds everything about a picture except the model's solids: `csgsim "
+    "render MODEL --scene scene.toml`.\nEvery key can also be set on the command line, with or without a file; it "
+    "overrides the file's: "
     "`--set lights.0.direction=0,0,-1`, `--set\neffects.smooth.on=true`.\n"
-    "Lists, with `[[name]]`, have a table for each entry.\n";
+    "Lists, written as `[[name]]`, have a table for each entry.\n";
 
 std::string heading(const scene::Section& section) {
   return section.is_list ? fmt::format("[[{}]]", section.name) : fmt::format("[{}]", section.name);
@@ -34,8 +34,8 @@ std::string scene_page() {
   std::string page(introduction);
   for (const scene::Section& section : scene::common_sections()) put(page, section, "");
   page +=
-      "\n# Effects\n\nA scene calls for an effect by its section; `on = false` in a section keeps the effect out, even "
-      "where the model\ncalls for it. What each costs: [Effects](effects.md).\n";
+      "\n# Effects\n\nThe section of an effect turns it on; `on = false` in a section turns it off, even "
+      "where the model\ncalls for it. Costs: [Effects](effects.md).\n";
   for (const emit::EffectRow* const row : all()) put(page, row->section, row->technique);
   return page;
 }

@@ -1,3 +1,5 @@
+// The manual page of scene files.
+// Used by the command 'manual'.
 #pragma once
 
 #include <string>

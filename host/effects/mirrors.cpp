@@ -29,35 +29,35 @@ using isa::Opcode;
 
 constexpr std::string_view effect = "mirrors";
 constexpr std::string_view without = "take --set effects.mirrors.on=false";
-constexpr unsigned most_depth = 4;
-constexpr std::size_t most_mirrors = 256;  ///< of a picture, those in mirrors counted each time
+constexpr unsigned max_depth = 4;
+constexpr std::size_t max_mirrors = 256;  ///< mirrors in a picture; those seen in mirrors count each time
 
 struct Settings {
   unsigned depth = 1;
 };
 
 void visit_keys(Settings& settings, auto&& visit) {
-  visit(scene::integer_key("depth", "", 1, most_depth, "mirrors that are seen in one another"), settings.depth);
+  visit(scene::integer_key("depth", "", 1, max_depth, "maximum depth of mirrors seen in mirrors"), settings.depth);
 }
 
-/// A face that mirrors.
+/// A mirroring face.
 struct Face {
   std::uint32_t primitive;
   facet::Halfspace halfspace;
 };
 
-/// Faces in one plane, and what they show.
+/// Faces in one plane, and the drawing of what they show.
 struct Mirror {
   std::vector<Face> faces;
   unsigned reflectance = 0;  ///< in 1/256, from 1 to 256
   std::shared_ptr<const emit::Drawing> drawing;
-  view::FixedLinear plane;  ///< as the drawing has it
+  view::FixedLinear plane;  ///< plane of the mirror in the drawing
 };
 
 struct PreparedMirrors : emit::EffectState {
   std::vector<Mirror> mirrors;
-  unsigned level = 0;          ///< mirrors on the way to the drawing
-  std::uint32_t surfaces = 0;  ///< most that a segment of the drawing has
+  unsigned level = 0;          ///< number of mirrors on the way to the drawing
+  std::uint32_t surfaces = 0;  ///< maximum number of surfaces in a segment of the drawing
 };
 
 bool is_flat(const emit::Drawing& drawing, const Face& face) {
@@ -65,8 +65,8 @@ bool is_flat(const emit::Drawing& drawing, const Face& face) {
                        drawing.geometry->planes.planes()[face.halfspace.plane].normal);
 }
 
-/// In 1/256.
-unsigned reflectance_of(const lighting::Finish& finish) {
+/// Reflectance in 1/256.
+unsigned scaled_reflectance(const lighting::Finish& finish) {
   if (finish.opacity < 1) return 0;
   return static_cast<unsigned>(view::to_fixed(finish.material.mirror, part_bits).value_or(0));
 }
@@ -89,8 +89,8 @@ std::vector<Face> mirroring_faces(const emit::Drawing& drawing, std::uint32_t pr
   return faces;
 }
 
-/// The pixels that may show one of the primitives.
-view::PixelRect pixels_of(const emit::Drawing& drawing, const std::vector<Face>& faces) {
+/// The pixels that may show one of the primitives of the faces.
+view::PixelRect face_pixels(const emit::Drawing& drawing, const std::vector<Face>& faces) {
   view::PixelRect pixels;
   for (const emit::SegmentPlan& segment : drawing.plan.segments) {
     for (const emit::PlannedSurface& one : segment.surfaces) {
@@ -103,11 +103,11 @@ view::PixelRect pixels_of(const emit::Drawing& drawing, const std::vector<Face>&
   return drawing.reflection && !pixels.empty() ? view::common(pixels, drawing.reflection->pixels) : pixels;
 }
 
-/// Faces in one plane that mirror alike, together.
-std::vector<Mirror> mirrors_of(const emit::Drawing& drawing) {
+/// The mirrors of a drawing: faces in the same plane with the same reflectance form one.
+std::vector<Mirror> find_mirrors(const emit::Drawing& drawing) {
   std::vector<Mirror> mirrors;
   for (std::uint32_t i = 0; i < drawing.look.finishes.size(); ++i) {
-    const unsigned reflectance = reflectance_of(drawing.look.finishes[i]);
+    const unsigned reflectance = scaled_reflectance(drawing.look.finishes[i]);
     if (reflectance == 0) continue;
     for (const Face& face : mirroring_faces(drawing, i)) {
       const auto same = [&](const Mirror& one) {
@@ -121,12 +121,12 @@ std::vector<Mirror> mirrors_of(const emit::Drawing& drawing) {
       }
     }
   }
-  std::erase_if(mirrors, [&](const Mirror& one) { return pixels_of(drawing, one.faces).empty(); });
+  std::erase_if(mirrors, [&](const Mirror& one) { return face_pixels(drawing, one.faces).empty(); });
   return mirrors;
 }
 
-/// Has the mirror show something. False if it is seen so nearly edge-on that nothing is to be seen in it.
-bool look_into(Mirror& mirror, const emit::Drawing& drawing, const emit::Workshop& workshop) {
+/// Makes the drawing of what the mirror shows. Returns false if the mirror is seen nearly edge-on and shows nothing.
+bool draw_reflection(Mirror& mirror, const emit::Drawing& drawing, const emit::Workshop& workshop) {
   const std::uint32_t plane = mirror.faces.front().halfspace.plane;
   const Reflected reflected_model = reflected(*drawing.tree, *drawing.geometry, plane);
   const std::uint32_t image = reflected_model.of_planes[plane].plane;
@@ -138,17 +138,17 @@ bool look_into(Mirror& mirror, const emit::Drawing& drawing, const emit::Worksho
   mirror.plane = seen.linear;
   mirror.drawing = emit::make_drawing(
       reflected_model.tree, reflected_model.geometry, std::move(view), drawing.nesting + 1, workshop,
-      emit::Reflection{count, image, pixels_of(drawing, mirror.faces),
+      emit::Reflection{count, image, face_pixels(drawing, mirror.faces),
                        reflected(drawing.look.lighting, *drawing.geometry, plane, drawing.view.camera)});
   return true;
 }
 
 std::string numbered(std::string_view name, unsigned level) { return std::string(name) + std::to_string(level); }
 
-/// Shows what is in one mirror.
-class Showing {
+/// Emits what one mirror shows.
+class MirrorEmitter {
  public:
-  Showing(const emit::Context& context, emit::Broadcast& out, const Mirror& mirror, unsigned level)
+  MirrorEmitter(const emit::Context& context, emit::Broadcast& out, const Mirror& mirror, unsigned level)
       : context_(context),
         out_(out),
         mirror_(mirror),
@@ -172,12 +172,12 @@ class Showing {
     return context_.layout.of(effect, numbered(name, level));
   }
 
-  /// E and flag := where one of the faces is seen. False if that is nowhere, and nothing was broadcast.
+  /// E and flag := 1 where one of the faces is visible. Returns false, without appending, if that is nowhere.
   bool flag_faces() {
     bool is_first = true;
     for (const emit::PlannedSurface& planned : context_.plan.surfaces) {
       if (!has_face(planned)) continue;
-      const emit::Surface surface = emit::surface_of(context_, planned, emit::deciding_sides(context_, planned));
+      const emit::Surface surface = emit::plan_surface(context_, planned, emit::deciding_sides(context_, planned));
       for (const emit::Facet& facet : surface.facets) {
         if (surface.nothing || !is_face(facet) || &facet != &first_in_plane(surface, facet)) continue;
         out_.origin = {isa::Purpose::effect, facet.primitive, isa::no_node};
@@ -203,19 +203,19 @@ class Showing {
            });
   }
 
-  /// Whose the plane is where facets of several solids that make one coincide.
+  /// The facet that owns the plane if facets of several solids of the surface coincide.
   static const emit::Facet& first_in_plane(const emit::Surface& surface, const emit::Facet& facet) {
     return *std::find_if(surface.facets.begin(), surface.facets.end(), [&](const emit::Facet& one) {
       return one.at == emit::At::plane && one.halfspace.plane == facet.halfspace.plane;
     });
   }
 
-  /// E := where the facet is seen.
+  /// E := 1 where the facet is visible.
   void flag_facet(const emit::PlannedSurface& planned, const emit::Surface& surface, const emit::Facet& facet) {
     emit::enable_drawing(context_, out_);
     out_.equals(context_.layout.owner, planned.number);
     if (surface.facets.size() > 1)
-      out_.surface(Opcode::linear_eq, context_.layout.depth, plane_of(context_, facet), surface.block.pixels);
+      out_.surface(Opcode::linear_eq, context_.layout.depth, facet_plane(context_, facet), surface.block.pixels);
   }
 
   void draw() {
@@ -223,7 +223,7 @@ class Showing {
     layout.depth = depth_;
     layout.colour = colour_;
     layout.owner = owner_;
-    emit::Context inner = with_layout(context_of(*mirror_.drawing, context_), layout);
+    emit::Context inner = with_layout(context_for(*mirror_.drawing, context_), layout);
     inner.base = flag_;
     inner.beyond_plane = &mirror_.plane;
     emit_drawing(inner, out_);
@@ -232,17 +232,17 @@ class Showing {
   const emit::Context& context_;
   emit::Broadcast& out_;
   const Mirror& mirror_;
-  Field depth_;   ///< of what the mirror shows
-  Field colour_;  ///< of what the mirror shows
-  Field owner_;   ///< of what the mirror shows
-  Field flag_;    ///< 1 where the mirror is seen
+  Field depth_;   ///< depth of what the mirror shows
+  Field colour_;  ///< colour of what the mirror shows
+  Field owner_;   ///< owner of what the mirror shows
+  Field flag_;    ///< 1 where the mirror is visible
 };
 
 class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
  public:
   [[nodiscard]] bool called_by(const emit::Look& look) const override {
     return std::any_of(look.finishes.begin(), look.finishes.end(),
-                       [](const lighting::Finish& one) { return reflectance_of(one) > 0; });
+                       [](const lighting::Finish& one) { return scaled_reflectance(one) > 0; });
   }
 
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
@@ -268,7 +268,7 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
 
   void compose(const emit::EffectCall& call, emit::Broadcast& out) const override {
     const State& ready = prepared(call);
-    for (const Mirror& mirror : ready.mirrors) Showing(call.context, out, mirror, ready.level + 1).run();
+    for (const Mirror& mirror : ready.mirrors) MirrorEmitter(call.context, out, mirror, ready.level + 1).run();
   }
 
  private:
@@ -278,12 +278,12 @@ class Mirrors final : public emit::EffectOf<Settings, PreparedMirrors> {
       for (const emit::PlannedSurface& one : segment.surfaces) state.surfaces = std::max(state.surfaces, one.number);
     const unsigned depth = settings.depth;
     std::size_t all = 0;
-    for (Mirror& mirror : state.level < depth ? mirrors_of(drawing) : std::vector<Mirror>()) {
-      if (!look_into(mirror, drawing, workshop)) continue;
-      all += emit::with_inner(*mirror.drawing).size();
-      if (all > most_mirrors) {
+    for (Mirror& mirror : state.level < depth ? find_mirrors(drawing) : std::vector<Mirror>()) {
+      if (!draw_reflection(mirror, drawing, workshop)) continue;
+      all += emit::with_inner_drawings(*mirror.drawing).size();
+      if (all > max_mirrors) {
         throw InputError(fmt::format(
-            "more than {} mirrors are seen, those in mirrors counted each time; {}", most_mirrors,
+            "more than {} mirrors are visible, where mirrors in mirrors count each time; {}", max_mirrors,
             depth > 1 ? "take --set effects.mirrors.depth=1, or let fewer faces mirror" : "let fewer faces mirror"));
       }
       state.drawings.push_back(mirror.drawing);
@@ -298,9 +298,9 @@ extern const emit::EffectRow mirrors{
     .section = scene::effect_section<Settings>(
         "effects.mirrors",
         "flat faces of materials with mirror above 0 (those of cubes and polyhedra, the ends of cylinders; no "
-        "curved sides, nothing see-through) show what is before them"),
+        "curved sides, nothing transparent) show what is in front of them"),
     .technique =
-        "the model is reflected in the face's plane and drawn where the face is seen, as far as it is behind the plane "
+        "the model is reflected in the face's plane, and the part behind the plane is drawn where the face is visible "
         "(Diefenbach, Badler, Multi-Pass Pipeline Rendering: Realism for Dynamic Environments, I3D 1997, with a flag "
         "bit and depth fields in place of the stencil)",
     .parts = emit::parts_of<Mirrors>,

@@ -8,7 +8,8 @@ namespace csgsim::effects {
 
 namespace {
 
-/// What doubles may lose, relative to the greatest terms of a line's value and to a picture's side.
+/// Bound of rounding errors in double precision, relative to the greatest terms of a line's value and to the picture's
+/// side.
 constexpr double noise = 1e-11;
 constexpr double greatest_side = 1 << 16;
 
@@ -16,15 +17,15 @@ struct Line {
   explicit Line(const view::FixedLinear& line)
       : a(static_cast<double>(line.a)), b(static_cast<double>(line.b)), c(static_cast<double>(line.c)) {}
 
-  /// Above 0 where it may be 0 or more.
+  /// Upper bound of the line's value: positive wherever the value may be 0 or more.
   [[nodiscard]] double at(const glm::dvec2& place) const {
     const double x = a * place.x;
     const double y = b * place.y;
     return x + y + c + noise * (std::abs(x) + std::abs(y) + std::abs(c) + std::abs(a) + std::abs(b));
   }
 
-  /// Below what it is for certain.
-  [[nodiscard]] double surely_at(const glm::dvec2& place) const {
+  /// Lower bound of the line's value.
+  [[nodiscard]] double min_at(const glm::dvec2& place) const {
     const double x = a * place.x;
     const double y = b * place.y;
     return x + y + c - 4 * noise * (std::abs(x) + std::abs(y) + std::abs(c) + std::abs(a) + std::abs(b));
@@ -77,16 +78,16 @@ bool Outline::clip(const view::FixedLinear& fixed, Outline& spare) {
   return true;
 }
 
-Outline::Lie Outline::lie(const view::FixedLinear& fixed, double least) const {
+Outline::Position Outline::position(const view::FixedLinear& fixed, double least) const {
   const Line line(fixed);
   bool is_beyond = true;
   bool is_within = true;
   for (const glm::dvec2& corner : corners_) {
     is_beyond = is_beyond && !(line.at(corner) >= 0);
-    is_within = is_within && line.surely_at(corner) >= least;
-    if (!is_beyond && !is_within) return Lie::across;
+    is_within = is_within && line.min_at(corner) >= least;
+    if (!is_beyond && !is_within) return Position::across;
   }
-  return is_beyond ? Lie::beyond : Lie::within;
+  return is_beyond ? Position::beyond : Position::within;
 }
 
 view::PixelRect Outline::pixels() const {

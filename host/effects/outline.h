@@ -1,3 +1,5 @@
+// Convex polygons in the picture, clipped conservatively.
+// Used by the shadow effect.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +10,8 @@
 
 namespace csgsim::effects {
 
-/// A convex polygon in the picture: columns and rows; may be a line or a point. Clipped in doubles, a little too large
-/// rather than too small: what it is clipped to nothing by holds none of its points.
+/// A convex polygon in the picture, in columns and rows; may be a line or a point. Clipping uses doubles and errs to
+/// the large side: if clipping leaves nothing, no point of the polygon satisfies the condition.
 class Outline {
  public:
   Outline() = default;
@@ -17,21 +19,21 @@ class Outline {
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
 
-  /// What is left where the line is not negative.
+  /// The part where the line is not negative.
   [[nodiscard]] Outline clipped(const view::FixedLinear& line) const;
 
-  /// As clipped(), in place; `spare` is room for another outline, which is kept. False if nothing is left.
+  /// Clips in place; `spare` is a scratch outline, whose memory is reused. Returns false if nothing is left.
   bool clip(const view::FixedLinear& line, Outline& spare);
 
-  /// How it lies to a line.
-  enum class Lie : std::uint8_t {
+  /// Position of an outline relative to a line.
+  enum class Position : std::uint8_t {
     beyond,  ///< the line is negative everywhere
     across,
-    within,  ///< the line is surely `least` at least everywhere
+    within,  ///< the line is certainly at least `least` everywhere
   };
-  [[nodiscard]] Lie lie(const view::FixedLinear& line, double least) const;
+  [[nodiscard]] Position position(const view::FixedLinear& line, double least) const;
 
-  /// Pixels that are in it, or near it.
+  /// Bounding rectangle of its pixels, with a margin.
   [[nodiscard]] view::PixelRect pixels() const;
 
   [[nodiscard]] const std::vector<glm::dvec2>& corners() const { return corners_; }

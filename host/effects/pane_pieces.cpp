@@ -14,16 +14,16 @@ namespace {
 
 using isa::Opcode;
 
-/// Numbers of the nodes that primitives are pieces of.
-std::vector<std::uint32_t> nodes_of(const model::Tree& tree) {
+/// The number, by primitive, of the node that it is a piece of.
+std::vector<std::uint32_t> node_numbers(const model::Tree& tree) {
   std::vector<std::uint32_t> nodes;
   std::uint32_t node = 0;
   for (const model::Primitive& one : tree.primitives) nodes.push_back(one.continues ? node : ++node);
   return nodes;
 }
 
-/// A little larger, so that rounding parts none that touch.
-csg::BoxIndex::Box box_of(const facet::Box& box, std::uint32_t node) {
+/// Slightly enlarged, so that rounding never separates touching pieces.
+csg::BoxIndex::Box enlarged_box(const facet::Box& box, std::uint32_t node) {
   constexpr float far = std::numeric_limits<float>::infinity();
   csg::BoxIndex::Box found;
   for (int i = 0; i < 3; ++i) {
@@ -34,30 +34,31 @@ csg::BoxIndex::Box box_of(const facet::Box& box, std::uint32_t node) {
   return found;
 }
 
-/// E stays 1 where the front of the piece is before Z1, and its back not.
+/// E stays 1 where the front of the piece is in front of Z1 and its back is not.
 void emit_within(const emit::Context& context, emit::Broadcast& out, std::uint32_t piece, const csg::Block& block) {
   emit_edges(context, out, piece, block);
-  // What begins before the near plane is entered at depth 0.
+  // A piece that begins in front of the near plane is entered at depth 0.
   if (block.z_low <= 0) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, block.pixels);
-  // Half-spaces are left out that hold depths from the first on: a step earlier those do that end before any.
+  // deciding() drops half-spaces that contain the whole block, which starts one step earlier here because the front
+  // test is strict.
   const csg::Block before{block.pixels, block.z_low - 1, block.z_high};
   for (const view::Side side : {view::Side::front, view::Side::back}) {
     const Opcode compare = side == view::Side::front ? Opcode::linear_lt : Opcode::linear_ge;
     for (const emit::Facet& facet : emit::deciding(context, {&piece, 1}, side, before).facets)
-      out.surface(compare, context.layout.candidate, context.linear_of(facet.halfspace), block.pixels);
+      out.surface(compare, context.layout.candidate, context.linear_plane(facet.halfspace), block.pixels);
   }
 }
 
 }  // namespace
 
 std::vector<std::vector<std::uint32_t>> touching_pieces(const emit::Drawing& drawing, const std::vector<bool>& drawn) {
-  const std::vector<std::uint32_t> nodes = nodes_of(*drawing.tree);
+  const std::vector<std::uint32_t> nodes = node_numbers(*drawing.tree);
   const csg::PositiveTree& positive = drawing.plan.positive;
   std::vector<csg::BoxIndex::Entry> entries;
   for (std::uint32_t i = 0; i < nodes.size(); ++i) {
     const bool has_others = (i > 0 && nodes[i - 1] == nodes[i]) || (i + 1 < nodes.size() && nodes[i + 1] == nodes[i]);
     const bool is_piece = has_others && drawn[i] && !positive.nodes[positive.leaf_of[i]].complemented;
-    if (is_piece) entries.push_back({box_of(drawing.geometry->solids[i].box, nodes[i]), i});
+    if (is_piece) entries.push_back({enlarged_box(drawing.geometry->solids[i].box, nodes[i]), i});
   }
   std::vector<std::vector<std::uint32_t>> touching(nodes.size());
   const csg::BoxIndex index(entries);

@@ -1,3 +1,5 @@
+// Conservative comparisons of a receiver's rounded depths with half-spaces.
+// Used by shadow_parts and shadow_receivers.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +9,8 @@
 
 namespace csgsim::effects {
 
-/// Lines that are not negative where points of a receiver's plane, floor(F) deep, may be in a half-space, or out of it.
-/// Where the one for out is negative, they are certainly in.
+/// Lines that are not negative where points of a receiver's plane, whose depth is floor(F), may be inside (in) or
+/// outside (out) a half-space. Where out() is negative, all points are certainly inside.
 class PlaneComparison {
  public:
   PlaneComparison(const view::FixedLinear& receiver, unsigned fraction_bits)
@@ -34,12 +36,12 @@ class PlaneComparison {
     return plane.linear;
   }
 
-  /// Where the one for in is as much, the one for out is negative.
-  [[nodiscard]] double surely_in() const { return static_cast<double>(last_) + 1.0; }
+  /// If in() is at least this value, out() is negative.
+  [[nodiscard]] double certainly_in() const { return static_cast<double>(last_) + 1.0; }
 
  private:
   view::FixedLinear receiver_;
-  std::int64_t last_;  ///< the greatest fraction of a depth step
+  std::int64_t last_;  ///< greatest fraction of a depth step
 };
 
 }  // namespace csgsim::effects

@@ -8,7 +8,7 @@ namespace csgsim::effects {
 
 namespace {
 
-/// More than what Outline::clip() allows for rounding, and what is lost here besides, relative to the terms of a value.
+/// Relative error bound of a value's terms, greater than the rounding margin of Outline::clip() plus the errors here.
 constexpr double doubt = 4e-11;
 
 /// PlaneComparison::in() of a receiver's plane R and a plane P, in doubles: `receiver` R + `own` P + `more`.
@@ -18,7 +18,7 @@ struct Factors {
   double more;
 };
 
-Factors factors_of(const ShadowPlane& plane, double last) {
+Factors make_factors(const ShadowPlane& plane, double last) {
   switch (plane.side) {
     case view::Side::front: return {1, -1, plane.is_strict ? -1 : last};
     case view::Side::back: return {-1, 1, -1};
@@ -55,7 +55,7 @@ ReceiverSides::ReceiverSides(std::span<const Receiver> receivers, unsigned fract
 }
 
 void ReceiverSides::decide(const ShadowPlane& plane, std::span<ReceiverSide> sides) {
-  const auto [receiver, own, more] = factors_of(plane, last_);
+  const auto [receiver, own, more] = make_factors(plane, last_);
   const double own_a = own * static_cast<double>(plane.linear.a);
   const double own_b = own * static_cast<double>(plane.linear.b);
   const double own_c = own * static_cast<double>(plane.linear.c) + more;
@@ -74,7 +74,7 @@ void ReceiverSides::decide(const ShadowPlane& plane, std::span<ReceiverSide> sid
     const double most = (low_x > high_x ? low_x : high_x) + (low_y > high_y ? low_y : high_y) + c;
     const double least = (low_x < high_x ? low_x : high_x) + (low_y < high_y ? low_y : high_y) + c;
     const double near = doubt * (terms_[i] + size_a * reach_x_[i] + size_b * reach_y_[i] + size_c);
-    // What is out of the half-space is so by less than a step of depth where it may be in as well.
+    // Points outside the half-space are outside by less than a depth step where they may also be inside.
     sums_[i] = (least > last_ + near ? 1.0 : 0.0) - (most < -near ? 1.0 : 0.0);
   }
   for (std::size_t i = 0; i < sums_.size(); ++i) sides[i] = static_cast<ReceiverSide>(static_cast<int>(sums_[i]));

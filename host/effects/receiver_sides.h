@@ -1,3 +1,5 @@
+// Vectorized tests of receivers against planes of shadow volumes.
+// Used by shadow_parts.
 #pragma once
 
 #include <cstddef>
@@ -10,27 +12,27 @@
 
 namespace csgsim::effects {
 
-/// What is sure of a receiver's outline and a half-space, whatever rounding does.
+/// Certain position of a receiver's outline relative to a half-space, in spite of rounding.
 enum class ReceiverSide : std::int8_t {
-  beyond = -1,  ///< nothing of it is in the half-space
-  open = 0,     ///< not known
-  within = 1,   ///< nothing of it is out of the half-space
+  beyond = -1,  ///< entirely outside the half-space
+  open = 0,     ///< unknown
+  within = 1,   ///< entirely inside the half-space
 };
 
-/// Holds planes of shadow volumes against the boxes of many receivers' outlines, in vectors.
+/// Compares planes of shadow volumes with the bounding boxes of many receivers' outlines, vectorized.
 class ReceiverSides {
  public:
-  /// `fraction_bits`: of surfaces.
+  /// `fraction_bits`: fraction bits of surfaces.
   ReceiverSides(std::span<const Receiver> receivers, unsigned fraction_bits);
 
-  /// Of each receiver: PlaneComparison's lines over its box.
+  /// Evaluates PlaneComparison's lines over the box of each receiver.
   void decide(const ShadowPlane& plane, std::span<ReceiverSide> sides);
 
  private:
   using Numbers = std::vector<double>;
 
-  // By receiver: the least and greatest columns and rows of its outline, its plane, and the most that a column, a row
-  // and the terms of its plane's values come to.
+  // Arrays by receiver: bounds of the columns and rows of its outline, its plane, and upper bounds of a column, a row
+  // and the terms of its plane's values.
   Numbers x0_;
   Numbers x1_;
   Numbers y0_;
@@ -41,8 +43,8 @@ class ReceiverSides {
   Numbers reach_x_;
   Numbers reach_y_;
   Numbers terms_;
-  Numbers sums_;  ///< room for decide()
-  double last_;   ///< the greatest fraction of a depth step
+  Numbers sums_;  ///< scratch of decide()
+  double last_;   ///< greatest fraction of a depth step
 };
 
 }  // namespace csgsim::effects

@@ -8,10 +8,10 @@ namespace csgsim::effects {
 
 namespace {
 
-/// Places in a mirror.
+/// The reflection in a plane.
 class Mirroring {
  public:
-  /// The plane normal . p + offset = 0.
+  /// The plane is normal . p + offset = 0.
   Mirroring(const glm::dvec3& normal, double offset)
       : turn_(glm::dmat3(1) - 2.0 * glm::outerProduct(normal, normal)), shift_(-2.0 * offset * normal) {}
 
@@ -31,12 +31,12 @@ class Mirroring {
   glm::dvec3 shift_;
 };
 
-/// With its offset from the origin.
+/// The plane with its offset relative to the origin.
 facet::Plane absolute(const facet::Plane& plane, const glm::dvec3& centre) {
   return {plane.normal, plane.offset - glm::dot(plane.normal, centre)};
 }
 
-Mirroring mirroring_of(const facet::Geometry& geometry, std::uint32_t plane) {
+Mirroring make_mirroring(const facet::Geometry& geometry, std::uint32_t plane) {
   const facet::Plane mirror = absolute(geometry.planes.planes()[plane], geometry.planes.centre());
   return {mirror.normal, mirror.offset};
 }
@@ -59,7 +59,7 @@ facet::Convex reflected(const facet::Convex& solid, const Mirroring& mirroring,
 }  // namespace
 
 Reflected reflected(const model::Tree& tree, const facet::Geometry& geometry, std::uint32_t plane) {
-  const Mirroring mirroring = mirroring_of(geometry, plane);
+  const Mirroring mirroring = make_mirroring(geometry, plane);
   const glm::dvec3& centre = geometry.planes.centre();
   facet::Box all;
   for (const facet::Convex& solid : geometry.solids) all = facet::hull(all, solid.box);

@@ -1,3 +1,5 @@
+// Reflections of models and lights in a plane.
+// Used by mirrors.cpp.
 #pragma once
 
 #include <memory>
@@ -10,17 +12,17 @@
 
 namespace csgsim::effects {
 
-/// A model as it is behind a mirror.
+/// A reflected model.
 struct Reflected {
   std::shared_ptr<const model::Tree> tree;
-  std::shared_ptr<const facet::Geometry> geometry;  ///< half-spaces, vertices and edges in the same order
-  std::vector<facet::Halfspace> of_planes;          ///< for each canonical plane the positive half-space of it
+  std::shared_ptr<const facet::Geometry> geometry;  ///< half-spaces, vertices and edges are in the same order
+  std::vector<facet::Halfspace> of_planes;          ///< by canonical plane: its positive half-space
 };
 
-/// `plane`: of the scene's canonical ones.
+/// Reflects the model; `plane` is an index into the scene's canonical planes.
 Reflected reflected(const model::Tree& tree, const facet::Geometry& geometry, std::uint32_t plane);
 
-/// In the camera's axes as what it is of.
+/// Reflected lighting, in the same camera space as its source.
 lighting::Lighting reflected(const lighting::Lighting& lighting, const facet::Geometry& geometry, std::uint32_t plane,
                              const view::Camera& camera);
 

@@ -1,3 +1,5 @@
+// The table of effects.
+// Used by sessions, the command-line options, sim/viewer and tests.
 #pragma once
 
 #include <span>
@@ -8,16 +10,16 @@
 #include "host/model/tree.h"
 #include "host/scene/scene.h"
 
-/// The effects: a file each, which defines its row.
+/// Each effect is a file that defines its row.
 namespace csgsim::effects {
 
-/// In the order in which they are worked out, flat shading first.
+/// The rows in the order in which the effects work; flat shading is first.
 std::span<const emit::EffectRow* const> all();
 
-/// Their sections of a scene file.
+/// The effects' sections of a scene file.
 std::vector<scene::Section> sections();
 
-/// The model as the effects that the scene calls for make it. Throws InputError where their settings do not fit it.
+/// The model as reshaped by the effects that the scene calls for. Throws InputError if their settings do not fit it.
 model::Tree reshaped(model::Tree&& tree, const scene::Scene& scene);
 
 }  // namespace csgsim::effects

@@ -15,11 +15,11 @@ struct PatternBit {
   unsigned width;
 };
 
-/// The lowest first.
+/// The bits of M, lowest first.
 constexpr std::array<PatternBit, 4> bits_of_m{PatternBit{{0, 1, 0}, 2}, PatternBit{{1, 1, 0}, 2},
                                               PatternBit{{0, 1, 0}, 1}, PatternBit{{1, 1, 0}, 1}};
 
-/// E stays 1 where M is one of 2^size numbers, a multiple of 2^size being the first; M < 2^known already.
+/// E stays 1 where M is one of the 2^size numbers from `first` on, a multiple of 2^size; M < 2^known already holds.
 void emit_block(emit::Broadcast& out, unsigned first, unsigned size, unsigned known) {
   for (unsigned bit = known; bit-- > size;) {
     const bool is_one = ((first >> bit) & 1U) != 0;
@@ -32,12 +32,12 @@ void emit_block(emit::Broadcast& out, unsigned first, unsigned size, unsigned kn
 }  // namespace
 
 void emit_screen_door(emit::Broadcast& out, unsigned pixels, isa::Field spare) {
-  if (pixels >= most_pixels) return;
+  if (pixels >= max_pattern_pixels) return;
   if (pixels == 0) {
-    out.nowhere();
+    out.disable_all();
     return;
   }
-  // Halves as long as they hold all of it, then blocks out of what is too much.
+  // Restricts M to the smallest power of two that is sufficient, then excludes blocks of surplus numbers.
   const auto known = static_cast<unsigned>(std::bit_width(pixels - 1));
   emit_block(out, 0, known, bits_of_m.size());
   for (unsigned first = pixels; first < 1U << known;) {

@@ -1,15 +1,17 @@
+// Screen-door patterns for transparency.
+// Used by transparency.cpp and its test.
 #pragma once
 
 #include "host/emit/broadcast.h"
 
 namespace csgsim::effects {
 
-/// Pixels of every 4 x 4 that the pattern of full density has.
-inline constexpr unsigned most_pixels = 16;
+/// Number of pixels of each 4 x 4 block in the pattern of full density.
+inline constexpr unsigned max_pattern_pixels = 16;
 
-/// E stays 1 at so many pixels of every 4 x 4: those where M < pixels, M being the number of the bits, the highest
-/// first, bit 0 of x + y, bit 0 of y, bit 1 of x + y, bit 1 of y; x and y are column and row of the picture. An ordered
-/// dither: a pattern holds all that are sparser. `spare` is one bit to keep E in.
+/// E stays 1 at `pixels` pixels of each 4 x 4 block: those where M < pixels. The bits of M, highest first, are bit 0 of
+/// x + y, bit 0 of y, bit 1 of x + y, bit 1 of y, where x and y are column and row of the picture. This is an ordered
+/// dither: a pattern contains all sparser ones. `spare` is one bit for saving E.
 void emit_screen_door(emit::Broadcast& out, unsigned pixels, isa::Field spare);
 
 }  // namespace csgsim::effects

@@ -39,8 +39,8 @@ PixelRect hull(std::span<const ShadowPart> parts) {
   return all;
 }
 
-/// The plane that most of the parts have, if two at least have one.
-const ShadowPlane* most_shared(std::span<const ShadowPart> parts) {
+/// The plane shared by the most parts, at least two; null if there is none.
+const ShadowPlane* most_shared_plane(std::span<const ShadowPart> parts) {
   struct Sharers {
     std::size_t count = 0;
     const ShadowPart* last = nullptr;
@@ -63,7 +63,7 @@ const ShadowPlane* most_shared(std::span<const ShadowPart> parts) {
   return best;
 }
 
-/// Planes that all parts have.
+/// Planes that all parts share.
 std::vector<ShadowPlane> in_common(std::span<const ShadowPart> parts) {
   std::vector<ShadowPlane> common = parts.front().planes;
   for (const ShadowPart& part : parts)
@@ -71,11 +71,11 @@ std::vector<ShadowPlane> in_common(std::span<const ShadowPart> parts) {
   return common;
 }
 
-/// Where parts are looked for: what is known of E as far as they are concerned.
+/// The area in which parts are searched: what is known of E there.
 struct Place {
-  isa::Field mark{};   ///< 1 there; of width 0: at all pixels of the context
-  PixelRect pixels;    ///< it is 0 outside
-  unsigned marks = 0;  ///< bits in use
+  isa::Field mark{};   ///< 1 inside; width 0: all pixels of the context
+  PixelRect pixels;    ///< the area lies within these pixels
+  unsigned marks = 0;  ///< number of mark bits in use
 };
 
 class Shadowing {
@@ -118,17 +118,17 @@ class Shadowing {
   }
 
   template <class Emit>
-  [[nodiscard]] std::uint64_t clocks_of(const Emit& emit) const {
+  [[nodiscard]] std::uint64_t count_clocks(const Emit& emit) const {
     isa::Segment segment{context_.plan.region, {}, {}};
     emit::Broadcast out(segment, context_.view.sampling, context_.options.work);
     emit(out);
     return machines::clocks(segment.instructions, context_.machine);
   }
 
-  /// Whether narrower planes save more than it takes to clip E to where the parts are.
+  /// Whether narrower planes save more clocks than clipping E to the parts takes.
   [[nodiscard]] bool is_clipping_worth(std::span<const ShadowPart> parts, const PixelRect& outer) const {
     const PixelRect inner = view::common(hull(parts), outer);
-    const std::uint64_t clipping = clocks_of([&](emit::Broadcast& out) { out.clip(inner, outer); });
+    const std::uint64_t clipping = count_clocks([&](emit::Broadcast& out) { out.clip(inner, outer); });
     if (clipping == 0) return false;
     std::vector<ShadowPlane> planes;
     std::unordered_set<ShadowPlane, PlaneHash> known;
@@ -137,14 +137,14 @@ class Shadowing {
         if (known.insert(plane).second) planes.push_back(plane);
     }
     const auto clocks_in = [&](const PixelRect& pixels) {
-      return clocks_of([&](emit::Broadcast& out) {
+      return count_clocks([&](emit::Broadcast& out) {
         for (const ShadowPlane& plane : planes) compare(out, plane, pixels);
       });
     };
     return clipping + clocks_in(inner) < clocks_in(outer);
   }
 
-  /// Remembers where E is within the pixels and the planes.
+  /// Stores E within the pixels and the planes in a mark bit.
   Place mark_within(const PixelRect& pixels, std::span<const ShadowPlane> planes, const Place& outer) {
     const Place inner{{static_cast<std::uint16_t>(marks_.base + outer.marks), 1},
                       view::common(pixels, outer.pixels),
@@ -158,7 +158,7 @@ class Shadowing {
 
   void emit_within(std::vector<ShadowPart> parts, const Place& place) {
     while (!parts.empty()) {
-      const ShadowPlane* const shared = place.marks < marks_.width ? most_shared(parts) : nullptr;
+      const ShadowPlane* const shared = place.marks < marks_.width ? most_shared_plane(parts) : nullptr;
       if (shared == nullptr) break;
       const ShadowPlane plane = *shared;
       const auto others = std::stable_partition(parts.begin(), parts.end(),

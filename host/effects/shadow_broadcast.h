@@ -1,3 +1,5 @@
+// Instructions that find the pixels in shadow.
+// Used by the shadow effect.
 #pragma once
 
 #include <span>
@@ -8,8 +10,8 @@
 
 namespace csgsim::effects {
 
-/// Sets `flag` where any of the parts is, and clears it elsewhere, at the context's pixels. What parts have in common
-/// is broadcast once for them, for as long as `marks` has bits to remember where it holds.
+/// Sets `flag` in all parts and clears it elsewhere, at the context's pixels. Planes that parts share are broadcast
+/// once, as long as `marks` has bits to store the result.
 void emit_shadows(const emit::Context& context, emit::Broadcast& out, std::span<const ShadowPart> parts,
                   isa::Field flag, isa::Field marks);
 

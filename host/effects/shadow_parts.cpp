@@ -11,21 +11,21 @@ namespace csgsim::effects {
 
 namespace {
 
-/// Outlines that are clipped to find out what others cover, for all volumes of a region. Beyond, nothing counts as
-/// covered.
-constexpr std::uint64_t most_work = 20'000'000;
+/// Maximum number of clipping operations for the search of covered outlines, for all volumes of a region. Beyond it,
+/// nothing counts as covered.
+constexpr std::uint64_t max_covering_work = 20'000'000;
 
-/// Parts of an outline that others have not covered yet, beyond which it counts as not covered.
-constexpr std::size_t most_open = 24;
+/// Maximum number of uncovered parts of an outline; with more, it counts as not covered.
+constexpr std::size_t max_open = 24;
 
-/// Of clipping an outline by a plane, in steps of work.
+/// Work of clipping an outline by a plane, in steps.
 constexpr std::uint64_t clip_steps = 4;
 
 constexpr std::string_view finding_shadows = "finding where shadows fall";
 
 bool overlap(const view::PixelRect& a, const view::PixelRect& b) { return !view::common(a, b).empty(); }
 
-/// Some of a receiver that a volume takes.
+/// The part of a receiver that is inside a volume.
 struct Touch {
   std::size_t receiver = 0;
   Outline outline;
@@ -38,10 +38,10 @@ struct Volume {
   std::vector<Touch> touches;
 };
 
-/// The sides of some planes, one after another, that each receiver is on.
+/// The sides of the receivers, by plane.
 using SidesOfPlanes = std::vector<std::vector<ReceiverSide>>;
 
-/// Volumes over receivers, which are made fewer and simpler while what they take together stays the same.
+/// Volumes over receivers. Volumes and planes are removed while the union on the receivers stays the same.
 class Covering {
  public:
   Covering(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits, const Work& work)
@@ -49,23 +49,24 @@ class Covering {
         sides_(receivers_, fraction_bits),
         fraction_bits_(fraction_bits),
         work_(work),
-        volumes_of_(receivers.facets.size()) {
+        volumes_by_receiver_(receivers.facets.size()) {
     for (const SeenVolume& one : volumes) {
       Volume volume{one.planes, one.primitive, {}};
       volume.touches = touches(volume.planes);
       if (volume.touches.empty()) continue;
-      for (const Touch& touch : volume.touches) volumes_of_[touch.receiver].push_back({volumes_.size(), touch.pixels});
+      for (const Touch& touch : volume.touches)
+        volumes_by_receiver_[touch.receiver].push_back({volumes_.size(), touch.pixels});
       volumes_.push_back(std::move(volume));
     }
   }
 
-  /// Volumes with fewer planes take more, so that others may be left out after all.
+  /// Volumes with fewer planes cover more, so that others may become redundant.
   void reduce() {
-    leave_out_redundant();
+    remove_redundant();
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
       if (!volumes_[i].touches.empty()) reduce_planes(i);
     }
-    leave_out_redundant();
+    remove_redundant();
   }
 
   [[nodiscard]] ShadowParts take() const {
@@ -85,14 +86,14 @@ class Covering {
     return {receivers_[receiver].plane, fraction_bits_};
   }
 
-  [[nodiscard]] SidesOfPlanes sides_of(const std::vector<ShadowPlane>& planes) const {
+  [[nodiscard]] SidesOfPlanes plane_sides(const std::vector<ShadowPlane>& planes) const {
     SidesOfPlanes sides;
     sides.reserve(planes.size());
     for (const ShadowPlane& plane : planes) sides_.decide(plane, sides.emplace_back(receivers_.size()));
     return sides;
   }
 
-  /// By receiver, how many of the planes it is surely beyond.
+  /// The number of planes, by receiver, that it is certainly beyond.
   [[nodiscard]] std::vector<std::uint32_t> planes_before(const SidesOfPlanes& sides) const {
     std::vector<std::uint32_t> counts(receivers_.size());
     for (const std::vector<ReceiverSide>& of_plane : sides) {
@@ -101,7 +102,7 @@ class Covering {
     return counts;
   }
 
-  /// Clips an outline on a receiver to what planes, but for one, leave of it. False if that is nothing.
+  /// Clips an outline on a receiver by all planes except number `but`. Returns false if nothing remains.
   bool clip(Outline& outline, std::size_t receiver, const std::vector<ShadowPlane>& planes, const SidesOfPlanes& sides,
             std::size_t but) const {
     const PlaneComparison compared = comparison(receiver);
@@ -114,7 +115,7 @@ class Covering {
 
   [[nodiscard]] std::vector<Touch> touches(const std::vector<ShadowPlane>& planes) const {
     work_.charge(clip_steps * receivers_.size() * planes.size(), finding_shadows);
-    const SidesOfPlanes sides = sides_of(planes);
+    const SidesOfPlanes sides = plane_sides(planes);
     const std::vector<std::uint32_t> before = planes_before(sides);
     std::vector<Touch> found;
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
@@ -125,18 +126,18 @@ class Covering {
     return found;
   }
 
-  /// Appends the parts of an outline that the planes may leave out.
+  /// Appends the parts of an outline that may be outside the planes.
   void subtract(Outline outline, const PlaneComparison& compared, const std::vector<ShadowPlane>& planes,
                 std::vector<Outline>& left) {
     covering_work_ += planes.size();
     crossed_.clear();
     for (const ShadowPlane& plane : planes) {
-      const Outline::Lie lie = outline.lie(compared.in(plane), compared.surely_in());
-      if (lie == Outline::Lie::beyond) {
+      const Outline::Position position = outline.position(compared.in(plane), compared.certainly_in());
+      if (position == Outline::Position::beyond) {
         left.push_back(std::move(outline));
         return;
       }
-      if (lie == Outline::Lie::across) crossed_.push_back(&plane);
+      if (position == Outline::Position::across) crossed_.push_back(&plane);
     }
     for (const ShadowPlane* const plane : crossed_) {
       outside_ = outline;
@@ -145,24 +146,24 @@ class Covering {
     }
   }
 
-  /// Whether the volumes but one take all of that part of a receiver.
+  /// Whether the other volumes cover all of that part of a receiver.
   [[nodiscard]] bool is_covered(std::size_t receiver, const Outline& part, std::size_t but) {
-    if (covering_work_ > most_work) return false;
+    if (covering_work_ > max_covering_work) return false;
     const PlaneComparison compared = comparison(receiver);
     const view::PixelRect pixels = part.pixels();
     std::vector<Outline> open{part};
-    for (const auto& [index, rect] : volumes_of_[receiver]) {
+    for (const auto& [index, rect] : volumes_by_receiver_[receiver]) {
       if (index == but || volumes_[index].touches.empty() || !overlap(rect, pixels)) continue;
       std::vector<Outline> left;
       for (Outline& one : open) subtract(std::move(one), compared, volumes_[index].planes, left);
       open = std::move(left);
       if (open.empty()) return true;
-      if (open.size() > most_open) return false;
+      if (open.size() > max_open) return false;
     }
     return false;
   }
 
-  void leave_out_redundant() {
+  void remove_redundant() {
     for (std::size_t i = 0; i < volumes_.size(); ++i) {
       if (!volumes_[i].touches.empty() && is_redundant(i)) volumes_[i].touches.clear();
     }
@@ -174,10 +175,10 @@ class Covering {
                        [&](const Touch& touch) { return is_covered(touch.receiver, touch.outline, index); });
   }
 
-  /// Leaves out planes that keep nothing but what other volumes take.
+  /// Removes planes that only exclude what other volumes cover.
   void reduce_planes(std::size_t index) {
     std::vector<ShadowPlane>& planes = volumes_[index].planes;
-    SidesOfPlanes sides = sides_of(planes);
+    SidesOfPlanes sides = plane_sides(planes);
     std::vector<std::uint32_t> before = planes_before(sides);
     for (std::size_t i = 0; i < planes.size();) {
       if (is_plane_redundant(index, i, sides, before)) {
@@ -190,7 +191,7 @@ class Covering {
     }
   }
 
-  /// `sides`: of the volume's planes; `before`: planes_before() of them.
+  /// `sides` are those of the volume's planes, and `before` is planes_before() of them.
   [[nodiscard]] bool is_plane_redundant(std::size_t index, std::size_t plane, const SidesOfPlanes& sides,
                                         const std::vector<std::uint32_t>& before) {
     const std::vector<ShadowPlane>& planes = volumes_[index].planes;
@@ -198,7 +199,7 @@ class Covering {
     for (std::size_t i = 0; i < receivers_.size(); ++i) {
       const ReceiverSide side = sides[plane][i];
       const std::uint32_t others = before[i] - (side == ReceiverSide::beyond ? 1U : 0U);
-      // Beyond one of the others there is nothing, and nothing is out of a plane that all is within.
+      // A receiver beyond another plane is not in the volume, and a receiver within this plane is not affected by it.
       if (others > 0 || side == ReceiverSide::within) continue;
       more_ = receivers_[i].outline;
       if (!more_.clip(comparison(i).out(planes[plane]), spare_) || !clip(more_, i, planes, sides, plane)) continue;
@@ -211,11 +212,13 @@ class Covering {
   mutable ReceiverSides sides_;
   unsigned fraction_bits_;
   const Work& work_;
-  std::vector<Volume> volumes_;  ///< those that are left out touch nothing
-  std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>> volumes_of_;  ///< by receiver
+  std::vector<Volume> volumes_;  ///< removed volumes have no touches
+  std::vector<std::vector<std::pair<std::size_t, view::PixelRect>>>
+      volumes_by_receiver_;  ///< by receiver: volumes (with
+                             ///< pixels) that touch it
   std::uint64_t covering_work_ = 0;
 
-  // Room that would else be taken from the heap for each.
+  // Scratch buffers that are reused to save allocations.
   mutable Outline spare_;
   mutable Outline inside_;
   Outline outside_;
@@ -225,8 +228,8 @@ class Covering {
 
 }  // namespace
 
-ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
-                             const Work& work) {
+ShadowParts touching_parts(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
+                           const Work& work) {
   Covering covering(volumes, receivers, fraction_bits, work);
   covering.reduce();
   ShadowParts result = covering.take();

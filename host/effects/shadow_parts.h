@@ -1,3 +1,5 @@
+// Simplification of shadow volumes to what must be broadcast.
+// Used by the shadow effect.
 #pragma once
 
 #include <cstddef>
@@ -10,23 +12,23 @@
 
 namespace csgsim::effects {
 
-/// What has to be broadcast of a volume.
+/// What must be broadcast of a volume.
 struct ShadowPart {
   std::vector<ShadowPlane> planes;
-  view::PixelRect pixels;  ///< where it touches receivers
+  view::PixelRect pixels;  ///< pixels where it touches receivers
   std::uint32_t primitive = 0;
 };
 
-/// What takes the same of the receivers as some volumes together.
+/// Parts that cover the same of the receivers as a set of volumes.
 struct ShadowParts {
   std::vector<ShadowPart> parts;
-  std::vector<std::size_t> touched;  ///< receivers, by their index
+  std::vector<std::size_t> touched;  ///< indices of touched receivers
 };
 
-/// The volumes that touch receivers, but for those that take nothing that others do not take, each with as few planes
-/// as will do: what one takes too much, another one takes anyway. `fraction_bits`: of surfaces. Throws WorkError past
-/// the limit on work.
-ShadowParts parts_that_touch(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
-                             const Work& work);
+/// The volumes that touch receivers, without redundant ones, each with as few planes as possible: what a part covers in
+/// excess is covered by another part anyway. `fraction_bits`: fraction bits of surfaces. Throws WorkError if the work
+/// limit is exceeded.
+ShadowParts touching_parts(const std::vector<SeenVolume>& volumes, const Receivers& receivers, unsigned fraction_bits,
+                           const Work& work);
 
 }  // namespace csgsim::effects

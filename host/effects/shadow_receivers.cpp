@@ -17,11 +17,11 @@ using view::Side;
 
 FixedLinear negated(const FixedLinear& line, std::int64_t more) { return {-line.a, -line.b, -line.c + more}; }
 
-/// Where the facet is what a surface shows: the farthest of the fronts before all backs, or the nearest of the backs
-/// of what is taken away, behind all fronts.
-Outline outline_of(const emit::Context& context, const emit::PlannedSurface& planned, const emit::Sides& sides,
-                   const emit::Facet& facet) {
-  const FixedLinear& plane = context.linear_of(facet.halfspace);
+/// The outline of the visible part of a facet: it is the farthest front and before all backs, or, for a subtracted
+/// solid, the nearest back and behind all fronts.
+Outline visible_outline(const emit::Context& context, const emit::PlannedSurface& planned, const emit::Sides& sides,
+                        const emit::Facet& facet) {
+  const FixedLinear& plane = context.linear_plane(facet.halfspace);
   const PlaneComparison compared(plane, context.view.sampling.fraction_bits);
   const bool complemented = context.complemented(planned.primitive());
   Outline outline(planned.block.pixels);
@@ -30,10 +30,10 @@ Outline outline_of(const emit::Context& context, const emit::PlannedSurface& pla
   keep({plane.a, plane.b, plane.c - (planned.block.z_low << fraction_bits)});
   keep(negated(plane, ((planned.block.z_high + 1) << fraction_bits) - 1));
   for (const emit::Facet& front : sides.fronts.facets)
-    keep(compared.in({Side::front, complemented, context.linear_of(front.halfspace)}));
+    keep(compared.in({Side::front, complemented, context.linear_plane(front.halfspace)}));
   for (const emit::Facet& back : sides.backs.facets) {
-    const ShadowPlane half{Side::back, false, context.linear_of(back.halfspace)};
-    // The nearest of the backs is before the others, or at them.
+    const ShadowPlane half{Side::back, false, context.linear_plane(back.halfspace)};
+    // The nearest back is in front of the others or coincides with them.
     keep(complemented ? compared.out({Side::front, true, half.linear}) : compared.in(half));
   }
   for (const std::uint32_t primitive : planned.set) {
@@ -48,20 +48,20 @@ Outline outline_of(const emit::Context& context, const emit::PlannedSurface& pla
 
 }  // namespace
 
-Receivers receivers_of(const emit::Context& context, std::size_t light) {
+Receivers find_receivers(const emit::Context& context, std::size_t light) {
   Receivers receivers;
   for (const emit::PlannedSurface& planned : context.plan.surfaces) {
     if (!emit::is_drawn(context, planned)) continue;
     const emit::Sides sides = emit::deciding_sides(context, planned);
-    const emit::Surface surface = emit::surface_of(context, planned, sides);
+    const emit::Surface surface = emit::plan_surface(context, planned, sides);
     if (surface.nothing) continue;
     for (const emit::Facet& facet : surface.facets) {
       if (facet.at != emit::At::plane) continue;
       if (!emit::light_matters(context, facet, planned.block.pixels, light)) continue;
-      Outline outline = outline_of(context, planned, sides, facet);
+      Outline outline = visible_outline(context, planned, sides, facet);
       if (!outline.empty())
         receivers.facets.push_back(
-            {facet.primitive, facet.halfspace, context.linear_of(facet.halfspace), std::move(outline)});
+            {facet.primitive, facet.halfspace, context.linear_plane(facet.halfspace), std::move(outline)});
     }
   }
   return receivers;

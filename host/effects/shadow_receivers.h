@@ -1,3 +1,5 @@
+// Facets on which shadows may fall.
+// Used by the shadow effect.
 #pragma once
 
 #include <cstddef>
@@ -10,20 +12,20 @@
 
 namespace csgsim::effects {
 
-/// A facet that may be seen in the light, at the depths of its plane.
+/// A facet that may be visible in the light, at the depths of its plane.
 struct Receiver {
   std::uint32_t primitive = 0;
   facet::Halfspace halfspace;
   view::FixedLinear plane;
-  Outline outline;  ///< holds its pixels
+  Outline outline;  ///< contains its pixels
 };
 
-/// What is seen in a region where a light makes a difference. What the near plane cuts open is no receiver: it is a
-/// section, which is shown as if it were lit.
+/// The facets in a region that a light affects. Caps at the near plane are no receivers: they are sections, which are
+/// shown as if lit.
 struct Receivers {
   std::vector<Receiver> facets;
 };
 
-Receivers receivers_of(const emit::Context& context, std::size_t light);
+Receivers find_receivers(const emit::Context& context, std::size_t light);
 
 }  // namespace csgsim::effects

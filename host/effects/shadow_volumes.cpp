@@ -21,7 +21,7 @@ convex::Light in_model(const lighting::SeenLight& light, const view::Camera& cam
   return light.is_point ? convex::Light{{camera.eye + turned, 1}} : convex::Light{{turned, 0}};
 }
 
-/// Takes half-spaces, until one of them holds nothing of the picture.
+/// Collects half-spaces until one of them contains no point of the picture.
 class Volume {
  public:
   Volume(const emit::Drawing& drawing, std::uint32_t primitive)
@@ -39,19 +39,19 @@ class Volume {
     volume_.planes.push_back({side, faces_light && side == view::Side::front, plane.linear});
   }
 
-  /// Nothing if the volume is empty.
+  /// Empty if the volume is empty.
   [[nodiscard]] std::optional<SeenVolume> take() {
     return is_empty_ ? std::nullopt : std::optional(std::move(volume_));
   }
 
  private:
-  /// Whether a plane that does not fit has to be known all the same.
+  /// Whether the result depends on a plane whose coefficients do not fit; if so, throws InputError.
   bool decides(const view::ScreenPlane& plane, bool positive) {
     const csg::Known known = csg::locate(drawing_.view, plane, positive, picture_);
     if (known == csg::Known::depends) {
       throw InputError(fmt::format(
           "{}: a plane of this primitive's shadow is too large for the picture: its coefficients do not fit {} "
-          "bits; move the camera back, give up --z-bits or --fraction-bits, or turn the light a little",
+          "bits; move the camera back, lower --z-bits or --fraction-bits, or turn the light a little",
           model::place_of(*drawing_.tree, volume_.primitive), isa::max_linear_width));
     }
     is_empty_ = is_empty_ || known == csg::Known::out;
@@ -82,17 +82,17 @@ bool is_caster(const model::Primitive& primitive, const Casters& casters) {
 
 }  // namespace
 
-std::vector<ThrownLight> thrown_by(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
-                                   const Casters& casters, const Work& work) {
+std::vector<CastLight> cast_volumes(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
+                                    const Casters& casters, const Work& work) {
   const std::vector<convex::Piece> pieces =
       convex::pieces(*drawing.geometry, drawing.plan.positive, convex::most_pieces, work);
-  std::vector<ThrownLight> result;
+  std::vector<CastLight> result;
   for (const std::size_t light : lights) {
-    ThrownLight one{light, {}};
+    CastLight one{light, {}};
     const convex::Light from = in_model(drawing.look.lighting.lights[light], drawing.view.camera);
     for (const convex::Piece& piece : pieces) {
       if (!is_caster(drawing.tree->primitives[piece.primitive], casters)) continue;
-      work.charge(convex::clip_steps(piece.polytope), "finding what is in the shadow");
+      work.charge(convex::clip_steps(piece.polytope), "finding what is in shadow");
       one.volumes.push_back({convex::shadow_volume(piece.polytope, from, drawing.geometry->planes), piece.primitive});
     }
     result.push_back(std::move(one));
@@ -100,12 +100,13 @@ std::vector<ThrownLight> thrown_by(const std::vector<std::size_t>& lights, const
   return result;
 }
 
-std::vector<ShadowLight> seen_in(const emit::Drawing& drawing, const std::vector<ThrownLight>& lights) {
+std::vector<ShadowLight> volumes_in_view(const emit::Drawing& drawing, const std::vector<CastLight>& lights) {
   std::vector<ShadowLight> result;
-  for (const ThrownLight& light : lights) {
+  for (const CastLight& light : lights) {
     ShadowLight one{light.light, {}};
-    for (const ThrownVolume& thrown : light.volumes) {
-      if (auto found = seen(drawing, thrown.volume, thrown.primitive)) one.volumes.push_back(*std::move(found));
+    for (const CastVolume& cast_lights : light.volumes) {
+      if (auto found = seen(drawing, cast_lights.volume, cast_lights.primitive))
+        one.volumes.push_back(*std::move(found));
     }
     result.push_back(std::move(one));
   }

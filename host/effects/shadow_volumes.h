@@ -1,3 +1,5 @@
+// Shadow volumes of the model's convex pieces.
+// Used by the shadow effect.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +14,14 @@
 
 namespace csgsim::effects {
 
-/// A half-space of a shadow volume as a view has it, compared with the depth of what is seen.
+/// A half-space of a shadow volume in a view, compared with the depth of what is visible.
 ///
-/// Planes of faces that face the light are strict: a point at the plane's own depth, as every point of the face is, is
-/// out, so that no face throws a shadow on itself. Planes through edges and the light, and those of faces that light
-/// runs along, are half-open, as a solid's own are: of volumes on either side of one each point is in just one.
+/// Planes of faces that face the light are strict: a point at the plane's own depth, such as every point of the face,
+/// is outside, so that no face casts a shadow on itself. Planes through edges and the light, and those of faces
+/// parallel to the light, are half-open, like a solid's own: each point is in exactly one of two adjacent volumes.
 struct ShadowPlane {
   view::Side side = view::Side::front;
-  bool is_strict = false;  ///< of a front: in is z > F. Backs and edges are as view::Side says
+  bool is_strict = false;  ///< for a front: inside means z > F. Backs and edges are as in view::Side
   view::FixedLinear linear;
 
   bool operator==(const ShadowPlane& other) const {
@@ -28,44 +30,43 @@ struct ShadowPlane {
   }
 };
 
-/// Where a convex piece of the model takes a light away: the intersection of the half-spaces, everything if there are
-/// none.
+/// The region in which a convex piece of the model blocks a light: the intersection of the half-spaces, or everything
+/// if there are none.
 struct SeenVolume {
   std::vector<ShadowPlane> planes;
-  std::uint32_t primitive = 0;  ///< that the piece is of
+  std::uint32_t primitive = 0;  ///< primitive of the piece
 };
 
-/// A light that throws shadows.
+/// A light that casts shadows.
 struct ShadowLight {
   std::size_t light = 0;  ///< index into Lighting::lights
   std::vector<SeenVolume> volumes;
 };
 
-/// Primitives, by the lines of the model's file; all, if no line is said.
+/// Primitives that cast shadows, by the lines of the model's file; all if from_line is empty.
 struct Casters {
   std::optional<std::uint32_t> from_line;
   std::optional<std::uint32_t> to_line;  ///< inclusive
 };
 
-/// Where a convex piece of the model takes a light away, in model space.
-struct ThrownVolume {
+/// The region in which a convex piece of the model blocks a light, in model space.
+struct CastVolume {
   convex::ShadowVolume volume;
-  std::uint32_t primitive = 0;  ///< that the piece is of
+  std::uint32_t primitive = 0;  ///< primitive of the piece
 };
 
-/// The volumes of a light, however pixels are sampled.
-struct ThrownLight {
+/// The volumes of a light, independent of the sample positions.
+struct CastLight {
   std::size_t light = 0;  ///< index into Lighting::lights
-  std::vector<ThrownVolume> volumes;
+  std::vector<CastVolume> volumes;
 };
 
-/// The volumes of the lights with those numbers, of the pieces that are of the casters. Throws WorkError past the limit
-/// on work.
-std::vector<ThrownLight> thrown_by(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
-                                   const Casters& casters, const Work& work);
+/// The volumes of the given lights, for the pieces of the casters. Throws WorkError if the work limit is exceeded.
+std::vector<CastLight> cast_volumes(const std::vector<std::size_t>& lights, const emit::Drawing& drawing,
+                                    const Casters& casters, const Work& work);
 
-/// The same as the drawing has them. Throws InputError, naming the primitive, where a plane's coefficients do not fit
-/// the machine.
-std::vector<ShadowLight> seen_in(const emit::Drawing& drawing, const std::vector<ThrownLight>& lights);
+/// The same volumes in the drawing's view. Throws InputError, naming the primitive, if a plane's coefficients do not
+/// fit the machine.
+std::vector<ShadowLight> volumes_in_view(const emit::Drawing& drawing, const std::vector<CastLight>& lights);
 
 }  // namespace csgsim::effects

@@ -26,52 +26,51 @@ struct Settings {
 constexpr double last_light = 1000;
 
 void visit_keys(Settings& settings, auto&& visit) {
-  visit(
-      scene::integer_key("light", "", 0, last_light,
-                         "the only one that throws shadows, by its number in the scene, from 0; all do, if not given"),
-      settings.light);
+  visit(scene::integer_key("light", "", 0, last_light,
+                           "number in the scene, from 0, of the only light that casts shadows; by default all do"),
+        settings.light);
   visit(scene::integer_key("from_line", "", 1, scene::last_line,
-                           "primitives from this line of the model on throw shadows; all do, if not given"),
+                           "primitives from this line of the model on cast shadows; by default all do"),
         settings.casters.from_line);
-  visit(scene::integer_key("to_line", "", 1, scene::last_line, "to this line; from_line if not given"),
+  visit(scene::integer_key("to_line", "", 1, scene::last_line,
+                           "last line of the primitives that cast shadows; by default from_line"),
         settings.casters.to_line);
 }
 
 void complete(const Settings& settings) {
   const Casters& casters = settings.casters;
   if (casters.to_line && !casters.from_line) throw InputError("to_line without from_line; add from_line");
-  if (casters.to_line && *casters.to_line < *casters.from_line)
-    throw InputError("to_line is before from_line; change them over");
+  if (casters.to_line && *casters.to_line < *casters.from_line) throw InputError("to_line must not precede from_line");
 }
 
-/// Lights of a drawing that throw shadows.
-std::vector<std::size_t> lights_of(const Settings& settings, const lighting::Lighting& lighting) {
+/// Lights of a drawing that cast shadows.
+std::vector<std::size_t> casting_lights(const Settings& settings, const lighting::Lighting& lighting) {
   std::vector<std::size_t> lights;
   for (std::size_t i = 0; i < lighting.lights.size(); ++i)
     if (settings.light.value_or(i) == i) lights.push_back(i);
   if (lights.empty()) {
-    throw InputError(fmt::format("effects.shadows.light is {}, and the scene's lights are numbered 0 to {}",
+    throw InputError(fmt::format("effects.shadows.light is {}, but the scene's lights are numbered 0 to {}",
                                  *settings.light, lighting.lights.size() - 1));
   }
   return lights;
 }
 
 struct Prepared : emit::EffectState {
-  std::shared_ptr<const std::vector<ThrownLight>> thrown;  ///< shared by all samples of a drawing
+  std::shared_ptr<const std::vector<CastLight>> cast_lights;  ///< shared by all samples of a drawing
   std::vector<ShadowLight> lights;
 };
 
-/// Most bits to remember what volumes have in common.
-constexpr std::size_t most_marks = 8;
+/// Maximum number of bits for marking what volumes share.
+constexpr std::size_t max_marks = 8;
 
 std::string flag_name(std::size_t index) { return fmt::format("flag{}", index); }
 
-class ThrownShadows final : public emit::EffectOf<Settings, Prepared> {
+class CastShadows final : public emit::EffectOf<Settings, Prepared> {
  public:
-  /// A flag a light, a spare bit, and marks, as far as Z1 has room for them.
+  /// Fields: one flag per light, a spare bit, and marks as far as they fit into Z1.
   [[nodiscard]] std::vector<emit::FieldRequest> fields(const emit::Drawing& drawing,
                                                        const emit::Workshop& /*workshop*/) const override {
-    const std::size_t lights = lights_of(settings, drawing.look.lighting).size();
+    const std::size_t lights = casting_lights(settings, drawing.look.lighting).size();
     const auto request = [](const std::string& name, std::size_t width) {
       return emit::FieldRequest{name, isa::FieldRole::scratch, static_cast<unsigned>(width), "shadow", {}, true};
     };
@@ -80,7 +79,7 @@ class ThrownShadows final : public emit::EffectOf<Settings, Prepared> {
     all.push_back(request("spare", 1));
     const std::size_t left =
         drawing.view.sampling.z_bits - std::min<std::size_t>(drawing.view.sampling.z_bits, lights + 1);
-    all.push_back(request("marks", std::min(left, most_marks)));
+    all.push_back(request("marks", std::min(left, max_marks)));
     return all;
   }
 
@@ -90,9 +89,9 @@ class ThrownShadows final : public emit::EffectOf<Settings, Prepared> {
     shadows.spare = field("spare");
     const std::vector<ShadowLight>& lights = prepared(call).lights;
     for (std::size_t i = 0; i < lights.size(); ++i) {
-      const Receivers receivers = receivers_of(context, lights[i].light);
+      const Receivers receivers = find_receivers(context, lights[i].light);
       const ShadowParts found =
-          parts_that_touch(lights[i].volumes, receivers, context.view.sampling.fraction_bits, context.options.work);
+          touching_parts(lights[i].volumes, receivers, context.view.sampling.fraction_bits, context.options.work);
       if (found.parts.empty()) continue;
       emit::ShadowBit bit{lights[i].light, field(flag_name(i)), {}};
       emit_shadows(context, out, found.parts, bit.bit, field("marks"));
@@ -105,24 +104,24 @@ class ThrownShadows final : public emit::EffectOf<Settings, Prepared> {
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& workshop) const override {
     const State* const other = drawing.sampled_from != nullptr ? prepared_in(*drawing.sampled_from, workshop) : nullptr;
-    state.thrown =
+    state.cast_lights =
         other != nullptr
-            ? other->thrown
-            : std::make_shared<const std::vector<ThrownLight>>(thrown_by(
-                  lights_of(settings, drawing.look.lighting), drawing, settings.casters, workshop.options.work));
-    state.lights = seen_in(drawing, *state.thrown);
+            ? other->cast_lights
+            : std::make_shared<const std::vector<CastLight>>(cast_volumes(
+                  casting_lights(settings, drawing.look.lighting), drawing, settings.casters, workshop.options.work));
+    state.lights = volumes_in_view(drawing, *state.cast_lights);
   }
 };
 
 }  // namespace
 
 extern const emit::EffectRow shadows{
-    .section = scene::effect_section<Settings>("effects.shadows", "solids take the light from one another"),
+    .section = scene::effect_section<Settings>("effects.shadows", "solids block the light of one another"),
     .technique =
-        "shadow volumes (Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977), of each convex piece of the "
-        "model an intersection of half-spaces that are compared with the depth of what is seen, as Fuchs et al., "
-        "SIGGRAPH 1985, do for polygons",
-    .parts = emit::parts_of<ThrownShadows>,
+        "shadow volumes (Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977): for each convex piece of the "
+        "model an intersection of half-spaces, which are compared with the visible depth, as in Fuchs et al., "
+        "SIGGRAPH 1985, for polygons",
+    .parts = emit::parts_of<CastShadows>,
     .needs_owners = true};
 
 }  // namespace csgsim::effects

@@ -27,11 +27,11 @@ struct Settings {
 
 void visit_keys(Settings& settings, auto&& visit) {
   visit(scene::number_key("least_difference", "levels of a channel", 0, 255,
-                          "facets whose vertices differ by less stay in one colour"),
+                          "facets whose vertices differ by less get a single colour"),
         settings.least_difference);
 }
 
-/// What is to be fitted: at a place of the picture, levels of red, green and blue.
+/// A sample for the fit: a position in the picture, with levels of red, green and blue.
 struct Sample {
   glm::dvec2 at;
   glm::dvec3 levels;
@@ -42,9 +42,9 @@ glm::dvec3 top_levels(unsigned colour_bits) {
   return {(1U << widths[0]) - 1, (1U << widths[1]) - 1, (1U << widths[2]) - 1};
 }
 
-/// The facet's vertices as the curved surface would be lit there; none if the facet is the surface, or reaches behind
-/// the eye.
-std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& facet) {
+/// The lit levels of the true surface at the facet's vertices; empty if the facet is the surface, or reaches behind the
+/// eye.
+std::vector<Sample> take_samples(const emit::Context& context, const emit::Facet& facet) {
   std::vector<Sample> samples;
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
   if (facet.at != emit::At::plane || emit::is_flat(primitive, emit::outward(context, facet))) return samples;
@@ -54,7 +54,7 @@ std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& 
   const view::EyeSpace space = view::eye_space(context.view.camera, context.view.sampling);
   const lighting::Finish& finish = context.look.finishes[facet.primitive];
   const glm::dvec3 top = top_levels(context.options.colour_bits);
-  for (const glm::dvec3& vertex : emit::vertices_of(context, facet)) {
+  for (const glm::dvec3& vertex : emit::facet_vertices(context, facet)) {
     const std::optional<glm::dvec3> own =
         model::normal_at(primitive.shape, glm::dvec3(to_own * glm::dvec4(vertex, 1)), facet_normal);
     const glm::dvec3 in_eye = space.to_eye(vertex);
@@ -68,15 +68,15 @@ std::vector<Sample> samples_of(const emit::Context& context, const emit::Facet& 
   return samples;
 }
 
-/// Levels as a linear function of column and row.
+/// Levels as linear functions of column and row.
 struct Fit {
-  glm::dvec2 middle;      ///< of the samples
-  glm::dvec3 at_middle;   ///< levels
-  glm::dvec3 per_column;  ///< levels
-  glm::dvec3 per_row;     ///< levels
+  glm::dvec2 middle;      ///< mean position of the samples
+  glm::dvec3 at_middle;   ///< levels at `middle`
+  glm::dvec3 per_column;  ///< change of levels per column
+  glm::dvec3 per_row;     ///< change of levels per row
 };
 
-/// Least squares; nothing where the places are all on a line.
+/// Least squares fit; empty if the samples are collinear.
 std::optional<Fit> fit(const std::vector<Sample>& samples) {
   Fit result{glm::dvec2(0), glm::dvec3(0), glm::dvec3(0), glm::dvec3(0)};
   const auto count = static_cast<double>(samples.size());
@@ -104,15 +104,16 @@ std::optional<Fit> fit(const std::vector<Sample>& samples) {
   return result;
 }
 
-/// The pixels of the facet's vertices and one more all around, which its pixels are among but for rounding.
-view::PixelRect box_of(const std::vector<Sample>& samples, const view::PixelRect& pixels) {
+/// The bounding rectangle of the facet's vertices with a margin of one pixel, which contains its pixels except for
+/// rounding.
+view::PixelRect bounding_pixels(const std::vector<Sample>& samples, const view::PixelRect& pixels) {
   glm::dvec2 low = samples.front().at;
   glm::dvec2 high = low;
   for (const Sample& one : samples) {
     low = glm::min(low, one.at);
     high = glm::max(high, one.at);
   }
-  // Within the picture, so that they fit.
+  // Clamped to the picture, so that the conversion does not overflow.
   const auto pixel = [](double place, std::int32_t least, std::int32_t most) {
     return static_cast<std::int32_t>(std::clamp(place, static_cast<double>(least), static_cast<double>(most)));
   };
@@ -131,8 +132,8 @@ double greatest_difference(const std::vector<Sample>& samples) {
   return std::max({difference.x, difference.y, difference.z});
 }
 
-/// The expressions of red, green and blue; the pixel's level is the floor. Nothing if coefficients do not fit.
-std::optional<std::array<view::FixedLinear, 3>> expressions_of(const Fit& fitted, const view::Sampling& sampling) {
+/// The expressions of red, green and blue, whose floor is the level; empty if coefficients do not fit.
+std::optional<std::array<view::FixedLinear, 3>> make_expressions(const Fit& fitted, const view::Sampling& sampling) {
   std::array<view::FixedLinear, 3> channels;
   const glm::dvec2 centre((sampling.width - 1.0) / 2.0, (sampling.height - 1.0) / 2.0);
   for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -147,7 +148,7 @@ std::optional<std::array<view::FixedLinear, 3>> expressions_of(const Fit& fitted
   return channels;
 }
 
-/// E stays 1 where the level is one of the channel's.
+/// E stays 1 where the level is in the channel's range.
 void emit_clamp(emit::Broadcast& out, const view::FixedLinear& level, std::int64_t beyond,
                 const view::PixelRect& pixels) {
   const view::Range range = view::range_over(level, pixels);
@@ -160,18 +161,18 @@ class Smooth final : public emit::EffectOf<Settings> {
   bool shade(const emit::EffectCall& call, emit::Broadcast& out, const emit::Facet& facet, isa::Field field,
              const view::PixelRect& pixels) const override {
     const emit::Context& context = call.context;
-    const std::vector<Sample> samples = samples_of(context, facet);
+    const std::vector<Sample> samples = take_samples(context, facet);
     if (samples.size() < 3) return false;
     if (greatest_difference(samples) < settings.least_difference) return false;
     const std::optional<Fit> fitted = fit(samples);
     if (!fitted) return false;
-    const auto channels = expressions_of(*fitted, context.view.sampling);
+    const auto channels = make_expressions(*fitted, context.view.sampling);
     if (!channels) return false;
-    // What the expressions leave out keeps the colour of the facet.
+    // Pixels that the expressions exclude keep the colour of the facet.
     out.plain(isa::Opcode::set_constant, field, {}, emit::facet_colour(context, facet));
-    const view::PixelRect box = box_of(samples, pixels);
+    const view::PixelRect box = bounding_pixels(samples, pixels);
     out.clip(box, pixels);
-    const std::array<isa::Field, 3> levels = channels_of(field);
+    const std::array<isa::Field, 3> levels = colour_channels(field);
     for (std::size_t i = 0; i < levels.size(); ++i) {
       emit_clamp(out, (*channels)[i], std::int64_t{1} << (levels[i].width + context.view.sampling.fraction_bits), box);
     }
@@ -184,11 +185,11 @@ class Smooth final : public emit::EffectOf<Settings> {
 }  // namespace
 
 extern const emit::EffectRow smooth{
-    .section = scene::effect_section<Settings>("effects.smooth", "curved solids look round, however few their facets"),
+    .section = scene::effect_section<Settings>("effects.smooth", "curved solids look round even with few facets"),
     .technique =
-        "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is worked "
-        "out at the vertices, here with the normals of the true surface; a linear expression a channel, fitted "
-        "by least squares, is loaded as Fuchs et al., SIGGRAPH 1985, do",
+        "Gouraud, Continuous Shading of Curved Surfaces, IEEE Transactions on Computers, 1971: light is computed "
+        "at the vertices, here with the normals of the true surface; a linear expression per channel, fitted "
+        "by least squares, is loaded as in Fuchs et al., SIGGRAPH 1985",
     .parts = emit::parts_of<Smooth>,
     .takes_quadrics = true};
 

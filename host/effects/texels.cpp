@@ -13,17 +13,17 @@ namespace csgsim::effects {
 
 namespace {
 
-/// Parts of a texel at a facet's rim that have no line of their own: a face that ends where a texel does, but for
-/// rounding.
+/// Fraction of a texel at a facet's rim that gets no line: the face ends at a texel's boundary except for rounding.
 constexpr double rim = 1e-6;
 
-/// Components of a normal that differ by less are equal.
+/// Tolerance for equal components of a normal.
 constexpr double same_component = 1e-9;
 
-/// More fraction bits leave no room for the whole part.
-constexpr unsigned most_fraction_bits = 50;
+/// More fraction bits would leave no room for the integer part.
+constexpr unsigned max_texel_fraction_bits = 50;
 
-/// Where the ray of a pixel meets a plane: a point in model space as a linear function of column and row, over another.
+/// The point where the ray of a pixel meets a plane: a model-space point as a linear function of column and row,
+/// divided by another.
 struct PlanePoint {
   std::array<view::RealLinear, 3> numerators;
   view::RealLinear denominator;
@@ -51,7 +51,7 @@ PlanePoint plane_point(const view::EyeSpace& space, const view::Sampling& sampli
   const double to_plane = glm::dot(normal, place - space.eye);
   PlanePoint point;
   if (space.perspective) {
-    // eye + t * ray with 1 / t = normal . ray / to_plane.
+    // The point is eye + t * ray with 1 / t = normal . ray / to_plane.
     const view::RealLinear across = along(per_column, per_row, space.axes.forward + aside, normal);
     point.denominator = {across.a / to_plane, across.b / to_plane, across.at_centre / to_plane};
     for (int i = 0; i < 3; ++i) {
@@ -60,7 +60,7 @@ PlanePoint plane_point(const view::EyeSpace& space, const view::Sampling& sampli
     }
     return point;
   }
-  // The start of the ray moved on to the plane along the view axis.
+  // The start of the ray, moved along the view axis to the plane.
   const double steepness = glm::dot(normal, space.axes.forward);
   const auto moved = [&](const glm::dvec3& by, double distance) {
     return by + space.axes.forward * ((distance - glm::dot(normal, by)) / steepness);
@@ -73,17 +73,17 @@ PlanePoint plane_point(const view::EyeSpace& space, const view::Sampling& sampli
   return point;
 }
 
-/// Of the model axes, that which the facet is most nearly across.
+/// The model axis most nearly perpendicular to the facet.
 int axis_across(const glm::dvec3& normal) {
   const glm::dvec3 size = glm::abs(normal);
   const double most = std::max({size.x, size.y, size.z}) - same_component;
   return size.x >= most ? 0 : size.y >= most ? 1 : 2;
 }
 
-/// The fewest fraction bits with which a boundary is off by boundary_error at most; the coordinate grows by `slope` a
-/// column or a row, along whichever it grows faster.
+/// Minimum number of fraction bits that limits the error of a boundary to boundary_error; the coordinate grows by
+/// `slope` per column or per row, whichever is greater.
 unsigned fraction_bits(double slope, const view::Sampling& sampling) {
-  // view::to_fixed: (1 + dx + dy) * 2^-(bits + 1), most in a corner.
+  // view::to_fixed has an error of (1 + dx + dy) * 2^-(bits + 1), which is greatest in a corner.
   const double units = (static_cast<double>(sampling.width) + sampling.height) / 4 / (boundary_error * slope);
   int bits = 0;
   std::frexp(units, &bits);
@@ -99,7 +99,7 @@ TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Fac
   const glm::dvec3 place = context.geometry.planes.centre() - plane.normal * plane.offset;
   const PlanePoint point = plane_point(view::eye_space(context.view.camera, context.view.sampling),
                                        context.view.sampling, plane.normal, place);
-  const std::vector<glm::dvec3> vertices = emit::vertices_of(context, facet);
+  const std::vector<glm::dvec3> vertices = emit::facet_vertices(context, facet);
   const int across = axis_across(plane.normal);
   const auto coordinate = [&](int number, double corner) {
     const view::RealLinear moved = sum(point.numerators[static_cast<std::size_t>(number)], -corner, point.denominator);
@@ -119,7 +119,7 @@ double count_lines(const TexelCoordinate& coordinate) {
   return std::max(0.0, std::ceil(coordinate.most - rim) - 1 - first_number(coordinate));
 }
 
-std::optional<TexelLines> lines_of(const TexelCoordinate& coordinate, const view::Sampling& sampling) {
+std::optional<TexelLines> texel_lines(const TexelCoordinate& coordinate, const view::Sampling& sampling) {
   const auto first = view::to_fixed(first_number(coordinate), 0);
   if (!first) return std::nullopt;
   TexelLines all{*first, {}};
@@ -142,7 +142,7 @@ std::optional<PeriodicCoordinate> periodic(const TexelCoordinate& coordinate, un
                                            const view::Sampling& sampling) {
   const view::RealLinear& linear = coordinate.numerator;
   const unsigned fraction = fraction_bits(std::max(std::abs(linear.a), std::abs(linear.b)), sampling);
-  if (fraction > most_fraction_bits) return std::nullopt;
+  if (fraction > max_texel_fraction_bits) return std::nullopt;
   const double period = std::ldexp(1.0, static_cast<int>(bits));
   const double at_centre = linear.at_centre - period * std::floor(linear.at_centre / period);
   const auto fixed = view::to_fixed({linear.a, linear.b, at_centre}, fraction, sampling.width, sampling.height);

@@ -1,3 +1,5 @@
+// Texture coordinates of flat facets, and the lines between texels.
+// Used by textures.cpp and tests.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +13,23 @@
 
 namespace csgsim::effects {
 
-/// How texels lie in model space.
+/// The position of texels in model space.
 struct TexelGrid {
-  double size = 1;       ///< of a texel's side, model units
-  glm::dvec2 corner{0};  ///< where column 0 and row 0 begin, model units along u and v
+  double size = 1;       ///< side of a texel, model units
+  glm::dvec2 corner{0};  ///< start of column 0 and row 0, model units along u and v
 };
 
-/// A texture coordinate of a flat facet, counted in texels, over the picture: numerator / denominator. The denominator
-/// is above 0 where the facet is seen, and 1 everywhere in an orthographic view.
+/// A texture coordinate of a flat facet in texels, as a function of the pixel: numerator / denominator. The denominator
+/// is positive where the facet is visible, and constant 1 in an orthographic view.
 struct TexelCoordinate {
   view::RealLinear numerator;
   view::RealLinear denominator;
-  double least = 0;  ///< of the whole facet
+  double least = 0;  ///< minimum over the whole facet
   double most = 0;
 };
 
-/// Both coordinates. u and v are the two model axes that lie most nearly in the facet, in the order x, y, z: the axis
-/// that its normal has most of is left out, the first of equals.
+/// Both coordinates. u and v are the two model axes most nearly parallel to the facet, in the order x, y, z: the axis
+/// of the normal's greatest component is left out, the first if there are several.
 struct TexelCoordinates {
   TexelCoordinate u;
   TexelCoordinate v;
@@ -35,36 +37,36 @@ struct TexelCoordinates {
 
 TexelCoordinates texel_coordinates(const emit::Context& context, const emit::Facet& facet, const TexelGrid& grid);
 
-/// How far a boundary between texels may be drawn from where it is, pixels.
+/// Maximum error of a boundary between texels, in pixels.
 inline constexpr double boundary_error = 1.0 / 32;
 
-/// A line on which a coordinate is a whole number: there it is not below that number where Ax + By + C >= 0.
+/// A line on which a coordinate is an integer: the coordinate is at least that integer where Ax + By + C >= 0.
 struct TexelLine {
   std::int64_t number = 0;
-  /// Nothing where no pixel of the picture is near the line.
+  /// Empty if no pixel of the picture is near the line.
   std::optional<view::FixedLinear> line;
-  bool is_beyond = false;  ///< without a line: the coordinate is not below the number at any pixel
+  bool is_beyond = false;  ///< if there is no line: the coordinate is at least the number at every pixel
 };
 
-/// How a coordinate is counted over a facet.
+/// The lines of a coordinate over a facet.
 struct TexelLines {
-  std::int64_t first = 0;  ///< the whole part where it is least
+  std::int64_t first = 0;  ///< integer part of the minimum
   std::vector<TexelLine> lines;
 };
 
-/// Nothing where the numbers do not fit.
-std::optional<TexelLines> lines_of(const TexelCoordinate& coordinate, const view::Sampling& sampling);
+/// Empty if the numbers do not fit.
+std::optional<TexelLines> texel_lines(const TexelCoordinate& coordinate, const view::Sampling& sampling);
 
-/// How many lines there are.
+/// Number of lines.
 double count_lines(const TexelCoordinate& coordinate);
 
-/// An orthographic coordinate modulo 2^bits as a number with `fraction_bits` fraction bits.
+/// An orthographic coordinate modulo 2^bits, as a number with `fraction_bits` fraction bits.
 struct PeriodicCoordinate {
   view::FixedLinear linear;
   unsigned fraction_bits = 0;
 };
 
-/// Nothing where the coefficients do not fit.
+/// Empty if the coefficients do not fit.
 std::optional<PeriodicCoordinate> periodic(const TexelCoordinate& coordinate, unsigned bits,
                                            const view::Sampling& sampling);
 

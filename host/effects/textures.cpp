@@ -29,7 +29,7 @@ enum class Pattern : std::uint8_t { checker, stripes, table };
 
 constexpr std::array<std::string_view, 3> patterns{"checker", "stripes", "table"};
 
-/// What lies on the facets of some primitives.
+/// The texture of the facets of some primitives.
 struct Texture : scene::Chosen {
   Pattern pattern = Pattern::checker;
   glm::dvec3 first{1};
@@ -44,44 +44,44 @@ struct Texture : scene::Chosen {
   [[nodiscard]] unsigned bits() const { return column_bits() + row_bits(); }
 };
 
-/// The last that holds for a primitive counts.
+/// The last texture that applies to a primitive counts.
 using Settings = std::vector<Texture>;
 
-constexpr std::size_t most_texels = 8;  ///< of a table, a row or a column
-constexpr double most_lines = 512;      ///< between the texels of one facet in perspective
-constexpr double least_size = 1e-9;     ///< model units
+constexpr std::size_t max_texels = 8;  ///< maximum rows or columns of a table
+constexpr double max_lines = 512;      ///< maximum number of lines between the texels of one facet in perspective
+constexpr double min_size = 1e-9;      ///< model units
 
 void visit_keys(Texture& texture, auto&& visit) {
   scene::visit_keys(texture, visit);
-  visit(scene::choice_key("pattern", patterns, "what is repeated; stripes follow v"), texture.pattern);
-  visit(scene::colour_key("first", "of the texel at u0, v0: red, green, blue"), texture.first);
-  visit(scene::colour_key("second", "of the others"), texture.second);
-  visit(scene::colour_table_key("texels", "of a table: rows along v of colours along u; 1, 2, 4 or 8 of each"),
+  visit(scene::choice_key("pattern", patterns, "the repeated pattern; stripes run along v"), texture.pattern);
+  visit(scene::colour_key("first", "colour of the texel at u0, v0: red, green, blue"), texture.first);
+  visit(scene::colour_key("second", "colour of the other texels"), texture.second);
+  visit(scene::colour_table_key("texels", "colours of a table: rows along v of colours along u; 1, 2, 4 or 8 of each"),
         texture.texels);
-  visit(scene::number_key("size", "model units", least_size, scene::any_number, "side of a texel"), texture.size);
+  visit(scene::number_key("size", "model units", min_size, scene::any_number, "side of a texel"), texture.size);
   visit(scene::number_key("u0", "model units", -scene::any_number, scene::any_number,
-                          "where the texture begins along u; u and v are the model axes most nearly in the facet"),
+                          "start of the texture along u; u and v are the model axes most nearly parallel to the facet"),
         texture.u0);
-  visit(scene::number_key("v0", "model units", -scene::any_number, scene::any_number, "where it begins along v"),
+  visit(scene::number_key("v0", "model units", -scene::any_number, scene::any_number, "start of the texture along v"),
         texture.v0);
 }
 
 void check_table(const scene::ColourTable& texels) {
-  const auto is_side = [](std::size_t count) { return std::has_single_bit(count) && count <= most_texels; };
-  if (texels.empty()) throw InputError("pattern = \"table\" without its colours; add texels = [[[r, g, b], ...], ...]");
+  const auto is_side = [](std::size_t count) { return std::has_single_bit(count) && count <= max_texels; };
+  if (texels.empty()) throw InputError("pattern = \"table\" needs colours; add texels = [[[r, g, b], ...], ...]");
   if (!is_side(texels.size()) || !is_side(texels[0].size())) {
     throw InputError(
         fmt::format("texels has {} rows of {} colours; make it 1, 2, 4 or 8 of each", texels.size(), texels[0].size()));
   }
 }
 
-/// Patterns of two colours become tables too.
+/// Patterns of two colours are converted to tables.
 void complete(Texture& texture) {
   scene::complete(texture);
   if (texture.pattern == Pattern::table) {
     check_table(texture.texels);
   } else if (!texture.texels.empty()) {
-    throw InputError("texels are those of a table; add pattern = \"table\", or leave them out");
+    throw InputError("texels need pattern = \"table\"; add it, or remove texels");
   } else if (texture.pattern == Pattern::checker) {
     texture.texels = {{texture.first, texture.second}, {texture.second, texture.first}};
   } else {
@@ -89,13 +89,13 @@ void complete(Texture& texture) {
   }
 }
 
-const Texture* texture_of(const Settings& settings, const model::Primitive& primitive) {
+const Texture* find_texture(const Settings& settings, const model::Primitive& primitive) {
   const auto found = std::find_if(settings.rbegin(), settings.rend(),
                                   [&](const Texture& one) { return lighting::is_chosen(one, primitive); });
   return found == settings.rend() ? nullptr : &*found;
 }
 
-/// One textured facet being coloured. The number of a texel is its column, and above these bits its row.
+/// Colours one textured facet. The number of a texel has its column in the low bits and its row above.
 class Shader {
  public:
   Shader(const emit::Context& context, emit::Broadcast& out, const emit::Facet& facet, const Texture& texture,
@@ -127,7 +127,7 @@ class Shader {
   }
 
  private:
-  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return part_of(texel_, begin, width); }
+  [[nodiscard]] isa::Field part(unsigned begin, unsigned width) const { return subfield(texel_, begin, width); }
 
   [[noreturn]] void fail(std::string_view what) const {
     throw InputError(fmt::format("{}: {}", model::place_of(context_.tree, facet_.primitive), what));
@@ -138,15 +138,15 @@ class Shader {
   }
 
   void check_lines(double count) const {
-    if (count <= most_lines) return;
+    if (count <= max_lines) return;
     fail(
-        fmt::format("{:.0f} lines between texels cross a face of this primitive, and in perspective each is an "
-                    "instruction; {:.0f} are the most: make the texture's size {:.3g} or larger, or take an "
+        fmt::format("{:.0f} lines between texels cross a face of this primitive, and in perspective at most {:.0f} are "
+                    "possible, with an instruction for each; make the texture's size {:.3g} or larger, or take an "
                     "orthographic view, where they are periodic",
-                    count, most_lines, texture_.size * count / most_lines * 1.01));
+                    count, max_lines, texture_.size * count / max_lines * 1.01));
   }
 
-  /// Bits of floor(coordinate): of a linear expression, those above its fraction.
+  /// Computes the bits of floor(coordinate): the bits of a linear expression above its fraction.
   void emit_periodic(const TexelCoordinate& coordinate, isa::Field number) {
     if (number.width == 0) return;
     const auto linear = periodic(coordinate, number.width, context_.view.sampling);
@@ -154,15 +154,15 @@ class Shader {
     for (unsigned bit = 0; bit < number.width; ++bit) {
       out_.plain(Opcode::enable_load, in_facet_);
       out_.stripe(linear->linear, linear->fraction_bits + bit + 1);
-      out_.plain(Opcode::enable_store, part_of(number, bit, 1));
+      out_.plain(Opcode::enable_store, subfield(number, bit, 1));
     }
   }
 
-  /// Counted in pixel memory: each line that a pixel is beyond changes the bits that counting changes there.
+  /// Counts in pixel memory: each line flips, at the pixels beyond it, the bits that change when counting.
   void emit_lines(const TexelCoordinate& coordinate, isa::Field number) {
     if (number.width == 0) return;
     const std::uint64_t all = (1U << number.width) - 1;
-    const auto lines = lines_of(coordinate, context_.view.sampling);
+    const auto lines = texel_lines(coordinate, context_.view.sampling);
     if (!lines) fail_size();
     std::uint64_t start = static_cast<std::uint64_t>(lines->first) & all;
     std::vector<TexelLine> crossing;
@@ -177,16 +177,16 @@ class Shader {
       out_.plain(Opcode::enable_load, in_facet_);
       out_.edge(Opcode::edge_not_negative, *line.line, pixels_);
       const std::uint64_t bits = changed(line) & all;
-      out_.plain(Opcode::xor_constant, part_of(number, 0, static_cast<unsigned>(std::bit_width(bits))), {}, bits);
+      out_.plain(Opcode::xor_constant, subfield(number, 0, static_cast<unsigned>(std::bit_width(bits))), {}, bits);
     }
   }
 
-  /// Bits in which the number of the texel beyond the line differs from that before.
+  /// Bits in which the numbers of the texels on the two sides of the line differ.
   static std::uint64_t changed(const TexelLine& line) {
     return static_cast<std::uint64_t>(line.number) ^ static_cast<std::uint64_t>(line.number - 1);
   }
 
-  /// The colour that most texels have everywhere, then the others texel by texel.
+  /// Writes the most frequent colour everywhere, then the others texel by texel.
   void emit_colours(isa::Field field) {
     std::vector<std::uint32_t> colours;
     std::map<std::uint32_t, std::size_t> counts;
@@ -233,7 +233,7 @@ class Textures final : public emit::EffectOf<Settings> {
     const emit::Context& context = call.context;
     const model::Primitive& primitive = context.tree.primitives[facet.primitive];
     if (facet.at != emit::At::plane || !emit::is_flat(primitive, emit::outward(context, facet))) return false;
-    const Texture* const texture = texture_of(settings, primitive);
+    const Texture* const texture = find_texture(settings, primitive);
     if (texture == nullptr) return false;
     Shader(context, out, facet, *texture, pixels).emit(field);
     return true;
@@ -243,11 +243,11 @@ class Textures final : public emit::EffectOf<Settings> {
   void prepare(State& /*state*/, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
     const std::vector<model::Primitive>& primitives = drawing.tree->primitives;
     for (std::uint32_t i = 0; i < primitives.size(); ++i) {
-      const Texture* const texture = texture_of(settings, primitives[i]);
+      const Texture* const texture = find_texture(settings, primitives[i]);
       const bool is_named = texture != nullptr && (texture->of_colour || texture->from_line);
       if (!is_named || model::has_flat_faces(primitives[i].shape)) continue;
       throw InputError(
-          fmt::format("{}: textures are for flat facets, and this is a {}; name cubes, polyhedra or cylinders, "
+          fmt::format("{}: textures are only for flat facets, and this is a {}; name cubes, polyhedra or cylinders, "
                       "whose ends are flat, in [[effects.textures]]",
                       model::place_of(*drawing.tree, i), model::name_of(primitives[i].shape)));
     }
@@ -258,7 +258,7 @@ class Textures final : public emit::EffectOf<Settings> {
 
 extern const emit::EffectRow textures{
     .section = scene::effect_section<Settings>("effects.textures",
-                                               "patterns on flat facets, a table for those of some primitives"),
+                                               "patterns on flat facets; each table applies to some primitives"),
     .technique =
         "Fuchs et al., SIGGRAPH 1985: textures are painted by comparing linear expressions at every pixel; here an "
         "orthographic pattern is bits of one such expression, and in perspective each boundary is a line",

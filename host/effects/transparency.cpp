@@ -20,7 +20,7 @@ namespace {
 enum class Method : std::uint8_t { layers, screen_door };
 
 constexpr std::array<std::string_view, 2> methods{"layers", "screen-door"};
-constexpr unsigned most_layers = 16;
+constexpr unsigned max_layers = 16;
 
 struct Settings {
   Method method = Method::layers;
@@ -28,16 +28,17 @@ struct Settings {
 };
 
 void visit_keys(Settings& settings, auto&& visit) {
-  visit(scene::choice_key("method", methods, "blend layers, or leave out pixels by a pattern"), settings.method);
-  visit(scene::integer_key("layers", "", 1, most_layers,
-                           "see-through surfaces that a pixel shows behind one another, the nearest; if not given, as "
-                           "many as their rectangles let lie there, 16 at most"),
+  visit(scene::choice_key("method", methods, "blend layers, or omit pixels by a pattern"), settings.method);
+  visit(scene::integer_key(
+            "layers", "", 1, max_layers,
+            "maximum number of transparent surfaces, the nearest ones, that a pixel shows; by default as many "
+            "as their rectangles allow, at most 16"),
         settings.layers);
 }
 
 struct Prepared : emit::EffectState {
-  Panes panes;                    ///< method layers
-  std::vector<unsigned> pattern;  ///< method screen-door: by primitive, pixels of every 4 x 4
+  Panes panes;                    ///< for method layers
+  std::vector<unsigned> pattern;  ///< for method screen-door, by primitive: number of pixels of each 4 x 4 block
 };
 
 class Transparency final : public emit::EffectOf<Settings, Prepared> {
@@ -72,9 +73,9 @@ class Transparency final : public emit::EffectOf<Settings, Prepared> {
 
  private:
   void prepare(State& state, const emit::Drawing& drawing, const emit::Workshop& /*workshop*/) const override {
-    if (is_layered()) state.panes = panes_of(drawing, settings.layers.value_or(most_layers));
+    if (is_layered()) state.panes = find_panes(drawing, settings.layers.value_or(max_layers));
     for (const lighting::Finish& finish : drawing.look.finishes) {
-      const auto pixels = static_cast<unsigned>(view::to_fixed(finish.opacity, 4).value_or(most_pixels));
+      const auto pixels = static_cast<unsigned>(view::to_fixed(finish.opacity, 4).value_or(max_pattern_pixels));
       state.pattern.push_back(pixels);
       state.apart.push_back(is_layered() ? finish.opacity < 1 : pixels == 0);
     }
@@ -86,12 +87,12 @@ class Transparency final : public emit::EffectOf<Settings, Prepared> {
 }  // namespace
 
 std::optional<scene::Scene> by_screen_door(scene::Scene scene) {
-  const bool says_how = std::any_of(scene.effects.begin(), scene.effects.end(), [](const scene::CalledEffect& one) {
+  const bool sets_effect = std::any_of(scene.effects.begin(), scene.effects.end(), [](const scene::CalledEffect& one) {
     return one.name == transparency.section.name;
   });
-  const bool lets_through = std::any_of(scene.materials.begin(), scene.materials.end(),
-                                        [](const scene::MaterialRule& one) { return one.opacity.value_or(1) < 1; });
-  if (says_how || lets_through) return std::nullopt;
+  const bool is_transparent = std::any_of(scene.materials.begin(), scene.materials.end(),
+                                          [](const scene::MaterialRule& one) { return one.opacity.value_or(1) < 1; });
+  if (sets_effect || is_transparent) return std::nullopt;
   scene.effects.push_back({transparency.section.name, {scene::values_of(Settings{Method::screen_door, {}})}});
   return scene;
 }
@@ -100,7 +101,7 @@ extern const emit::EffectRow transparency{
     .section = scene::effect_section<Settings>(
         "effects.transparency",
         "primitives whose opacity is below 1 let through what is behind them; of coincident surfaces the first "
-        "in tree order is seen, opaque ones before see-through ones"),
+        "in tree order is visible, opaque ones before transparent ones"),
     .technique =
         "layers: depth peeling (Mammen, Transparency and Antialiasing Algorithms Implemented with the Virtual Pixel "
         "Maps Technique, IEEE CG&A, 1989; Everitt, Interactive Order-Independent Transparency, 2001), with two depth "

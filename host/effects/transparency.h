@@ -1,3 +1,5 @@
+// The screen-door variant of a scene, for machines with little memory.
+// Used by sessions.
 #pragma once
 
 #include <optional>
@@ -6,8 +8,8 @@
 
 namespace csgsim::effects {
 
-/// The scene, with what is see-through drawn by screen-door, which takes no memory. None where the scene has a say in
-/// it: it speaks of the effect, or its materials let something through.
+/// The scene with transparent primitives drawn by screen-door, which takes no memory. Empty if the scene sets the
+/// effect or its materials are transparent.
 std::optional<scene::Scene> by_screen_door(scene::Scene scene);
 
 }  // namespace csgsim::effects

@@ -12,11 +12,11 @@ namespace csgsim::emit {
 
 namespace {
 
-/// An instruction appended, in steps of work.
+/// Work charged for each appended instruction, in steps.
 constexpr std::uint64_t instruction_steps = 40;
 
-/// Low zero bits that A and B share, at most `limit`. Dropping them, and as many of C with floor, changes no floor of
-/// the sum and no sign of it.
+/// Number of low zero bits common to A and B, at most `limit`. Dropping that many low bits of A, B and C (C rounded
+/// down) changes neither the floor of the sum nor its sign.
 unsigned shared_zeros(const view::FixedLinear& plane, unsigned limit) {
   const std::uint64_t both = static_cast<std::uint64_t>(plane.a) | static_cast<std::uint64_t>(plane.b);
   return std::min(limit, static_cast<unsigned>(std::countr_zero(both)));
@@ -31,7 +31,7 @@ view::FixedQuadratic without_low_bits(const view::FixedQuadratic& q, unsigned bi
   return {q.xx >> bits, q.xy >> bits, q.yy >> bits, {q.linear.a >> bits, q.linear.b >> bits, q.linear.c >> bits}};
 }
 
-/// The same function of columns and rows that are counted from there.
+/// The same function with (x, y) as the origin of columns and rows.
 view::FixedQuadratic moved(const view::FixedQuadratic& q, std::int64_t x, std::int64_t y) {
   const view::FixedLinear& linear = q.linear;
   return {q.xx,
@@ -41,13 +41,13 @@ view::FixedQuadratic moved(const view::FixedQuadratic& q, std::int64_t x, std::i
            linear.c + (linear.a + q.xx * x + q.xy * y) * x + (linear.b + q.yy * y) * y}};
 }
 
-/// Whether E is after the instruction what it was before, whatever it meets. What follows a skip may follow what is
-/// before it too.
+/// Whether the instruction always preserves E. Code before a skip does not dominate the code after it, so a skip counts
+/// as changing E.
 bool keeps_enable(isa::Opcode opcode) {
   return isa::info(opcode).enable_effect == isa::EnableEffect::keeps && opcode != isa::Opcode::skip_if_none;
 }
 
-/// A bit that E is equal to after the instruction, if it was equal to that one before.
+/// The bit known to equal E after the instruction, given the bit known to equal E before it; width 0 if none is known.
 isa::Field equal_after(const isa::Instruction& instruction, isa::Field equal) {
   const isa::Field first = instruction.fields[0];
   if (instruction.opcode == isa::Opcode::enable_load || instruction.opcode == isa::Opcode::enable_store) return first;
@@ -78,7 +78,7 @@ void Broadcast::bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, 
 void Broadcast::constant(isa::Field field, std::uint64_t value) {
   for (unsigned first = 0; first < field.width; first += isa::max_field_width) {
     const unsigned width = std::min<unsigned>(field.width - first, isa::max_field_width);
-    plain(isa::Opcode::set_constant, part_of(field, first, width), {},
+    plain(isa::Opcode::set_constant, subfield(field, first, width), {},
           value >> first & ((std::uint64_t{1} << width) - 1));
   }
 }
@@ -86,14 +86,14 @@ void Broadcast::constant(isa::Field field, std::uint64_t value) {
 void Broadcast::shifted(isa::Field source, isa::Field target, unsigned up) {
   const unsigned low = std::min<unsigned>(up, target.width);
   const unsigned width = std::min<unsigned>(source.width, target.width - low);
-  constant(part_of(target, 0, low), 0);
-  const isa::Field to = part_of(target, low, width);
-  const isa::Field from = part_of(source, 0, width);
+  constant(subfield(target, 0, low), 0);
+  const isa::Field to = subfield(target, low, width);
+  const isa::Field from = subfield(source, 0, width);
   if (width > 0 && to != from) plain(isa::Opcode::copy, to, from);
-  constant(part_of(target, low + width, target.width - low - width), 0);
+  constant(subfield(target, low + width, target.width - low - width), 0);
 }
 
-void Broadcast::nowhere() { append({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin}); }
+void Broadcast::disable_all() { append({isa::Opcode::edge_negative, {}, {0, 0, 0, 1, 0}, 0, origin}); }
 
 void Broadcast::append(const isa::Instruction& instruction) {
   const bool meets_equal =
@@ -107,7 +107,7 @@ void Broadcast::append(const isa::Instruction& instruction) {
 }
 
 void Broadcast::insert(std::size_t place, const isa::Instruction& instruction) {
-  // A skip may end here: then E and memory are as they were at the place.
+  // A skip may end here, so nothing is known about E at this point.
   equal_ = {};
   const auto inserted =
       segment_.instructions.insert(segment_.instructions.begin() + static_cast<std::ptrdiff_t>(place), instruction);
@@ -118,8 +118,7 @@ void Broadcast::linear(isa::Opcode opcode, isa::Field field, view::FixedLinear p
                        const view::PixelRect& pixels) {
   const unsigned needed =
       std::max(signed_width(view::range_over(plane, pixels)), field.width > 0 ? shift + field.width + 1 : 1);
-  if (needed > isa::max_linear_width)
-    throw std::logic_error("a linear expression wider than the evaluator was not caught");
+  if (needed > isa::max_linear_width) throw std::logic_error("a linear expression is wider than the evaluator");
   const std::int64_t corner = plane.c + plane.a * segment_.region.x + plane.b * segment_.region.y;
   const isa::Linear expression{plane.a, plane.b, corner, static_cast<std::uint16_t>(needed),
                                static_cast<std::uint16_t>(shift)};
@@ -149,8 +148,7 @@ void Broadcast::quadratic(isa::Opcode opcode, isa::Field field, const view::Fixe
   const unsigned fraction = shift - drop;
   const unsigned needed =
       std::max(signed_width(view::range_over(q, pixels)), field.width > 0 ? fraction + field.width + 1 : 1);
-  if (needed > isa::max_linear_width)
-    throw std::logic_error("a quadratic expression wider than the evaluator was not caught");
+  if (needed > isa::max_linear_width) throw std::logic_error("a quadratic expression is wider than the evaluator");
   const auto width = static_cast<std::uint16_t>(needed);
   const view::FixedQuadratic local = moved(q, segment_.region.x, segment_.region.y);
   append({isa::Opcode::squares, {}, {local.xx, local.xy, local.yy, width, 0}, 0, origin});
@@ -162,9 +160,9 @@ void Broadcast::quadratic(isa::Opcode opcode, isa::Field field, const view::Fixe
 }
 
 void Broadcast::stripe(const view::FixedLinear& line, unsigned width) {
-  if (width > isa::max_linear_width) throw std::logic_error("a stripe wider than the evaluator was not caught");
+  if (width > isa::max_linear_width) throw std::logic_error("a stripe is wider than the evaluator");
   const std::int64_t corner = line.c + line.a * segment_.region.x + line.b * segment_.region.y;
-  // Only the low bits count: the rest of C would only make the sum long.
+  // Only the low bits matter; the others would make the sum wider than necessary.
   const std::int64_t period = std::int64_t{1} << width;
   append({isa::Opcode::stripe, {}, {line.a, line.b, corner % period, static_cast<std::uint16_t>(width), 0}, 0, origin});
 }

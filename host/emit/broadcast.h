@@ -1,3 +1,5 @@
+// Appends instructions to a segment, with their origins and the effect that they are billed to.
+// Used by the emitter, the effects and sim/story.
 #pragma once
 
 #include <cstddef>
@@ -13,78 +15,79 @@
 
 namespace csgsim::emit {
 
-/// Scan-conversions, as table 6.1 of the thesis counts them.
+/// Counts of scan conversions, as in table 6.1 of the thesis.
 struct ScanConversions {
-  std::uint64_t rendered = 0;     ///< surfaces into Z1
+  std::uint64_t rendered = 0;     ///< surfaces written to Z1
   std::uint64_t classified = 0;   ///< primitives of active trees compared with Z1
-  std::uint64_t depth_tests = 0;  ///< Z1 compared with Z2
+  std::uint64_t depth_tests = 0;  ///< comparisons of Z1 with Z2
 };
 
-/// Bits of the shortest two's complement number that holds every value of the range.
+/// Number of bits of the shortest two's complement number that holds every value of the range.
 unsigned signed_width(const view::Range& range);
 
-/// Appends instructions to a segment. `origin`, but for its effect, goes with every instruction appended. What would
-/// change nothing is left out: to load the bit that E is known to be equal to, or to store E there.
+/// Appends instructions to a segment. Every appended instruction gets `origin`, except that its effect is `effect`.
+/// Redundant loads of E from, or stores of E to, the bit known to equal E are omitted.
 class Broadcast {
  public:
-  /// Instructions are charged to `work`: what appends one may throw WorkError.
+  /// Instructions are charged to `work`, so the functions that append them may throw WorkError.
   Broadcast(isa::Segment& segment, const view::Sampling& sampling, Work work = {});
 
   isa::Origin origin;
-  std::uint8_t effect = isa::no_effect;  ///< that instructions are billed to
-  ScanConversions counts;                ///< made so far
+  std::uint8_t effect = isa::no_effect;  ///< effect that instructions are billed to
+  ScanConversions counts;                ///< scan conversions made until now
 
-  /// An instruction without a linear expression.
+  /// Appends an instruction without a linear expression.
   void plain(isa::Opcode opcode, isa::Field first = {}, isa::Field second = {}, std::uint64_t constant = 0);
 
-  /// An instruction on three fields, element by element.
+  /// Appends a bitwise instruction on three fields.
   void bitwise(isa::Opcode opcode, isa::Field target, isa::Field left, isa::Field right);
 
-  /// Where E is 1: field := constant. The field may have any width.
+  /// field := constant where E is 1. The field may have any width.
   void constant(isa::Field field, std::uint64_t value);
 
-  /// Where E is 1: target := source * 2^up, as much of it as fits the target, which may have any width. They may be the
-  /// same bits where nothing is shifted.
+  /// target := source * 2^up where E is 1, truncated to the target, which may have any width. Source and target may be
+  /// the same bits if `up` is 0.
   void shifted(isa::Field source, isa::Field target, unsigned up);
 
   /// E := 0.
-  void nowhere();
+  void disable_all();
 
-  /// Instructions in the segment so far.
+  /// Number of instructions in the segment.
   [[nodiscard]] std::size_t size() const { return segment_.instructions.size(); }
 
-  /// The instructions from that one on.
+  /// The instructions from index `begin` on.
   [[nodiscard]] std::span<const isa::Instruction> from(std::size_t begin) const {
     return std::span<const isa::Instruction>(segment_.instructions).subspan(begin);
   }
 
-  /// Puts an instruction that changes neither E nor memory before that one. No skip may reach over the place.
+  /// Inserts an instruction that changes neither E nor memory before index `place`. No skip may span that index.
   void insert(std::size_t place, const isa::Instruction& instruction);
 
-  /// A surface plane against a depth field, as wide as its values over `pixels` ask; E has to be 0 outside `pixels`.
+  /// Compares or combines a surface plane with a depth field. The operand is as wide as the plane's values over
+  /// `pixels` require; E must be 0 outside `pixels`.
   void surface(isa::Opcode opcode, isa::Field field, const view::FixedLinear& plane, const view::PixelRect& pixels);
 
-  /// A linear expression, of which the low `shift` bits are the fraction, against a field; E has to be 0 outside
-  /// `pixels`.
+  /// Compares or combines a linear expression, whose low `shift` bits are its fraction, with a field; E must be 0
+  /// outside `pixels`.
   void expression(isa::Opcode opcode, isa::Field field, const view::FixedLinear& linear, unsigned shift,
                   const view::PixelRect& pixels);
 
-  /// E stays 1 where the line is not negative (or is negative); E has to be 0 outside `pixels`.
+  /// E stays 1 where the line's value is not negative (or is negative); E must be 0 outside `pixels`.
   void edge(isa::Opcode opcode, const view::FixedLinear& line, const view::PixelRect& pixels);
 
-  /// A quadratic expression, of which the low `shift` bits are the fraction, against a field or, of width 0, none, by
-  /// an instruction that takes a linear one; E has to be 0 outside `pixels`.
+  /// Compares or combines a quadratic expression, whose low `shift` bits are its fraction, with a field, or with none
+  /// (width 0), using an opcode that takes a linear expression; E must be 0 outside `pixels`.
   void quadratic(isa::Opcode opcode, isa::Field field, const view::FixedQuadratic& quadratic, unsigned shift,
                  const view::PixelRect& pixels);
 
-  /// E stays 1 where bit `width` - 1 of the line's value is 1: in every other of the stripes in which the value goes
-  /// through 2^(width - 1) steps.
+  /// E stays 1 where bit `width` - 1 of the line's value is 1, that is, in every second stripe. The value changes by
+  /// 2^(width - 1) across a stripe.
   void stripe(const view::FixedLinear& line, unsigned width);
 
-  /// E stays 1 where the field holds that number.
+  /// E stays 1 where the field equals the number.
   void equals(isa::Field field, std::uint32_t number);
 
-  /// E stays 1 inside `inner` only; E has to be 0 outside `outer`. Sides that do not cut `outer` cost nothing.
+  /// E stays 1 inside `inner` only; E must be 0 outside `outer`. Sides that do not cut `outer` cost no instruction.
   void clip(const view::PixelRect& inner, const view::PixelRect& outer);
 
  private:
@@ -95,14 +98,14 @@ class Broadcast {
   isa::Segment& segment_;
   unsigned fraction_bits_;
   Work work_;
-  isa::Field equal_;  ///< a bit that E is equal to at every pixel; of width 0 if none is known
+  isa::Field equal_;  ///< a bit that equals E at every pixel; width 0 if none is known
 };
 
-/// While it lives, what is broadcast is billed to an effect, unless it is billed already.
+/// Bills the instructions appended during its lifetime to an effect, unless they are already billed to one.
 class Billing {
  public:
   Billing(Broadcast& out, std::size_t effect) : out_(out), before_(out.effect) {
-    // The first is flat shading, whose instructions are all that are for shading and for no other.
+    // Effect 0 is flat shading: shading instructions without a billed effect belong to it.
     if (before_ == isa::no_effect && effect > 0) out.effect = static_cast<std::uint8_t>(effect);
   }
   ~Billing() { out_.effect = before_; }

@@ -13,7 +13,7 @@ using view::PixelRect;
 using Indices = std::vector<std::size_t>;
 using Pixel = std::pair<std::int32_t, std::int32_t>;
 
-/// The corners of a cell, and of the half-spaces that are open there the first that leads at each.
+/// The corners of a cell and, for each corner, the first of the open half-spaces with the greatest value there.
 struct CellCorners {
   std::array<Pixel, 4> pixels;
   std::array<std::size_t, 4> leaders{};
@@ -24,9 +24,9 @@ class Counting {
   Counting(std::span<const view::FixedLinear> planes, std::int64_t sign, std::int64_t step)
       : planes_(planes), sign_(sign), step_(step), settled_(planes.size(), false) {}
 
-  /// The cell's tests and, with `quarters`, those of its quarters.
+  /// Counts the tests of the cell and, with `quarters`, those of its quarters.
   void count(const PixelRect& cell, const Indices& open, bool quarters) {
-    const CellCorners corners = corners_of(cell, open);
+    const CellCorners corners = find_corners(cell, open);
     for (const std::size_t leader : corners.leaders) settled_[leader] = true;
     tests += open.size();
     if (is_settled(open)) return;
@@ -52,7 +52,7 @@ class Counting {
     return sign_ * (planes_[one].a * pixel.first + planes_[one].b * pixel.second + planes_[one].c);
   }
 
-  [[nodiscard]] CellCorners corners_of(const PixelRect& cell, const Indices& open) const {
+  [[nodiscard]] CellCorners find_corners(const PixelRect& cell, const Indices& open) const {
     CellCorners corners{{{{cell.x0, cell.y0}, {cell.x1, cell.y0}, {cell.x0, cell.y1}, {cell.x1, cell.y1}}}};
     std::transform(corners.pixels.begin(), corners.pixels.end(), corners.leaders.begin(), [&](const Pixel& corner) {
       return *std::max_element(open.begin(), open.end(),
@@ -61,7 +61,7 @@ class Counting {
     return corners;
   }
 
-  /// Whether it comes as near as a depth step to the leader at a corner.
+  /// Whether the half-space is within a depth step of the leader at some corner.
   [[nodiscard]] bool is_near(std::size_t one, const CellCorners& corners) const {
     for (std::size_t i = 0; i < corners.pixels.size(); ++i) {
       const Pixel& corner = corners.pixels[i];
@@ -70,7 +70,7 @@ class Counting {
     return false;
   }
 
-  /// Whether one of the leaders is beyond it by a depth step at every corner.
+  /// Whether one of the leaders is ahead of the half-space by a depth step or more at every corner.
   [[nodiscard]] bool is_behind_a_leader(std::size_t one, const CellCorners& corners) const {
     return std::any_of(corners.leaders.begin(), corners.leaders.end(), [&](std::size_t leader) {
       return std::all_of(corners.pixels.begin(), corners.pixels.end(),
@@ -85,7 +85,7 @@ class Counting {
   std::span<const view::FixedLinear> planes_;
   std::int64_t sign_;
   std::int64_t step_;
-  std::vector<bool> settled_;  ///< whether it is known to stay
+  std::vector<bool> settled_;  ///< by half-space: known to be kept
 };
 
 }  // namespace

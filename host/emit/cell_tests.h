@@ -1,3 +1,5 @@
+// Count of the cell tests with which the divider drops redundant half-spaces.
+// Used by division_counts.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +9,10 @@
 
 namespace csgsim::emit {
 
-/// How many cell tests the divider makes of one side's half-spaces over a rectangle of pixels (docs/division.md), one a
-/// half-space that is left in each cell:
-/// `sign` is 1 for fronts and -1 for backs, `step` a whole depth step. With `quarters`, until it is known of each
-/// half-space whether it stays; else in the rectangle alone.
+/// Number of cell tests of the divider for the half-spaces of one side over a rectangle of pixels (docs/division.md); a
+/// cell takes one test for each half-space left in it. `sign` is 1 for fronts and -1 for backs, `step` a whole depth
+/// step. With `quarters`, cells are subdivided until every half-space is known to be kept or dropped; else only the
+/// rectangle is tested.
 std::uint64_t count_cell_tests(std::span<const view::FixedLinear> planes, std::int64_t sign, std::int64_t step,
                                const view::PixelRect& pixels, bool quarters);
 

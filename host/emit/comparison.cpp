@@ -12,7 +12,7 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   out.origin = {isa::Purpose::classify, of.primitive(), primitive};
   const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
   if (shared.empty()) {
-    out.nowhere();
+    out.disable_all();
     return;
   }
   if (context.stored != nullptr) {
@@ -25,7 +25,7 @@ void emit_comparison(const Context& context, Broadcast& out, std::uint32_t primi
   for (const view::Side side : {view::Side::front, view::Side::back}) {
     for (const Facet& facet : deciding(context, {&primitive, 1}, side, part).facets) {
       out.surface(side == view::Side::front ? isa::Opcode::linear_le : isa::Opcode::linear_gt, context.layout.candidate,
-                  context.linear_of(facet.halfspace), shared);
+                  context.linear_plane(facet.halfspace), shared);
     }
   }
   for (const QuadricBound& bound : quadric_bounds(context, primitive)) emit_comparison(context, out, bound, part);

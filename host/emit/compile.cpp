@@ -35,15 +35,16 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Levels up to which `Strategy::automatic` tries to keep results on a stack.
-constexpr std::uint32_t most_levels_tried = 8;
+/// Maximum number of stack levels that `Strategy::automatic` tries.
+constexpr std::uint32_t max_levels_tried = 8;
 
 std::string name_of(const model::Primitive& primitive) {
   const std::string_view shape = primitive.node.empty() ? model::name_of(primitive.shape) : primitive.node;
   return fmt::format("{}@{}:{}", shape, primitive.location.line, primitive.location.column);
 }
 
-/// Names the primitives of the drawing that has the most: an effect's drawings may have some more, after the model's.
+/// Names the primitives of the drawing with the most primitives. Drawings of effects may append primitives to the
+/// model's.
 void name_primitives(const std::vector<const Drawing*>& drawings, isa::Facts& facts) {
   std::vector<std::uint32_t> pieces;
   std::size_t named = 0;
@@ -72,7 +73,7 @@ std::vector<std::string> effect_names(std::span<const CalledEffect> called) {
   return names;
 }
 
-/// All that a Program is compiled from.
+/// Everything that a Program is compiled from.
 struct Input {
   const model::Tree& tree;
   const facet::Geometry& geometry;
@@ -82,11 +83,11 @@ struct Input {
   std::span<const CalledEffect> called;
 };
 
-/// Instructions that a half-space takes where it is drawn and compared a few times. Room for more than there will be
-/// takes no memory until it is written, and saves the copies of a vector that grows.
-constexpr std::size_t room_for_halfspace = 8;
+/// Reserved instructions per half-space, for drawing it and a few comparisons. Unused capacity takes no physical
+/// memory, and reserving avoids the copies of a growing vector.
+constexpr std::size_t instructions_per_halfspace = 8;
 
-/// Room is made ahead for this many or more; below, growing costs nothing that counts.
+/// Capacity is reserved from this number of half-spaces on; below, growing the vector is cheap.
 constexpr std::size_t many_halfspaces = 10'000;
 
 std::size_t halfspaces_drawn(const Context& context) {
@@ -96,7 +97,7 @@ std::size_t halfspaces_drawn(const Context& context) {
   return count;
 }
 
-/// What the function returns. Where work reaches its limit, the error names the primitive that is being drawn.
+/// Calls `function`. If the work limit is reached, the error names the primitive being drawn.
 template <class Function>
 auto placed(const model::Tree& tree, const Broadcast& out, const Function& function) {
   try {
@@ -108,7 +109,7 @@ auto placed(const model::Tree& tree, const Broadcast& out, const Function& funct
   }
 }
 
-/// The instructions that draw one region; none, if nothing can be seen in a part of the picture.
+/// The instructions that draw one region; none if nothing is visible in it and it is only a part of the picture.
 isa::Segment compile_segment(Context context, std::span<const Drawing* const> drawings, ScanConversions& counts) {
   const SegmentPlan& plan = context.plan;
   isa::Segment segment{.region = plan.region, .instructions = {}};
@@ -123,10 +124,10 @@ isa::Segment compile_segment(Context context, std::span<const Drawing* const> dr
   if (is_empty && !is_whole) return segment;
   context.counted = csg::Counted(*segment.preparation);
   const std::size_t halfspaces = halfspaces_drawn(context);
-  if (halfspaces >= many_halfspaces) segment.instructions.reserve(room_for_halfspace * halfspaces);
+  if (halfspaces >= many_halfspaces) segment.instructions.reserve(instructions_per_halfspace * halfspaces);
   Broadcast out(segment, sampling, context.options.work);
   if (context.layout.squares.width > 0 && !is_empty) emit_squares(context, out);
-  const Kept kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
+  const DrawnCounts kept = placed(context.tree, out, [&] { return emit_picture(context, out); });
   segment.facts->kept_primitives = kept.primitives;
   segment.facts->kept_halfspaces = kept.halfspaces;
   const bool draws = std::any_of(segment.instructions.begin(), segment.instructions.end(),
@@ -139,27 +140,27 @@ isa::Segment compile_segment(Context context, std::span<const Drawing* const> dr
   return segment;
 }
 
-/// Bits for the classifications of all drawings.
-ClassificationBits bits_of(const std::vector<const Drawing*>& drawings, const Options& options) {
+/// Maximum of the bits that the classifications of the drawings take.
+ClassificationBits max_classification_bits(const std::vector<const Drawing*>& drawings, const Options& options) {
   ClassificationBits most;
-  for (const Drawing* const one : drawings) most = most_of(most, classification_bits(*one, options));
+  for (const Drawing* const one : drawings) most = max_bits(most, classification_bits(*one, options));
   return most;
 }
 
-/// Bits of the squares that fast spheres of a drawing need; 0 where it has none.
-unsigned bits_of_squares(const Drawing& drawing) {
+/// Bits of the per-pixel squares for fast spheres of a drawing; 0 if it has none.
+unsigned fast_sphere_bits(const Drawing& drawing) {
   unsigned bits = 0;
   if (!drawing.geometry->fast_spheres || drawing.geometry->quadrics.quadrics().empty()) return bits;
   for (const SegmentPlan& segment : drawing.plan.segments) bits = std::max(bits, squares_bits(segment.region));
   return bits;
 }
 
-/// Bits for the quadrics of all drawings.
-QuadricBits bits_of_quadrics(const std::vector<const Drawing*>& drawings, unsigned colour_bits) {
+/// Maximum of the bits that the quadrics of the drawings take.
+QuadricBits max_quadric_bits(const std::vector<const Drawing*>& drawings, unsigned colour_bits) {
   QuadricBits most;
   for (const Drawing* const one : drawings) {
     const QuadricBits bits = quadric_bits(*one->geometry, one->view, colour_bits);
-    most = {std::max(most.root, bits.root), std::max(most.squares, bits_of_squares(*one)),
+    most = {std::max(most.root, bits.root), std::max(most.squares, fast_sphere_bits(*one)),
             std::max(most.sum, bits.sum)};
   }
   return most;
@@ -173,27 +174,27 @@ unsigned owner_bits(const std::vector<const Drawing*>& drawings) {
   return static_cast<unsigned>(std::bit_width(most));
 }
 
-/// Before the first segment: what the drawings are seen as, and their plans.
-isa::Preparation preparation_of(const std::vector<const Drawing*>& drawings) {
+/// Host work before the first segment: transforming and planning all drawings.
+isa::Preparation count_preparation(const std::vector<const Drawing*>& drawings) {
   isa::Preparation all;
   for (const Drawing* const one : drawings) {
-    all += emit::preparation_of(*one->geometry, one->view);
+    all += emit::count_preparation(*one->geometry, one->view);
     all += one->plan.preparation;
   }
   return all;
 }
 
-/// With a strategy and a colouring chosen.
+/// Compiles with a chosen strategy and colouring.
 isa::Program compile_as(const Input& input, const Options& options) {
   const Drawing& drawing = input.drawing;
   const view::Sampling& sampling = drawing.view.sampling;
-  const std::vector<const Drawing*> drawings = with_inner(drawing);
-  const ClassificationBits classification = bits_of(drawings, options);
+  const std::vector<const Drawing*> drawings = with_inner_drawings(drawing);
+  const ClassificationBits classification = max_classification_bits(drawings, options);
   const std::uint32_t memory_bits = input.machine.array.memory_bits;
   const bool has_owners = any_needs_owners(input.called);
   const bool second_colour = options.colouring == Colouring::field && !has_owners;
   const Workshop workshop{input.machine, options, input.called};
-  QuadricBits quadrics = bits_of_quadrics(drawings, options.colour_bits);
+  QuadricBits quadrics = max_quadric_bits(drawings, options.colour_bits);
   const bool is_plain = !second_colour && input.called.size() == 1;
   quadrics.in_place = is_plain && quadrics.squares > 0 &&
                       draws_in_place(input.geometry, drawing.view, drawing.plan, options.colour_bits);
@@ -214,7 +215,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   program.facts->fields = named_fields(layout);
   program.background = packed_background(options.scene, options.colour_bits);
 
-  *program.preparation = preparation_of(drawings);
+  *program.preparation = count_preparation(drawings);
   ScanConversions counts;
   for (std::size_t i = 0; i < drawing.plan.segments.size(); ++i) {
     Context context{input.tree, input.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[i],
@@ -239,7 +240,7 @@ isa::Program compile_as(const Input& input, const Options& options) {
   return program;
 }
 
-/// With what the machine needs to divide the model itself, if it does.
+/// Compiles, and adds the display model if the machine divides the model itself.
 isa::Program compile_for_machine(const Input& input, const Options& chosen) {
   Options options = chosen;
   options.work = chosen.work.afresh();
@@ -249,7 +250,7 @@ isa::Program compile_for_machine(const Input& input, const Options& chosen) {
   return program;
 }
 
-/// A pointer to an object that outlives it.
+/// A non-owning shared pointer; the object has to outlive it.
 template <class Object>
 std::shared_ptr<const Object> borrowed(const Object& object) {
   return {std::shared_ptr<const Object>(), &object};
@@ -261,13 +262,13 @@ void refuse_effects(std::span<const CalledEffect> called, const machines::Machin
                                     ? fmt::format("take its tables [[effects.{}]] out of the scene", one.row->name())
                                     : fmt::format("leave the effect out by --set effects.{}.on=false", one.row->name());
     throw InputError(fmt::format(
-        "{} divides the model itself, and its divider knows flat facets alone, not the effect {}; take a machine "
-        "for which the host divides, as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or {}",
+        "{} divides the model itself, and its divider supports only flat facets, not the effect {}; take a machine "
+        "for which the host divides, such as pixel-planes-4, scan-line or pixel-square+divider.kind=host, or {}",
         machine.name, one.row->name(), without));
   }
 }
 
-/// The strategies and colourings to choose from.
+/// The combinations of strategy, stack bits and colouring to choose from.
 std::vector<Options> candidates(const Options& options, const Plan& plan) {
   std::vector<Options> with_strategy;
   const auto add = [&](Strategy strategy, unsigned stack_bits) {
@@ -278,8 +279,8 @@ std::vector<Options> candidates(const Options& options, const Plan& plan) {
   if (options.strategy != Strategy::automatic) {
     add(options.strategy, options.stack_bits);
   } else {
-    // Levels beyond the tree's change nothing, and many levels change little.
-    const unsigned most = fewest_stack_bits + std::min(plan.depth(), most_levels_tried);
+    // Levels beyond the tree's depth change nothing, and many levels change little.
+    const unsigned most = fewest_stack_bits + std::min(plan.depth(), max_levels_tried);
     const auto add_all = [&](bool has_stack_bits, unsigned stack_bits) {
       for (const Strategy strategy : strategies) {
         if (strategy == Strategy::automatic) continue;
@@ -310,7 +311,7 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
       called_effects(options, make_look(options.scene, tree, csg::make_positive(tree), view.camera));
   if (division) refuse_effects(called, machine);
   const auto drawing = make_drawing(borrowed(tree), borrowed(geometry), std::move(view), 0, {machine, options, called});
-  if (geometry.halfspaces() >= many_halfspaces) give_back_memory();  // of solids that were cut to shape
+  if (geometry.halfspaces() >= many_halfspaces) give_back_memory();  // frees the memory of temporary solids
   const Input input{tree, geometry, *drawing, machine, division, called};
   const std::vector<Options> all = candidates(options, drawing->plan);
   if (all.size() == 1) return compile_for_machine(input, all.front());
@@ -326,7 +327,7 @@ isa::Program compile_within(const model::Tree& tree, const facet::Geometry& geom
         fewest = clocks;
       }
     } catch (const InputError&) {
-      // The last is the one that asks for the least.
+      // The last candidate needs the fewest bits, so its error is the most useful one.
       why_not = std::current_exception();
     }
   }

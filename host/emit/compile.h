@@ -1,3 +1,5 @@
+// The compiler: a model seen by a camera becomes a Program for a machine.
+// Used by sessions, studies and tests.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +14,14 @@
 
 namespace csgsim::emit {
 
-/// Tells the clocks that a Program takes.
+/// Counts the clocks that a Program takes.
 using ClockCounter = std::function<std::uint64_t(const isa::Program&)>;
 
-/// Compiles a model, as a view sees it, into a Program with a segment for each region that the machine works on. The
-/// machine says how many memory bits there are, and whether it can be asked if any pixel is enabled; its picture is as
-/// large as the view's. Where something is left to be chosen, `count` says what takes the fewest clocks; without it,
-/// they are those if nothing is skipped. Throws InputError where the model does not fit the machine.
+/// Compiles a model, seen through a view, into a Program with one segment for each region that the machine works on.
+/// The machine determines the number of memory bits and whether it has a global OR of E; its picture size must equal
+/// the view's. If the strategy or colouring is automatic, the candidate with the fewest clocks by `count` is taken;
+/// without `count`, the clocks are those of a run that skips nothing. Throws InputError if the model does not fit the
+/// machine.
 isa::Program compile(const model::Tree& tree, const facet::Geometry& geometry, view::View view,
                      const machines::Machine& machine, const Options& options = {}, const ClockCounter& count = {});
 

@@ -19,18 +19,18 @@ namespace {
 using isa::Field;
 using isa::Opcode;
 
-/// Bits of a cosine, and of the sum that becomes a channel, beyond those of the widest channel: a cosine has a sign and
-/// goes to twice 1; a sum has a fraction, and room for what is too bright.
+/// Additional bits of a cosine, and of the sum that becomes a channel, over those of the widest channel: a cosine has a
+/// sign and a range up to 2; a sum has a fraction and headroom for overexposure.
 constexpr unsigned more_bits = 3;
 
-/// Fraction bits of the expressions of cosines.
+/// Fraction bits of the linear expressions of cosines.
 constexpr unsigned fraction_bits = 8;
 
-/// Fraction bits of the sum, if it is not too bright for them.
-constexpr unsigned most_sum_fraction = 2;
+/// Maximum number of fraction bits of the sum; fewer if a bright light needs the bits.
+constexpr unsigned max_sum_fraction = 2;
 
-/// How much a fitted cosine may exceed its greatest value at the places that it was fitted to, and how many steps the
-/// depth that it meets may be off.
+/// Tolerances: how far a fitted cosine may exceed its greatest value at the fitted points, and how many steps the depth
+/// may be off.
 constexpr double slack = 0.1;
 constexpr double slack_steps = 2;
 
@@ -48,7 +48,8 @@ struct ScaledCosine {
   unsigned drop = 0;
 };
 
-/// A step of depth is a power of two of the unit; 1 is from `least_one` to twice that, or less where a step is coarser.
+/// Scales the cosine so that a depth step is a power of two of the unit. `one` is between `least_one` and twice that,
+/// or less if a depth step is coarser.
 std::optional<ScaledCosine> scaled(const LightFit& fit, double least_one, const view::Sampling& sampling) {
   ScaledCosine cosine;
   const double per_step = std::abs(fit.per_step);
@@ -60,7 +61,7 @@ std::optional<ScaledCosine> scaled(const LightFit& fit, double least_one, const 
     cosine.drop = static_cast<unsigned>(std::max(0.0, std::floor(std::log2(1.0 / (least_one * per_step)))));
     cosine.one = std::ldexp(1.0, -static_cast<int>(cosine.drop)) / per_step;
   }
-  // The half that the expression's floor loses comes back, and what depth loses by the bits that it drops.
+  // Compensates the mean loss of 1/2 by the expression's floor, and the loss by the dropped bits of the depth.
   const double dropped = std::ldexp(1.0, -static_cast<int>(cosine.drop));
   const double lost = (1.0 - dropped) / 2 - fit.off_steps * dropped;
   const double back =
@@ -83,8 +84,8 @@ class Painter {
         pixels_(pixels),
         finish_(context.look.finishes[facet.primitive]) {
     const unsigned bits = widest_channel(field.width) + more_bits;
-    cosine_ = part_of(context.layout.light, 0, bits);
-    sum_ = part_of(context.layout.light, bits, bits);
+    cosine_ = subfield(context.layout.light, 0, bits);
+    sum_ = subfield(context.layout.light, bits, bits);
   }
 
   void paint() {
@@ -107,16 +108,16 @@ class Painter {
   /// A light that reaches the facet.
   struct Light {
     ScaledCosine cosine;
-    glm::dvec3 brightness;  ///< of its colour on the surface
-    double greatest;        ///< cosine
-    double most;            ///< that the cosine in pixel memory may come to
+    glm::dvec3 brightness;  ///< of the light's colour on the surface
+    double greatest;        ///< greatest cosine
+    double most;            ///< upper bound of the cosine in pixel memory
   };
 
-  /// `begun`: what the field would hold, if it is to be taken as that.
+  /// Adds a light. `begun` is the value to start from, if the field does not hold it yet.
   void add(const Light& light, const std::optional<std::uint32_t>& begun) {
     out_.plain(Opcode::enable_store, context_.layout.kept);
     emit_cosine(light.cosine);
-    const std::array<Field, 3> channels = channels_of(field_);
+    const std::array<Field, 3> channels = colour_channels(field_);
     for (std::size_t i = 0; i < channels.size(); ++i) {
       const Field channel = channels.at(i);
       if (channel.width == 0) continue;
@@ -127,68 +128,68 @@ class Painter {
     brightest_ = glm::min(brightest_ + light.brightness * light.most, 1.0);
   }
 
-  /// What a sum has no room for comes in parts, each of which is cut off where the channel is full.
+  /// Adds the light in several parts if the sum would overflow; each part saturates the channel.
   void add_in_parts(Field channel, std::optional<std::uint32_t> begun, const Light& light, glm::length_t c) {
     double before = brightest_[c];
     int parts = 1;
     const auto brightness = [&] { return light.brightness[c] / parts; };
     const auto brightest = [&] { return before + brightness() * light.most; };
-    while (most_of(channel, brightest()) >= std::ldexp(1.0, sum_.width)) ++parts;
+    while (max_sum(channel, brightest()) >= std::ldexp(1.0, sum_.width)) ++parts;
     for (int part = 0; part < parts; ++part) {
       add_to({channel, part == 0 ? begun : std::nullopt, brightness(), brightest(), light.greatest}, light.cosine.one);
       before = std::min(brightest(), 1.0);
     }
   }
 
-  /// Where it is below 0 there is no light.
+  /// cosine_ := the cosine, or 0 where it is negative (the surface faces away from the light).
   void emit_cosine(const ScaledCosine& cosine) {
     const Layout& layout = context_.layout;
     const Field z1 = layout.light == layout.candidate ? layout.depth : layout.candidate;
     const unsigned taken = cosine.has_depth ? std::min<unsigned>(cosine_.width, z1.width - cosine.drop) : 0;
-    if (taken > 0) out_.plain(Opcode::copy, part_of(cosine_, 0, taken), part_of(z1, cosine.drop, taken));
-    if (taken < cosine_.width) out_.plain(Opcode::set_constant, part_of(cosine_, taken, cosine_.width - taken));
+    if (taken > 0) out_.plain(Opcode::copy, subfield(cosine_, 0, taken), subfield(z1, cosine.drop, taken));
+    if (taken < cosine_.width) out_.plain(Opcode::set_constant, subfield(cosine_, taken, cosine_.width - taken));
     out_.expression(cosine.is_minus ? Opcode::linear_minus : Opcode::linear_plus, cosine_, cosine.plane, fraction_bits,
                     pixels_);
-    out_.plain(Opcode::enable_and, part_of(cosine_, cosine_.width - 1U, 1));
+    out_.plain(Opcode::enable_and, subfield(cosine_, cosine_.width - 1U, 1));
     out_.plain(Opcode::set_constant, cosine_);
     out_.plain(Opcode::enable_load, context_.layout.kept);
   }
 
-  /// What becomes of a channel.
+  /// A channel and the light to add to it.
   struct Channel {
     Field field;
-    std::optional<std::uint32_t> begun;  ///< what it would hold, if it is to be taken as that
+    std::optional<std::uint32_t> begun;  ///< value to start from, if the field does not hold it yet
     double brightness;
-    double brightest;  ///< that it comes to, of 1
-    double greatest;   ///< cosine
+    double brightest;  ///< upper bound after the addition, 1 is full scale
+    double greatest;   ///< greatest cosine
   };
 
-  static double top_of(Field channel) { return std::ldexp(1.0, channel.width) - 1; }
+  static double full_scale(Field channel) { return std::ldexp(1.0, channel.width) - 1; }
 
-  /// Levels that a sum for a channel may come to.
-  static double most_of(Field channel, double brightest) { return top_of(channel) * brightest + 2; }
+  /// Upper bound of a sum for a channel, in levels.
+  static double max_sum(Field channel, double brightest) { return full_scale(channel) * brightest + 2; }
 
-  /// channel += brightness * cosine, but no more than it holds.
+  /// channel += brightness * cosine, saturated at the channel's maximum.
   void add_to(const Channel& channel, double one) {
-    const double most = most_of(channel.field, channel.brightest);
-    unsigned fraction = most_sum_fraction;
+    const double most = max_sum(channel.field, channel.brightest);
+    unsigned fraction = max_sum_fraction;
     while (fraction > 0 && most >= std::ldexp(1.0, static_cast<int>(sum_.width - fraction))) --fraction;
     const unsigned needed = std::min<unsigned>(static_cast<unsigned>(std::ilogb(most)) + 1 + fraction, sum_.width);
-    const Field sum = part_of(sum_, 0, needed);
-    const Multiple multiple = multiple_of(channel, one, fraction);
+    const Field sum = subfield(sum_, 0, needed);
+    const Multiple multiple = cosine_multiple(channel, one, fraction);
     if (multiple.digits.plus.empty()) {
       if (channel.begun) out_.plain(Opcode::set_constant, channel.field, {}, *channel.begun);
       return;
     }
     emit_sum(channel, sum, fraction, multiple);
-    const unsigned held = held_of(channel, sum, fraction);
-    out_.plain(Opcode::copy, part_of(channel.field, 0, held), part_of(sum, fraction, held));
+    const unsigned held = held_bits(channel, sum, fraction);
+    out_.plain(Opcode::copy, subfield(channel.field, 0, held), subfield(sum, fraction, held));
     if (held < channel.field.width)
-      out_.plain(Opcode::set_constant, part_of(channel.field, held, channel.field.width - held));
+      out_.plain(Opcode::set_constant, subfield(channel.field, held, channel.field.width - held));
     for (unsigned bit = fraction + channel.field.width; bit < sum.width; ++bit) {
       if (most < std::ldexp(1.0, static_cast<int>(bit - fraction))) break;
-      out_.plain(Opcode::enable_and, part_of(sum, bit, 1));
-      out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(top_of(channel.field)));
+      out_.plain(Opcode::enable_and, subfield(sum, bit, 1));
+      out_.plain(Opcode::set_constant, channel.field, {}, static_cast<std::uint64_t>(full_scale(channel.field)));
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
@@ -196,14 +197,14 @@ class Painter {
   /// A multiple of the cosine, in units of the sum.
   struct Multiple {
     Digits digits;
-    double lost = 0;  ///< comes back: half of what the digits leave at the greatest cosine, and of what they cut off
+    double lost = 0;  ///< added back: half of the rest at the greatest cosine, and half a unit for each truncated digit
   };
 
-  /// Within half a level of light, when what is lost has come back.
-  Multiple multiple_of(const Channel& channel, double one, unsigned fraction) const {
+  /// The error is within half a level of light after `lost` is added back.
+  Multiple cosine_multiple(const Channel& channel, double one, unsigned fraction) const {
     const double level = std::ldexp(1.0, static_cast<int>(fraction));
     const double greatest = channel.greatest * one;
-    Multiple multiple{fewest_digits(level * top_of(channel.field) * channel.brightness / one, level / greatest)};
+    Multiple multiple{fewest_digits(level * full_scale(channel.field) * channel.brightness / one, level / greatest)};
     const auto cut = [](int exponent) { return exponent < 0; };
     const auto half = [&](const std::vector<int>& digits) {
       return 0.5 * static_cast<double>(std::count_if(digits.begin(), digits.end(), cut));
@@ -212,10 +213,10 @@ class Painter {
     return multiple;
   }
 
-  /// sum := the channel, and the multiple.
+  /// sum := the channel plus the multiple.
   void emit_sum(const Channel& channel, Field sum, unsigned fraction, const Multiple& multiple) {
     const double level = std::ldexp(1.0, static_cast<int>(fraction));
-    // Copying it back cuts off half a level.
+    // Copying the sum back truncates half a level on average.
     const auto more = std::lround(std::max(level / 2 + multiple.lost, 0.0));
     auto next = multiple.digits.plus.begin();
     if (!channel.begun) {
@@ -226,41 +227,41 @@ class Painter {
     }
     for (; next != multiple.digits.plus.end(); ++next) add_shifted(sum, *next);
     if (multiple.digits.minus.empty()) return;
-    // To subtract, the sum is complemented before and after.
+    // The sum is complemented before and after, which turns additions into subtractions.
     const std::uint64_t all = (std::uint64_t{1} << sum.width) - 1;
     out_.plain(Opcode::xor_constant, sum, {}, all);
     for (const int exponent : multiple.digits.minus) add_shifted(sum, exponent);
     out_.plain(Opcode::xor_constant, sum, {}, all);
   }
 
-  /// The channel as it is, with as much more as its fraction holds.
+  /// sum := the channel, plus `more` as far as the sum's fraction holds it.
   void begin_sum(const Channel& channel, Field sum, unsigned fraction, std::uint64_t more) {
-    const unsigned held = held_of(channel, sum, fraction);
+    const unsigned held = held_bits(channel, sum, fraction);
     const unsigned end = fraction + held;
     if (fraction > 0)
-      out_.plain(Opcode::set_constant, part_of(sum, 0, fraction), {},
+      out_.plain(Opcode::set_constant, subfield(sum, 0, fraction), {},
                  std::min(more, (std::uint64_t{1} << fraction) - 1));
-    out_.plain(Opcode::copy, part_of(sum, fraction, held), part_of(channel.field, 0, held));
-    if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
+    out_.plain(Opcode::copy, subfield(sum, fraction, held), subfield(channel.field, 0, held));
+    if (end < sum.width) out_.plain(Opcode::set_constant, subfield(sum, end, sum.width - end));
   }
 
-  /// Bits of the channel that the sum has; those above stay 0.
-  static unsigned held_of(const Channel& channel, Field sum, unsigned fraction) {
+  /// Number of the channel's bits that the sum holds; the bits above stay 0.
+  static unsigned held_bits(const Channel& channel, Field sum, unsigned fraction) {
     return std::min<unsigned>(channel.field.width, sum.width - fraction);
   }
 
-  /// A part of the cosine, which is not negative, and where in the sum it goes.
+  /// A shifted part of the cosine, which is not negative, and its target bits in the sum.
   struct Shifted {
-    Field target;  ///< to the sum's top
-    Field source;  ///< of width 0 if nothing of it is left
+    Field target;  ///< up to the top of the sum
+    Field source;  ///< width 0 if all bits are shifted out
   };
 
   [[nodiscard]] Shifted shifted(Field sum, int exponent) const {
     const unsigned up = std::min<unsigned>(exponent > 0 ? static_cast<unsigned>(exponent) : 0, sum.width);
     const unsigned magnitude = cosine_.width - 1U;
     const unsigned down = std::min(exponent < 0 ? static_cast<unsigned>(-exponent) : 0, magnitude);
-    const Field target = part_of(sum, up, sum.width - up);
-    return {target, part_of(cosine_, down, std::min<unsigned>(magnitude - down, target.width))};
+    const Field target = subfield(sum, up, sum.width - up);
+    return {target, subfield(cosine_, down, std::min<unsigned>(magnitude - down, target.width))};
   }
 
   void add_shifted(Field sum, int exponent) {
@@ -272,9 +273,9 @@ class Painter {
     const Shifted part = shifted(sum, exponent);
     const unsigned below = sum.width - part.target.width;
     const unsigned end = below + part.source.width;
-    if (below > 0) out_.plain(Opcode::set_constant, part_of(sum, 0, below));
-    if (part.source.width > 0) out_.plain(Opcode::copy, part_of(sum, below, part.source.width), part.source);
-    if (end < sum.width) out_.plain(Opcode::set_constant, part_of(sum, end, sum.width - end));
+    if (below > 0) out_.plain(Opcode::set_constant, subfield(sum, 0, below));
+    if (part.source.width > 0) out_.plain(Opcode::copy, subfield(sum, below, part.source.width), part.source);
+    if (end < sum.width) out_.plain(Opcode::set_constant, subfield(sum, end, sum.width - end));
   }
 
   const Context& context_;
@@ -285,7 +286,7 @@ class Painter {
   const lighting::Finish& finish_;
   Field cosine_;
   Field sum_;
-  glm::dvec3 brightest_{0};  ///< what the channels come to so far, of 1
+  glm::dvec3 brightest_{0};  ///< upper bound of the channels until now, 1 is full scale
 };
 
 }  // namespace

@@ -23,8 +23,8 @@ std::string_view name_of(Curves curves) { return curve_names.at(static_cast<std:
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look) {
   if (machine.evaluator_degree < 2)
     return fmt::format(
-        "{} evaluates linear expressions alone, and a curved surface takes quadratic ones; take a machine whose "
-        "evaluator.degree is 2, as pixel-powers",
+        "{} evaluates only linear expressions, and a curved surface needs quadratic ones; take a machine whose "
+        "evaluator.degree is 2, such as pixel-powers",
         machine.name);
   return why_no_curves(machine, options, look);
 }
@@ -32,8 +32,8 @@ std::optional<std::string> why_no_quadrics(const machines::Machine& machine, con
 std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look) {
   if (machines::division(machine))
     return fmt::format(
-        "{} divides the model itself, and its divider knows half-spaces alone; take a machine for which the host "
-        "divides, as pixel-powers",
+        "{} divides the model itself, and its divider supports only half-spaces; take a machine for which the host "
+        "divides, such as pixel-powers",
         machine.name);
   for (const CalledEffect& one : called_effects(options, look)) {
     if (!one.row->takes_quadrics)
@@ -42,7 +42,7 @@ std::optional<std::string> why_no_curves(const machines::Machine& machine, const
   }
   const bool shines = std::any_of(look.finishes.begin(), look.finishes.end(),
                                   [](const lighting::Finish& one) { return one.material.specular > 0; });
-  if (shines) return "highlights are worked out a facet at a time; leave the materials' specular out of the scene";
+  if (shines) return "highlights are computed once per facet; remove the materials' specular from the scene";
   return std::nullopt;
 }
 

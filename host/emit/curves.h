@@ -1,3 +1,5 @@
+// How curved primitives are drawn: as facets, fast spheres or quadrics.
+// Used by sessions and studies.
 #pragma once
 
 #include <array>
@@ -15,9 +17,9 @@ namespace csgsim::emit {
 /// How spheres, cylinders and cones are drawn.
 enum class Curves : std::uint8_t {
   facets,     ///< as polyhedra
-  fast,       ///< spheres as fast spheres (host/view/fast_sphere.h), on any machine; the rest as polyhedra
+  fast,       ///< spheres as fast spheres (host/view/fast_sphere.h), on any machine; other shapes as polyhedra
   exact,      ///< as quadrics
-  automatic,  ///< as quadrics wherever the machine and the scene's effects can, else as polyhedra
+  automatic,  ///< as quadrics if the machine and the scene's effects support it, else as polyhedra
 };
 
 inline constexpr std::array curve_choices{Curves::facets, Curves::fast, Curves::exact, Curves::automatic};
@@ -25,10 +27,10 @@ inline constexpr std::array curve_choices{Curves::facets, Curves::fast, Curves::
 /// The choice's name on the command line and in the stats.
 std::string_view name_of(Curves curves);
 
-/// Why the machine cannot draw quadrics, or the scene's effects not on them, and what to do; nothing if they can.
+/// Why the machine or the scene's effects do not support quadrics, and what to do; empty if they do.
 std::optional<std::string> why_no_quadrics(const machines::Machine& machine, const Options& options, const Look& look);
 
-/// The same without the question of the machine's evaluator: why only facets can be drawn.
+/// The same without checking the machine's evaluator: why only facets can be drawn.
 std::optional<std::string> why_no_curves(const machines::Machine& machine, const Options& options, const Look& look);
 
 }  // namespace csgsim::emit

@@ -7,7 +7,7 @@ namespace csgsim::emit {
 
 namespace {
 
-/// More digits than this are never the fewest: positive ones alone halve the rest each time.
+/// Upper bound of the search: positive digits alone at least halve the rest each time, so the minimum is lower.
 constexpr std::size_t most_digits = 12;
 
 bool is_better(const Digits& a, const Digits& b) {
@@ -15,11 +15,11 @@ bool is_better(const Digits& a, const Digits& b) {
   return std::abs(a.rest) < std::abs(b.rest);
 }
 
-/// The powers of two on either side of what is left, one after another.
+/// Depth-first search that subtracts the power of two just below or just above the rest.
 class Search {
  public:
   Search(double number, double error) : error_(error) {
-    so_far_.rest = number;
+    current_.rest = number;
     binary();
     branch();
   }
@@ -27,9 +27,9 @@ class Search {
   Digits best;
 
  private:
-  /// Begins with the number cut off, which needs no subtraction.
+  /// Starts with the truncated binary representation, which needs no subtraction.
   void binary() {
-    best = so_far_;
+    best = current_;
     while (best.rest > error_) {
       best.plus.push_back(std::ilogb(best.rest));
       best.rest -= std::ldexp(1.0, best.plus.back());
@@ -37,28 +37,28 @@ class Search {
   }
 
   void branch() {
-    if (std::abs(so_far_.rest) <= error_) {
-      if (is_better(so_far_, best)) best = so_far_;
+    if (std::abs(current_.rest) <= error_) {
+      if (is_better(current_, best)) best = current_;
       return;
     }
-    if (additions(so_far_) >= std::min(additions(best), most_digits)) return;
-    const int below = std::ilogb(so_far_.rest);
+    if (additions(current_) >= std::min(additions(best), most_digits)) return;
+    const int below = std::ilogb(current_.rest);
     take(below);
     take(below + 1);
   }
 
   void take(int exponent) {
-    const double before = so_far_.rest;
-    std::vector<int>& digits = before > 0 ? so_far_.plus : so_far_.minus;
+    const double before = current_.rest;
+    std::vector<int>& digits = before > 0 ? current_.plus : current_.minus;
     digits.push_back(exponent);
-    so_far_.rest -= std::copysign(std::ldexp(1.0, exponent), before);
+    current_.rest -= std::copysign(std::ldexp(1.0, exponent), before);
     branch();
-    so_far_.rest = before;
+    current_.rest = before;
     digits.pop_back();
   }
 
   double error_;
-  Digits so_far_;
+  Digits current_;
 };
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Numbers as signed sums of powers of two, for multiplication by shifts and additions.
+// Used by curved_light.
 #pragma once
 
 #include <cstddef>
@@ -7,17 +9,17 @@ namespace csgsim::emit {
 
 /// A number as sums and differences of powers of two.
 struct Digits {
-  std::vector<int> plus;   ///< exponents, from the greatest down
-  std::vector<int> minus;  ///< exponents, from the greatest down
-  double rest = 0;         ///< the number less these
+  std::vector<int> plus;   ///< exponents, descending
+  std::vector<int> minus;  ///< exponents, descending
+  double rest = 0;         ///< the number minus these powers
 };
 
-/// What a multiplication by the digits takes in additions: one each, and one more to turn the sum about where it
-/// subtracts too.
+/// Number of additions that a multiplication by the digits takes: one for each digit, and one more to complement the
+/// sum if it subtracts.
 std::size_t additions(const Digits& digits);
 
-/// The digits of the number, to within `error`, that take the fewest additions; where several do, those with the least
-/// rest. The number must not be negative, nor the error 0.
+/// The digits of `number` within `error` that take the fewest additions; ties are broken by the smallest rest. The
+/// number must not be negative, and the error must be positive.
 Digits fewest_digits(double number, double error);
 
 }  // namespace csgsim::emit

@@ -21,11 +21,11 @@ namespace {
   throw InputError(model::place_of(tree, primitive) +
                    ": a face of this primitive is too large for the divider: its coefficients do not fit " +
                    std::to_string(isa::max_linear_width) +
-                   " bits; move the camera back or the picture's centre onto it, give up --z-bits or "
+                   " bits; move the camera back, move the picture's centre onto it, lower --z-bits or "
                    "--fraction-bits, or split the primitive");
 }
 
-/// The planes that are sent, each once, in the order in which they are first needed.
+/// The planes that are sent, each once, in the order of their first use.
 class SentPlanes {
  public:
   explicit SentPlanes(const view::View& view) : view_(view) {}
@@ -47,7 +47,7 @@ class SentPlanes {
   std::vector<division::Plane> planes_;
 };
 
-division::Box box_of(const view::Extent& extent, std::int64_t farthest) {
+division::Box pixel_box(const view::Extent& extent, std::int64_t farthest) {
   const view::PixelRect& pixels = extent.pixels;
   division::Box box;
   if (!pixels.empty()) box.pixels = {pixels.x0, pixels.y0, pixels.x1, pixels.y1};
@@ -56,7 +56,7 @@ division::Box box_of(const view::Extent& extent, std::int64_t farthest) {
   return box;
 }
 
-std::vector<division::Halfspace> halfspaces_of(const Context& context, std::uint32_t primitive, SentPlanes& planes) {
+std::vector<division::Halfspace> list_halfspaces(const Context& context, std::uint32_t primitive, SentPlanes& planes) {
   std::vector<division::Halfspace> sent;
   const view::Extent& extent = context.view.extents[primitive];
   if (extent.empty()) return sent;
@@ -76,23 +76,23 @@ std::vector<division::Halfspace> halfspaces_of(const Context& context, std::uint
   return sent;
 }
 
-std::vector<division::Primitive> primitives_of(const Context& context, SentPlanes& planes) {
+std::vector<division::Primitive> list_primitives(const Context& context, SentPlanes& planes) {
   std::vector<division::Primitive> sent(context.tree.primitives.size());
   for (const csg::ConvexSet& set : csg::convex_sets(context.positive, true)) {
     for (const std::uint32_t primitive : set) {
       division::Primitive& one = sent[primitive];
-      one.box = box_of(context.view.extents[primitive], context.farthest());
+      one.box = pixel_box(context.view.extents[primitive], context.farthest());
       one.complemented = context.complemented(primitive);
       one.joined = primitive != set.front();
       if (!one.complemented) one.near_colour = facet_colour(context, at_near(context, primitive));
-      one.halfspaces = halfspaces_of(context, primitive, planes);
+      one.halfspaces = list_halfspaces(context, primitive, planes);
     }
   }
   return sent;
 }
 
-/// The tree in postorder, found without recursion, so that no tree is too deep.
-std::vector<division::Node> nodes_of(const csg::PositiveTree& tree) {
+/// The tree in postorder, without recursion, so that deep trees do not overflow the stack.
+std::vector<division::Node> list_nodes(const csg::PositiveTree& tree) {
   struct Open {
     std::uint32_t node;
     std::size_t next = 0;
@@ -117,7 +117,7 @@ std::vector<division::Node> nodes_of(const csg::PositiveTree& tree) {
   return nodes;
 }
 
-division::Fields fields_of(const Layout& layout, std::uint32_t memory_bits) {
+division::Fields field_positions(const Layout& layout, std::uint32_t memory_bits) {
   return {layout.depth,
           layout.candidate,
           layout.colour,
@@ -139,7 +139,7 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
                                           const view::View& view, const Options& options, std::uint32_t memory_bits,
                                           const csg::Counted& counted) {
   if (options.colouring == Colouring::automatic)
-    throw InputError("the divider has to be told how colours are found; take --colouring rebroadcast or field");
+    throw InputError("the divider needs a fixed colouring; take --colouring rebroadcast or field");
   const view::Sampling& sampling = view.sampling;
   const Layout layout =
       plan_layout({sampling.z_bits, options.colour_bits, options.colouring == Colouring::field, {}}, memory_bits);
@@ -152,10 +152,10 @@ division::DisplayModel make_display_model(const model::Tree& tree, const facet::
   SentPlanes planes(view);
   division::DisplayModel made{
       {sampling.width, sampling.height, sampling.z_bits, sampling.fraction_bits, options.colour_bits,
-       packed_background(options.scene, options.colour_bits), fields_of(layout, memory_bits)},
+       packed_background(options.scene, options.colour_bits), field_positions(layout, memory_bits)},
       {},
-      primitives_of(context, planes),
-      nodes_of(positive)};
+      list_primitives(context, planes),
+      list_nodes(positive)};
   made.planes = planes.take();
   return made;
 }

@@ -1,3 +1,5 @@
+// The display model: what the host sends to a machine that divides the model itself.
+// Used by divided.cpp, division counts and tests.
 #pragma once
 
 #include "host/csg/counted.h"
@@ -9,13 +11,13 @@
 
 namespace csgsim::emit {
 
-/// How a Program has to be compiled to have the instructions that the divider emits from the display model with these
-/// options: the divider's strategy and prunings, the colouring, colours and shading asked for.
+/// Compile options for a Program with the instructions that the divider generates from the display model: the divider's
+/// strategy and prunings, with the colouring, colours and shading of `options`.
 Options divider_options(Options options);
 
-/// What the host sends to the divider: the transformed model, and where the fields are in a pixel's memory. All memory
-/// bits that other fields leave are for the stack. Throws InputError if the other fields do not fit, if the colouring
-/// is left to be chosen, or, naming the primitive, where coefficients of a face do not fit and the face may matter
+/// What the host sends to the divider: the transformed model, and the positions of the fields in pixel memory. The
+/// stack gets all memory bits that other fields leave. Throws InputError if the other fields do not fit, if the
+/// colouring is automatic, or, naming the primitive, if coefficients of a face do not fit and the face may matter
 /// somewhere in the primitive's rectangle of pixels.
 division::DisplayModel make_display_model(const model::Tree& tree, const facet::Geometry& geometry,
                                           const view::View& view, const Options& options, std::uint32_t memory_bits,

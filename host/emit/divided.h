@@ -1,3 +1,5 @@
+// Compilation for machines that divide the model themselves.
+// Used by the compiler and sim/viewer.
 #pragma once
 
 #include "host/emit/options.h"
@@ -10,12 +12,13 @@
 
 namespace csgsim::emit {
 
-/// What the options become where the machine divides the model itself: its strategy and its prunings. Throws InputError
-/// for a strategy that it does not have, and for other prunings than all or just the divider's.
+/// The options for a machine that divides the model itself: its strategy and its prunings. Throws InputError for
+/// another strategy, and for prunings that are neither the default nor the divider's.
 Options options_for(const machines::Division& division, const Options& options);
 
-/// Adds to a Program that was compiled with such options, and with a colouring chosen, what the machine is sent in
-/// place of the segments, and the tests that each takes there. Throws as make_display_model does.
+/// Adds the display model, which the machine receives in place of the segments, and the counts of the divider's work
+/// for each segment. The Program must have been compiled with the options of options_for and a fixed colouring. Throws
+/// as make_display_model does.
 void add_division(isa::Program& program, const machines::Division& division, const model::Tree& tree,
                   const facet::Geometry& geometry, const view::View& view, const machines::Machine& machine,
                   const Options& options);

@@ -14,7 +14,7 @@ namespace csgsim::emit {
 
 namespace {
 
-/// The half-spaces that the divider looks at; none of a primitive that is out of its list.
+/// The half-spaces that the divider examines; none of a primitive that is not in its list.
 struct Listed {
   std::vector<bool> primitives;
   std::vector<std::vector<facet::Halfspace>> halfspaces;  ///< sorted
@@ -41,13 +41,13 @@ class Counter {
         view_(view),
         options_(divider_options(options)),
         positive_(csg::make_positive(tree)) {
-    // A group leaves what its leaders leave.
+    // Only the leaders at the corners of a rectangle decide which half-spaces are dropped.
     options_.pruning.pixels = false;
     boxes_.resize(positive_.nodes.size());
-    for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = box_of(positive_.nodes[i]);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = bounding_box(positive_.nodes[i]);
   }
 
-  [[nodiscard]] Listed everything() const {
+  [[nodiscard]] Listed list_all() const {
     Listed listed;
     listed.primitives.assign(geometry_.solids.size(), true);
     for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) listed.halfspaces.push_back(sent(i));
@@ -55,15 +55,15 @@ class Counter {
     return listed;
   }
 
-  /// What a group of squares leaves.
-  Listed left_by(const isa::Region& group, division::Counts& counts) const {
+  /// Primitives and half-spaces that remain for a group of squares.
+  Listed divide_group(const isa::Region& group, division::Counts& counts) const {
     Listed listed;
     listed.primitives.assign(geometry_.solids.size(), false);
     listed.halfspaces.resize(geometry_.solids.size());
     counts.boxes += geometry_.solids.size();
     SegmentPlan segment;
     segment.region = group;
-    const Context context = context_of(segment);
+    const Context context = context_for(segment);
     for (std::uint32_t i = 0; i < geometry_.solids.size(); ++i) {
       const view::PixelRect pixels = common(view_.extents[i].pixels, segment.pixels());
       if (view_.extents[i].empty() || pixels.empty()) continue;
@@ -103,7 +103,7 @@ class Counter {
         if (!is_listed(sets[number], listed) || !has_box(sets[number], plan.segments[i])) continue;
         SurfaceCounts& surface = square.emplace_back();
         surface.primitive = sets[number].front();
-        surface.counts = counts_of(sets[number], plan.segments[i], pruner, listed);
+        surface.counts = count_set(sets[number], plan.segments[i], pruner, listed);
         surface.counts.boxes = boxes[number + 1] - std::exchange(looked_at, boxes[number + 1]);
       }
       square.push_back({model::no_index, {.boxes = boxes.back() - looked_at}});
@@ -115,7 +115,7 @@ class Counter {
  private:
   using Box = csg::Block;
 
-  [[nodiscard]] Box box_of(const csg::PositiveNode& node) const {
+  [[nodiscard]] Box bounding_box(const csg::PositiveNode& node) const {
     if (node.is_leaf) {
       const view::Extent& extent = view_.extents[node.primitive];
       return {extent.pixels, extent.z_low, extent.z_high};
@@ -144,11 +144,11 @@ class Counter {
     return halfspaces;
   }
 
-  [[nodiscard]] Context context_of(const SegmentPlan& segment) const {
+  [[nodiscard]] Context context_for(const SegmentPlan& segment) const {
     return {tree_, geometry_, view_, positive_, segment, layout_, options_, machine_, look_};
   }
 
-  /// Whether the boxes of a set's primitives, and the square, have pixels and depths in common.
+  /// Whether the boxes of all primitives of the set and the square have pixels and depths in common.
   [[nodiscard]] bool has_box(const csg::ConvexSet& set, const SegmentPlan& segment) const {
     Box box{segment.pixels(), 0, (std::int64_t{1} << view_.sampling.z_bits) - 1};
     for (const std::uint32_t primitive : set) {
@@ -168,7 +168,7 @@ class Counter {
     return std::all_of(set.begin(), set.end(), [&](std::uint32_t one) { return listed.primitives[one]; });
   }
 
-  /// How many primitives of the list come before each set, and how many there are.
+  /// Prefix sums of listed primitives: the number before each set, and the total.
   [[nodiscard]] static std::vector<std::uint64_t> boxes_before(std::span<const csg::ConvexSet> sets,
                                                                const Listed& listed) {
     std::vector<std::uint64_t> before{0};
@@ -179,29 +179,29 @@ class Counter {
     return before;
   }
 
-  /// What looking at a set takes whose boxes and the square have something in common.
-  [[nodiscard]] division::Counts counts_of(const csg::ConvexSet& set, const SegmentPlan& segment,
+  /// Counts of examining a set whose boxes overlap the square.
+  [[nodiscard]] division::Counts count_set(const csg::ConvexSet& set, const SegmentPlan& segment,
                                            const csg::Pruner& pruner, const Listed& listed) const {
     division::Counts counts;
     for (const std::uint32_t primitive : set) count_list(listed.halfspaces[primitive].size(), counts);
-    const csg::Block block = pruner.block_of(set, segment.pixels());
-    if (!block.pixels.empty()) look_at_tree(set, block, listed, counts);
+    const csg::Block block = pruner.surface_block(set, segment.pixels());
+    if (!block.pixels.empty()) count_tree_nodes(set, block, listed, counts);
     return counts;
   }
 
-  /// What thinning out the half-spaces of the surfaces that are left takes.
+  /// Adds the cell tests that drop redundant half-spaces of the remaining surfaces.
   void add_cells(SquareCounts& square, const SegmentPlan& segment, const Listed& listed) const {
-    const Context context = context_of(segment);
+    const Context context = context_for(segment);
     for (const PlannedSurface& planned : segment.surfaces) {
       const auto surface = std::ranges::find(square, planned.primitive(), &SurfaceCounts::primitive);
-      if (surface != square.end()) thin_out(context, planned, listed, surface->counts);
+      if (surface != square.end()) count_thinning(context, planned, listed, surface->counts);
     }
   }
 
-  /// The nodes above the set's first leaf, the other operands of the intersections among them, and whatever is below
-  /// one whose box meets the block.
-  void look_at_tree(const csg::ConvexSet& set, const csg::Block& block, const Listed& listed,
-                    division::Counts& counts) const {
+  /// Counts the nodes visited: the ancestors of the set's first leaf, the other operands of intersections among them,
+  /// and the descendants of each node whose box meets the block.
+  void count_tree_nodes(const csg::ConvexSet& set, const csg::Block& block, const Listed& listed,
+                        division::Counts& counts) const {
     std::vector<std::uint32_t> open;
     std::uint32_t below = positive_.leaf_of[set.front()];
     for (std::uint32_t at = positive_.nodes[below].parent; at != model::no_index;
@@ -224,19 +224,19 @@ class Counter {
     }
   }
 
-  /// Cell tests of half-spaces of one side.
+  /// Number of cell tests of half-spaces of one side.
   [[nodiscard]] std::uint64_t cells(const Context& context, std::span<const Facet> facets,
                                     const view::PixelRect& pixels, bool quarters) const {
     if (facets.empty()) return 0;
     std::vector<view::FixedLinear> planes;
-    for (const Facet& facet : facets) planes.push_back(context.linear_of(facet.halfspace));
+    for (const Facet& facet : facets) planes.push_back(context.linear_plane(facet.halfspace));
     const facet::Halfspace& first = facets.front().halfspace;
     const bool is_front = view::side_of(view_.planes[first.plane], first) == view::Side::front;
     return count_cell_tests(planes, is_front ? 1 : -1, std::int64_t{1} << view_.sampling.fraction_bits, pixels,
                             quarters);
   }
 
-  /// The cells of a side that are listed and do not hold the whole block.
+  /// Cell tests for the half-spaces of a side that are listed and do not contain the whole block.
   [[nodiscard]] std::uint64_t cells(const Context& context, std::span<const std::uint32_t> set, view::Side side,
                                     const csg::Block& block, const Listed& listed) const {
     Deciding left = undecided(context, set, side, block);
@@ -245,8 +245,8 @@ class Counter {
     return cells(context, left.facets, block.pixels, true);
   }
 
-  void thin_out(const Context& context, const PlannedSurface& planned, const Listed& listed,
-                division::Counts& counts) const {
+  void count_thinning(const Context& context, const PlannedSurface& planned, const Listed& listed,
+                      division::Counts& counts) const {
     const csg::Block column{planned.block.pixels, 0, context.farthest()};
     counts.cells += cells(context, planned.set, view::Side::front, column, listed) +
                     cells(context, planned.set, view::Side::back, column, listed);
@@ -278,7 +278,7 @@ class Counter {
   Layout layout_;
   machines::Machine machine_;
   Look look_;
-  std::vector<Box> boxes_;  ///< of each node: holds those of its primitives that have pixels
+  std::vector<Box> boxes_;  ///< by node: bounding box of those of its primitives that have pixels
 };
 
 }  // namespace
@@ -287,14 +287,14 @@ std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::G
                                          const view::View& view, const Options& options,
                                          std::span<const isa::Region> squares) {
   const Counter counter(tree, geometry, view, options);
-  return counter.squares(squares, counter.everything());
+  return counter.squares(squares, counter.list_all());
 }
 
 GroupCounts count_group(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                         const Options& options, const isa::Region& group, std::span<const isa::Region> squares) {
   const Counter counter(tree, geometry, view, options);
   GroupCounts counts;
-  const Listed listed = counter.left_by(group, counts.group);
+  const Listed listed = counter.divide_group(group, counts.group);
   counts.entries = static_cast<std::uint64_t>(std::count(listed.primitives.begin(), listed.primitives.end(), true));
   for (const auto& halfspaces : listed.halfspaces) counts.entries += halfspaces.size();
   counts.squares = counter.squares(squares, listed);

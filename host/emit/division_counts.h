@@ -1,3 +1,5 @@
+// Counts of the divider's work for squares and groups of squares.
+// Used by divided.cpp and its test.
 #pragma once
 
 #include <cstdint>
@@ -14,26 +16,26 @@
 
 namespace csgsim::emit {
 
-// What the divider does, counted by the host's own means and by the rules of docs/division.md alone.
+// The host computes these counts with its own data structures and the rules of docs/division.md.
 
-/// What a surface takes, whether it is drawn or not, with the boxes since the one before; instructions apart, which a
-/// compiled Program has. After the last come the boxes that are left.
+/// The divider's work for a surface, whether it is drawn or not, including the boxes since the surface before. The
+/// compiled Program holds its number of instructions. The last entry of a square has the remaining boxes.
 struct SurfaceCounts {
-  std::uint32_t primitive = model::no_index;  ///< its first; none after the last surface
+  std::uint32_t primitive = model::no_index;  ///< first primitive of the surface; no_index in the last entry
   division::Counts counts;
 };
 
 using SquareCounts = std::vector<SurfaceCounts>;
 
-/// For each square from the whole model.
+/// Counts for each square, divided from the whole model.
 std::vector<SquareCounts> count_division(const model::Tree& tree, const facet::Geometry& geometry,
                                          const view::View& view, const Options& options,
                                          std::span<const isa::Region> squares);
 
-/// The same for the squares of one group, from what the group leaves.
+/// Counts for the squares of one group, divided from what remains for the group.
 struct GroupCounts {
   division::Counts group;
-  std::uint64_t entries = 0;  ///< primitives and half-spaces that are left
+  std::uint64_t entries = 0;  ///< primitives and half-spaces that remain for the group
   std::vector<SquareCounts> squares;
 };
 

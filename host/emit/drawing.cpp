@@ -17,10 +17,10 @@ namespace csgsim::emit {
 
 namespace {
 
-/// What reaches less far behind a mirror, relative to its size, is not behind it.
+/// Tolerance, relative to the model's size, within which a primitive does not reach behind the mirror.
 constexpr double behind_mirror = 1e-9;
 
-/// Opacities by primitive; empty where all hide what is behind them.
+/// Opacities by primitive; empty if all are opaque.
 std::vector<double> opacities(const Look& look, std::span<const CalledEffect> called) {
   const bool any =
       std::any_of(called.begin(), called.end(), [](const CalledEffect& one) { return one.row->sees_through; });
@@ -30,7 +30,7 @@ std::vector<double> opacities(const Look& look, std::span<const CalledEffect> ca
   return all;
 }
 
-/// Whether nothing of the primitive is behind the mirror.
+/// Whether no part of the primitive is behind the mirror.
 bool is_before(const Drawing& drawing, std::uint32_t primitive) {
   const facet::Geometry& geometry = *drawing.geometry;
   const facet::Plane& plane = geometry.planes.planes()[drawing.reflection->plane];
@@ -45,7 +45,7 @@ bool is_before(const Drawing& drawing, std::uint32_t primitive) {
                      [&](const glm::dvec3& vertex) { return value(vertex) * (eye < 0 ? -1 : 1) > -slack; });
 }
 
-/// Drops surfaces that are outside the mirror or before it.
+/// Drops surfaces that are outside the mirror's pixels or in front of it.
 void drop_unseen(Drawing& drawing) {
   std::vector<bool> before;
   for (std::uint32_t i = 0; i < drawing.geometry->solids.size(); ++i) before.push_back(is_before(drawing, i));
@@ -70,14 +70,14 @@ bool is_drawn(const Context& context, const PlannedSurface& planned) {
 
 namespace {
 
-/// Plans the drawing, of which the rest is there, and has each called effect prepare it.
+/// Plans a drawing whose other members are set, and lets each called effect prepare it.
 void plan_and_prepare(Drawing& drawing, const Workshop& workshop) {
   const Options& options = workshop.options;
   csg::Pruning pruning = pruning_of(options);
   drawing.look = make_look(options.scene, *drawing.tree, csg::make_positive(*drawing.tree), drawing.view.camera);
   if (drawing.reflection) {
     drawing.look.lighting = drawing.reflection->lighting;
-    // What hides others may itself be before the mirror.
+    // A primitive that hides others may itself be in front of the mirror and not be drawn.
     pruning.hidden = false;
   }
   drawing.plan = make_plan(*drawing.tree, *drawing.geometry, drawing.view, machines::regions(workshop.machine), pruning,
@@ -115,7 +115,7 @@ std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dv
   return sample;
 }
 
-std::vector<const Drawing*> with_inner(const Drawing& drawing) {
+std::vector<const Drawing*> with_inner_drawings(const Drawing& drawing) {
   std::vector<const Drawing*> all{&drawing};
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (const auto& state : all[i]->states)
@@ -124,7 +124,7 @@ std::vector<const Drawing*> with_inner(const Drawing& drawing) {
   return all;
 }
 
-Context context_of(const Drawing& drawing, const Context& outer) {
+Context context_for(const Drawing& drawing, const Context& outer) {
   Context inner{
       *drawing.tree, *drawing.geometry, drawing.view,  drawing.plan.positive, drawing.plan.segments[outer.segment],
       outer.layout,  outer.options,     outer.machine, drawing.look};
@@ -169,12 +169,12 @@ void emit_setup(const Context& context, Broadcast& out) {
   if (context.layout.owner.width > 0) out.plain(isa::Opcode::set_constant, context.layout.owner, {}, 0);
 }
 
-Kept emit_surfaces(const Context& outer, Broadcast& out) {
+DrawnCounts emit_surfaces(const Context& outer, Broadcast& out) {
   const StoredDepths stored(outer);
   Context context = outer;
   if (!stored.primitives().empty()) context.stored = &stored;
   emit_stored_depths(context, out);
-  Kept kept;
+  DrawnCounts kept;
   for (const PlannedSurface& one : context.plan.surfaces) {
     if (!is_drawn(context, one)) continue;
     const Sides sides = deciding_sides(context, one);
@@ -190,25 +190,25 @@ void emit_shading(const Context& context, Broadcast& out) {
   Shadows shadows;
   for_effects(context, out, &Effect::light, shadows);
   for (const PlannedSurface& one : context.plan.surfaces) {
-    if (is_drawn(context, one)) emit_seen_colours(context, out, one, shadows);
+    if (is_drawn(context, one)) emit_visible_colours(context, out, one, shadows);
   }
 }
 
 void emit_composition(const Context& context, Broadcast& out) { for_effects(context, out, &Effect::compose); }
 
-Kept emit_drawing(const Context& context, Broadcast& out) {
+DrawnCounts emit_drawing(const Context& context, Broadcast& out) {
   emit_setup(context, out);
-  const Kept kept = emit_surfaces(context, out);
+  const DrawnCounts kept = emit_surfaces(context, out);
   emit_shading(context, out);
   emit_composition(context, out);
   return kept;
 }
 
-Kept emit_picture(const Context& context, Broadcast& out) {
-  Kept kept;
+DrawnCounts emit_picture(const Context& context, Broadcast& out) {
+  DrawnCounts kept;
   bool is_first = true;
   const DrawPicture draw = [&](const Context& one) {
-    const Kept drawn = emit_drawing(one, out);
+    const DrawnCounts drawn = emit_drawing(one, out);
     if (std::exchange(is_first, false)) kept = drawn;
     for_effects(one, out, &Effect::finish);
   };

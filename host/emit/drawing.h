@@ -1,3 +1,5 @@
+// A drawing: a model as one camera sees it, planned and ready to be emitted.
+// Used by the compiler and the effects.
 #pragma once
 
 #include <memory>
@@ -13,75 +15,75 @@
 
 namespace csgsim::emit {
 
-/// How a model is seen that is seen in a mirror: of it, reflected, only what is behind the mirror.
+/// A mirror image: only the part of the reflected model that is behind the mirror is visible.
 struct Reflection {
-  unsigned count = 1;           ///< mirrors on the way
-  std::uint32_t plane = 0;      ///< the mirror's, among the canonical planes of the reflected model
-  view::PixelRect pixels;       ///< that may show the mirror
-  lighting::Lighting lighting;  ///< reflected too
+  unsigned count = 1;           ///< number of mirrors on the light's path
+  std::uint32_t plane = 0;      ///< the mirror's plane, an index into the canonical planes of the reflected model
+  view::PixelRect pixels;       ///< pixels that may show the mirror
+  lighting::Lighting lighting;  ///< the reflected lighting
 };
 
-/// A model as one camera sees it, with all that is worked out before anything is broadcast. The camera's picture is
-/// one; effects prepare others, as of what a mirror shows.
+/// A model as one camera sees it, with everything that is computed before emission. The camera's picture is one
+/// drawing; effects prepare others, for example what a mirror shows.
 struct Drawing {
   std::shared_ptr<const model::Tree> tree;
   std::shared_ptr<const facet::Geometry> geometry;
   view::View view;
   Look look;
   Plan plan;
-  unsigned nesting = 0;  ///< drawings that it is within
+  unsigned nesting = 0;  ///< number of drawings that enclose this one
   std::optional<Reflection> reflection;
-  const Drawing* sampled_from = nullptr;  ///< the same but for where its pixels are sampled, if that is another one
+  const Drawing* sampled_from = nullptr;  ///< the drawing that differs only in its sample positions; null if none
   EffectStates states;
 };
 
-/// What drawings are made with.
+/// Inputs for making drawings.
 struct Workshop {
   const machines::Machine& machine;
   const Options& options;
   std::span<const CalledEffect> called;
 };
 
-/// Plans a drawing, and has each called effect prepare it. Throws InputError where an effect cannot.
+/// Plans a drawing and lets each called effect prepare it. Throws InputError if an effect cannot.
 std::shared_ptr<const Drawing> make_drawing(std::shared_ptr<const model::Tree> tree,
                                             std::shared_ptr<const facet::Geometry> geometry, view::View view,
                                             unsigned nesting, const Workshop& workshop,
                                             std::optional<Reflection> reflection = {});
 
-/// The same drawing, sampled so far from the pixels' centres: columns and rows.
+/// The same drawing, sampled at `offset` (columns, rows) from the pixel centres.
 std::shared_ptr<const Drawing> make_sample(const Drawing& drawing, const glm::dvec2& offset, const Workshop& workshop);
 
-/// The drawing and all that its effects prepared, themselves within one another.
-std::vector<const Drawing*> with_inner(const Drawing& drawing);
+/// The drawing and the drawings inside it that its effects prepared, recursively.
+std::vector<const Drawing*> with_inner_drawings(const Drawing& drawing);
 
-/// The same region, fields and settings, for another drawing.
-Context context_of(const Drawing& drawing, const Context& outer);
+/// A context for another drawing with the same region, fields and settings.
+Context context_for(const Drawing& drawing, const Context& outer);
 
-/// Whether the surface is one of those that emit_surfaces draws.
+/// Whether emit_surfaces draws the surface.
 bool is_drawn(const Context& context, const PlannedSurface& planned);
 
-/// Half-spaces and primitives that surfaces were drawn of.
-struct Kept {
+/// Numbers of half-spaces and primitives in the drawn surfaces.
+struct DrawnCounts {
   std::uint32_t primitives = 0;
   std::uint32_t halfspaces = 0;
 };
 
-/// Nothing seen yet at the context's pixels: background, depth and owner.
+/// Initializes background, depth and owner at the context's pixels.
 void emit_setup(const Context& context, Broadcast& out);
 
-/// The surfaces of the context's plan into Z2, colours too unless owners are kept.
-Kept emit_surfaces(const Context& context, Broadcast& out);
+/// Draws the surfaces of the context's plan into Z2, and their colours unless owners are kept.
+DrawnCounts emit_surfaces(const Context& context, Broadcast& out);
 
-/// Where owners are kept: shadows, then the colours of the surfaces that are seen. Nothing otherwise.
+/// If owners are kept: emits shadows, then the colours of the visible surfaces. Else emits nothing.
 void emit_shading(const Context& context, Broadcast& out);
 
-/// The effects that follow the colours.
+/// Emits the effects that follow the colours.
 void emit_composition(const Context& context, Broadcast& out);
 
-/// All four, one after another.
-Kept emit_drawing(const Context& context, Broadcast& out);
+/// Calls the four functions above, in this order.
+DrawnCounts emit_drawing(const Context& context, Broadcast& out);
 
-/// The camera's picture with all effects.
-Kept emit_picture(const Context& context, Broadcast& out);
+/// Emits the camera's picture with all effects.
+DrawnCounts emit_picture(const Context& context, Broadcast& out);
 
 }  // namespace csgsim::emit

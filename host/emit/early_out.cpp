@@ -8,8 +8,8 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Clocks that can be saved for one of the question.
-constexpr std::uint64_t least_gain = 16;
+/// Minimum number of clocks that a skip must save for each clock of its test.
+constexpr std::uint64_t min_gain = 16;
 
 }  // namespace
 
@@ -17,7 +17,7 @@ void emit_early_out(const Context& context, Broadcast& out, std::size_t begin, c
   if (!context.options.pruning.early_out || !machines::has_global_or(context.machine)) return;
   const std::span<const isa::Instruction> guarded = out.from(begin);
   const isa::Instruction question{isa::Opcode::skip_if_none, {}, {}, guarded.size(), origin};
-  if (machines::clocks(guarded, context.machine) >= least_gain * machines::clocks(question, context.machine))
+  if (machines::clocks(guarded, context.machine) >= min_gain * machines::clocks(question, context.machine))
     out.insert(begin, question);
 }
 

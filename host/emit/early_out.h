@@ -1,3 +1,5 @@
+// Skips over instructions that no pixel would execute.
+// Used by the emitter and the effects.
 #pragma once
 
 #include <cstddef>
@@ -6,9 +8,9 @@
 
 namespace csgsim::emit {
 
-/// Has everything that was appended from `begin` on skipped where E is 1 at no pixel before it: if such pruning is
-/// asked for, the machine can answer, and what is skipped takes several times the clocks of the question. The question
-/// gets that origin. Skips appended before must not reach beyond `begin`.
+/// Makes the instructions appended from `begin` on conditional: they are skipped if E is 0 at all pixels before them.
+/// Nothing is inserted if early-out pruning is off, the machine has no global OR, or the skipped instructions take too
+/// few clocks. The test gets `origin`. Skips appended before must not span `begin`.
 void emit_early_out(const Context& context, Broadcast& out, std::size_t begin, const isa::Origin& origin);
 
 }  // namespace csgsim::emit

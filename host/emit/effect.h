@@ -1,3 +1,5 @@
+// The interface of effects, and the row that registers one.
+// Used by the emitter, host/effects and sessions.
 #pragma once
 
 #include <algorithm>
@@ -19,60 +21,60 @@
 
 namespace csgsim::emit {
 
-/// An effect at work on one region: what it prepared for the drawing.
+/// Arguments of an effect's work on one region: its state for the drawing, and the context.
 struct EffectCall {
   const EffectState& state;
   const Context& context;
 };
 
-/// Draws the picture once, colours and all, with the context of a drawing that an effect has prepared.
+/// Draws the picture once, with colours, from the context of a drawing that an effect has prepared.
 using DrawPicture = std::function<void(const Context& context)>;
 
-/// What a scene may call for besides flat facets, with its settings. In what it does not override, it has no part. What
-/// it broadcasts is billed to it.
+/// A technique that a scene may call for beyond flat facets, with its settings. The default of each function does
+/// nothing. Instructions that an effect appends are billed to it.
 class Effect {
  public:
   virtual ~Effect() = default;
 
-  /// Whether a model calls for it by itself, where the scene does not say it.
+  /// Whether the look of a model calls for the effect when the scene does not mention it.
   [[nodiscard]] virtual bool called_by(const Look& /*look*/) const { return false; }
-  /// The model that is drawn in place of the file's. Throws InputError where the settings do not fit it.
+  /// Returns the model to draw in place of the file's. Throws InputError if the settings do not fit it.
   virtual model::Tree reshape(model::Tree&& tree) const { return std::move(tree); }
-  /// Throws InputError where the settings do not fit the model. Called once for each drawing.
+  /// Called once for each drawing. Throws InputError if the settings do not fit the model.
   [[nodiscard]] virtual std::unique_ptr<const EffectState> prepared_for(const Drawing& drawing,
                                                                         const Workshop& workshop) const = 0;
-  /// Bits of pixel memory besides those of every picture; of `drawing`, the camera's own.
+  /// Additional bits of pixel memory; `drawing` is the camera's.
   [[nodiscard]] virtual std::vector<FieldRequest> fields(const Drawing& /*drawing*/,
                                                          const Workshop& /*workshop*/) const {
     return {};
   }
 
-  /// Before a surface's depth test, where E is 1 at the pixels that have the surface: may clear E.
+  /// Called before a surface's depth test, with E 1 at the surface's pixels; may clear E.
   virtual void admit(const EffectCall& /*call*/, Broadcast& /*out*/, const PlannedSurface& /*planned*/) const {}
-  /// After a surface's merge, where E is 1 at the pixels that show it so far: may write fields, and leaves E.
+  /// Called after a surface's merge, with E 1 at the pixels that show it until now; may write fields and preserves E.
   virtual void merge(const EffectCall& /*call*/, Broadcast& /*out*/, const PlannedSurface& /*planned*/) const {}
-  /// Colours a facet into `field` where E is 1, and may clear E; E is 0 outside `pixels`. False if the facet is not the
-  /// effect's: then nothing was broadcast.
+  /// Colours a facet into `field` where E is 1, and may clear E; E is 0 outside `pixels`. Returns false without
+  /// appending instructions if the facet is not the effect's.
   virtual bool shade(const EffectCall& /*call*/, Broadcast& /*out*/, const Facet& /*facet*/, isa::Field /*field*/,
                      const view::PixelRect& /*pixels*/) const {
     return false;
   }
-  /// After all surfaces, before their colours: where lights are in shadow. Needs owners.
+  /// Called after all surfaces and before their colours: finds where lights are in shadow. Needs owners.
   virtual void light(const EffectCall& /*call*/, Broadcast& /*out*/, Shadows& /*shadows*/) const {}
-  /// After the colours of a drawing.
+  /// Called after the colours of a drawing.
   virtual void compose(const EffectCall& /*call*/, Broadcast& /*out*/) const {}
-  /// In place of drawing the picture once. False if it does not.
+  /// Called instead of drawing the picture once. Returns false if the effect does not.
   virtual bool around(const EffectCall& /*call*/, Broadcast& /*out*/, const DrawPicture& /*draw*/) const {
     return false;
   }
-  /// Once, after the colours of a picture: of each, where there are several.
+  /// Called once after the colours of each picture.
   virtual void finish(const EffectCall& /*call*/, Broadcast& /*out*/) const {}
-  /// Once, after all pictures.
+  /// Called once after all pictures.
   virtual void enhance(const EffectCall& /*call*/, Broadcast& /*out*/) const {}
 };
 
-/// What an effect is derived from: it has its settings, which are made of its section's tables as scene::settings_of
-/// says, and finds again what it prepared.
+/// Base class of effects. It holds the settings parsed by scene::settings_of from the tables of its section, and
+/// provides access to the prepared state.
 template <class SettingsType, class StateType = EffectState>
 class EffectOf : public Effect {
  public:
@@ -89,29 +91,29 @@ class EffectOf : public Effect {
   }
 
  protected:
-  /// As prepared_for, into a blank state.
+  /// Prepares a default-constructed state.
   virtual void prepare(State& /*state*/, const Drawing& /*drawing*/, const Workshop& /*workshop*/) const {}
 
   static const State& prepared(const EffectCall& call) { return static_cast<const State&>(call.state); }
 
-  /// What was prepared for a drawing; null if it has not been yet.
+  /// The state prepared for a drawing; null if there is none yet.
   [[nodiscard]] const State* prepared_in(const Drawing& drawing, const Workshop& workshop) const {
     const auto own = std::ranges::find(workshop.called, this, [](const CalledEffect& one) { return one.effect.get(); });
     const auto number = static_cast<std::size_t>(own - workshop.called.begin());
     return number < drawing.states.size() ? static_cast<const State*>(drawing.states[number].get()) : nullptr;
   }
 
-  /// What was prepared for a drawing and for all that are within it.
+  /// The states prepared for a drawing and for all drawings inside it.
   [[nodiscard]] std::vector<const State*> all_prepared(const Drawing& drawing, const Workshop& workshop) const {
     std::vector<const State*> all;
-    for (const Drawing* const one : with_inner(drawing)) {
+    for (const Drawing* const one : with_inner_drawings(drawing)) {
       if (const State* const state = prepared_in(*one, workshop)) all.push_back(state);
     }
     return all;
   }
 };
 
-/// How a row makes its effect, and which parts it has that somebody asks for.
+/// The factory of an effect, and which optional functions it overrides.
 struct EffectParts {
   std::shared_ptr<const Effect> (*make)(const std::vector<scene::Values>& tables);  ///< throws as scene::table_of does
   bool shades;
@@ -127,29 +129,30 @@ inline constexpr EffectParts parts_of{[](const std::vector<scene::Values>& table
                                       !std::is_same_v<decltype(&Own::shade), decltype(&Effect::shade)>,
                                       !std::is_same_v<decltype(&Own::around), decltype(&Effect::around)>};
 
-/// A row of host/effects.
+/// A row of the table in host/effects.
 struct EffectRow {
-  scene::Section section;      ///< of the scene file, named `effects.NAME`; that it is there calls for the effect
-  std::string_view technique;  ///< and where it is from
+  scene::Section section;      ///< section of the scene file, named `effects.NAME`; its presence calls for the effect
+  std::string_view technique;  ///< the technique and its source
   EffectParts parts;
-  bool needs_owners = false;    ///< colours are found after all surfaces, by the number of the surface that is seen
-  bool takes_quadrics = false;  ///< works where curved surfaces are drawn without facets
-  bool sees_through = false;    ///< a primitive whose opacity is below 1 hides nothing
+  bool needs_owners = false;    ///< colours are computed after all surfaces, by the number of the visible surface
+  bool takes_quadrics = false;  ///< supports curved surfaces drawn without facets
+  bool sees_through = false;    ///< primitives with an opacity below 1 hide nothing
 
   [[nodiscard]] constexpr std::string_view name() const {
     return section.name.substr(std::string_view("effects.").size());
   }
 };
 
-/// Those that the scene or, where it says nothing, the model calls for, in the order of their rows; flat shading first.
+/// The effects that the scene calls for, or the model where the scene does not mention them, in the order of their
+/// rows; flat shading is the first.
 std::vector<CalledEffect> called_effects(const Options& options, const Look& look);
 
-/// What they ask of pixel memory for the camera's drawing.
+/// Fields of pixel memory that the effects request for the camera's drawing.
 std::vector<EffectFields> effect_fields(const Drawing& drawing, const Workshop& workshop);
 
 bool any_needs_owners(std::span<const CalledEffect> called);
 
-/// Has each effect of the context do its part, billed to it, until one returns true; whether one did.
+/// Calls `part` of each effect of the context, billed to it, until one returns true. Returns whether one did.
 template <class Part, class... Arguments>
 bool for_effects(const Context& context, Broadcast& out, Part part, Arguments&... arguments) {
   for (std::size_t i = 0; i < context.called.size(); ++i) {

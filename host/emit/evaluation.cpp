@@ -18,13 +18,12 @@ void check_products(const model::Tree& tree, const Plan& plan, const Options& op
   for (const SegmentPlan& segment : plan.segments) {
     std::uint64_t total = 0;
     for (const PlannedSurface& one : segment.surfaces) {
-      // A surface that is a single product multiplies nothing.
+      // A surface with a single product needs no multiplication.
       const std::uint64_t products = one.active.operands.empty() ? 1 : strategy.products(one.active, options);
       if (products <= 1) continue;
-      if (!__builtin_add_overflow(total, products, &total) && total <= most_products) continue;
-      throw InputError(model::place_of(tree, one.primitive()) +
-                       ": with this primitive the tree multiplies out to more than " + std::to_string(most_products) +
-                       " products; take --strategy stack, list or auto" +
+      if (!__builtin_add_overflow(total, products, &total) && total <= max_products) continue;
+      throw InputError(model::place_of(tree, one.primitive()) + ": the tree of this primitive expands to more than " +
+                       std::to_string(max_products) + " products; take --strategy stack, list or auto" +
                        (strategy.has_stack_bits ? ", or more --stack-bits" : ""));
     }
   }
@@ -74,9 +73,9 @@ ClassificationBits classification_bits(const Drawing& drawing, const Options& op
   ClassificationBits most;
   for (const SegmentPlan& segment : drawing.plan.segments) {
     ClassificationBits bits;
-    for (const PlannedSurface& one : segment.surfaces) bits = most_of(bits, strategy.bits(one.active, options));
+    for (const PlannedSurface& one : segment.surfaces) bits = max_bits(bits, strategy.bits(one.active, options));
     if (strategy.stored_bits != nullptr) bits.stored = strategy.stored_bits(segment, drawing.view);
-    most = most_of(most, bits);
+    most = max_bits(most, bits);
   }
   return most;
 }

@@ -7,9 +7,9 @@ namespace csgsim::emit {
 
 namespace {
 
-/// The mean of a facet's vertices, in the camera's axes.
+/// The mean of a facet's vertices, in camera space.
 glm::dvec3 middle(const Context& context, const Facet& facet) {
-  const std::vector<glm::dvec3> vertices = vertices_of(context, facet);
+  const std::vector<glm::dvec3> vertices = facet_vertices(context, facet);
   glm::dvec3 sum{0};
   for (const glm::dvec3& vertex : vertices) sum += vertex;
   const glm::dvec3 place = vertices.empty() ? context.geometry.solids[facet.primitive].box.centre()

@@ -1,3 +1,5 @@
+// Flat-shaded colours of facets.
+// Used by flat shading and the effects.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +9,10 @@
 
 namespace csgsim::emit {
 
-/// A facet's colour, as the colour field holds it.
+/// The colour of a facet in the format of the colour field.
 std::uint32_t facet_colour(const Context& context, const Facet& facet);
 
-/// The same if its primitive had that colour: red, green, blue in [0, 1].
+/// The same with `colour` (red, green, blue in [0, 1]) in place of the primitive's.
 std::uint32_t facet_colour(const Context& context, const Facet& facet, const glm::dvec3& colour);
 
 }  // namespace csgsim::emit

@@ -11,10 +11,10 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Vertices of a facet are this close to its plane, relative to their distance from the middle of the model.
+/// Tolerance of a vertex's distance from its facet's plane, relative to its distance from the model's middle.
 constexpr double on_plane = 1e-6;
 
-/// A normal in the primitive's own axes, of length 1.
+/// A unit normal in the primitive's local space.
 glm::dvec3 in_own_axes(const model::Primitive& primitive, const glm::dvec3& normal) {
   return glm::normalize(glm::transpose(glm::dmat3(primitive.transform)) * normal);
 }
@@ -39,7 +39,7 @@ bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal) {
   return model::is_flat(primitive.shape, in_own_axes(primitive, normal));
 }
 
-std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet) {
+std::vector<glm::dvec3> facet_vertices(const Context& context, const Facet& facet) {
   const std::vector<glm::dvec3>& all = context.geometry.solids[facet.primitive].vertices;
   if (facet.at == At::cap) return all;
   const facet::Plane& plane = context.geometry.planes.planes()[facet.halfspace.plane];

@@ -1,3 +1,5 @@
+// Normals and vertices of facets.
+// Used by the effects, facet_colour and sim/studies/trace.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,20 +9,20 @@
 
 namespace csgsim::emit {
 
-/// A vector in the camera's axes: right, up, forward.
+/// A vector in camera space: right, up, forward.
 glm::dvec3 in_camera_axes(const view::Camera& camera, const glm::dvec3& v);
 
-/// Out of the solid that is seen, model space, of length 1. Not of a cap, which has no half-space.
+/// The unit normal in model space that points out of the visible solid. Undefined for a cap, which has no half-space.
 glm::dvec3 outward(const Context& context, const Facet& facet);
 
-/// The same in the primitive's own axes, of length 1.
+/// The same normal in the primitive's local space.
 glm::dvec3 own_normal(const Context& context, const Facet& facet);
 
-/// Whether a facet with that normal, model space, to either side, is flat in the model: not one of many that stand for
-/// a curved surface.
+/// Whether a facet with the normal `normal` (model space, either sign) is flat in the model, that is, not one of those
+/// that approximate a curved surface.
 bool is_flat(const model::Primitive& primitive, const glm::dvec3& normal);
 
-/// The vertices of a facet, model space, in no order; all of the solid's for a cap.
-std::vector<glm::dvec3> vertices_of(const Context& context, const Facet& facet);
+/// The vertices of a facet in model space, unordered; all vertices of the solid for a cap.
+std::vector<glm::dvec3> facet_vertices(const Context& context, const Facet& facet);
 
 }  // namespace csgsim::emit

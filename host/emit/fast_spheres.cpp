@@ -13,8 +13,8 @@ namespace {
 
 using isa::Opcode;
 
-/// How far below 0 the least of t (t - (side - 1)) is.
-std::int64_t depth_of_valley(std::int64_t side) { return (side - 1) * (side - 1) / 4; }
+/// The negated minimum of t (t - (side - 1)) over integers t.
+std::int64_t valley_depth(std::int64_t side) { return (side - 1) * (side - 1) / 4; }
 
 /// The pixels of a region along one axis.
 struct Axis {
@@ -25,16 +25,16 @@ struct Axis {
   [[nodiscard]] view::FixedLinear line(std::int64_t constant) const { return {is_x ? 1 : 0, is_x ? 0 : 1, constant}; }
 };
 
-std::array<Axis, 2> axes_of(const isa::Region& region) {
+std::array<Axis, 2> region_axes(const isa::Region& region) {
   return {Axis{true, region.x, region.width}, Axis{false, region.y, region.height}};
 }
 
-/// x^2 + y^2 of the picture's columns and rows less the squares that are in memory.
-view::FixedLinear left_of_squares(const isa::Region& region) {
+/// x^2 + y^2 in picture coordinates minus the squares in memory. The difference is linear.
+view::FixedLinear linear_rest(const isa::Region& region) {
   view::FixedLinear left;
-  for (const Axis& axis : axes_of(region)) {
+  for (const Axis& axis : region_axes(region)) {
     (axis.is_x ? left.a : left.b) = 2 * axis.first + axis.side - 1;
-    left.c -= axis.first * axis.first + (axis.side - 1) * axis.first + depth_of_valley(axis.side);
+    left.c -= axis.first * axis.first + (axis.side - 1) * axis.first + valley_depth(axis.side);
   }
   return left;
 }
@@ -43,9 +43,9 @@ view::FixedLinear sum(const view::FixedLinear& one, const view::FixedLinear& oth
   return {one.a + times * other.a, one.b + times * other.b, one.c + times * other.c};
 }
 
-/// What r^2 - d^2 is more than the squares in memory take away, with the discriminant's bits after the point.
+/// The linear function r^2 - d^2 plus the squares in memory, with the discriminant's fraction bits.
 view::FixedLinear above_squares(const Context& context, const view::ScreenQuadric& sphere) {
-  return sum(sphere.discriminant.linear, left_of_squares(context.plan.region),
+  return sum(sphere.discriminant.linear, linear_rest(context.plan.region),
              -(std::int64_t{1} << sphere.discriminant_shift));
 }
 
@@ -54,7 +54,7 @@ void add_squares(Broadcast& out, const Axis& axis, isa::Field squares, const vie
   for (unsigned bit = 0; bit < bits; ++bit) {
     out.plain(Opcode::enable_all);
     out.stripe(axis.line(-axis.first), bit + 1);
-    out.expression(Opcode::linear_plus, part_of(squares, bit, squares.width - bit),
+    out.expression(Opcode::linear_plus, subfield(squares, bit, squares.width - bit),
                    axis.line(1 - axis.first - axis.side), 0, pixels);
   }
 }
@@ -62,7 +62,7 @@ void add_squares(Broadcast& out, const Axis& axis, isa::Field squares, const vie
 }  // namespace
 
 unsigned squares_bits(const isa::Region& region) {
-  const std::int64_t most = depth_of_valley(region.width) + depth_of_valley(region.height);
+  const std::int64_t most = valley_depth(region.width) + valley_depth(region.height);
   return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(most))));
 }
 
@@ -71,8 +71,8 @@ void emit_squares(const Context& context, Broadcast& out) {
   const isa::Field squares = context.layout.squares;
   out.origin = {isa::Purpose::setup, isa::no_primitive, isa::no_node};
   out.plain(Opcode::enable_all);
-  out.constant(squares, static_cast<std::uint64_t>(depth_of_valley(region.width) + depth_of_valley(region.height)));
-  for (const Axis& axis : axes_of(region)) add_squares(out, axis, squares, context.plan.pixels());
+  out.constant(squares, static_cast<std::uint64_t>(valley_depth(region.width) + valley_depth(region.height)));
+  for (const Axis& axis : region_axes(region)) add_squares(out, axis, squares, context.plan.pixels());
 }
 
 void emit_circle(const Context& context, Broadcast& out, const view::ScreenQuadric& sphere,
@@ -97,11 +97,11 @@ void emit_paraboloid(const Context& context, Broadcast& out, const view::ScreenQ
   const auto up = [&](int exponent) { return static_cast<unsigned>(exponent + static_cast<int>(fraction)); };
   const auto add = [&](unsigned places) {
     if (places >= sum_field.width) return;
-    const isa::Field target = part_of(sum_field, places, sum_field.width - places);
+    const isa::Field target = subfield(sum_field, places, sum_field.width - places);
     const isa::Field squares = context.layout.squares;
-    out.plain(Opcode::add, target, part_of(squares, 0, std::min(squares.width, target.width)));
+    out.plain(Opcode::add, target, subfield(squares, 0, std::min(squares.width, target.width)));
   };
-  // near = linear + greater -/+ smaller, far = linear - greater +/- smaller: what is taken away goes in first.
+  // near = linear + greater -/+ smaller, far = linear - greater +/- smaller: subtracted terms are written first.
   const bool greater_is_taken = !is_near;
   const bool smaller_is_taken = factor.signs < 0 ? is_near : !is_near;
   if (factor.signs == 0 || greater_is_taken == smaller_is_taken) {

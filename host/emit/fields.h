@@ -1,3 +1,5 @@
+// Parts of fields of pixel memory.
+// Used by the emitter and the effects.
 #pragma once
 
 #include <array>
@@ -8,16 +10,16 @@
 
 namespace csgsim::emit {
 
-/// That many bits of a field, from that one on.
-constexpr isa::Field part_of(isa::Field field, unsigned from, unsigned width) {
+/// The `width` bits of a field from bit `from` on.
+constexpr isa::Field subfield(isa::Field field, unsigned from, unsigned width) {
   return {static_cast<std::uint16_t>(field.base + from), static_cast<std::uint16_t>(width)};
 }
 
-/// Red, green and blue of a colour field.
-constexpr std::array<isa::Field, 3> channels_of(isa::Field colour) {
+/// The red, green and blue parts of a colour field.
+constexpr std::array<isa::Field, 3> colour_channels(isa::Field colour) {
   const std::array<unsigned, 3> widths = isa::channel_widths(colour.width);
-  return {part_of(colour, widths[2] + widths[1], widths[0]), part_of(colour, widths[2], widths[1]),
-          part_of(colour, 0, widths[2])};
+  return {subfield(colour, widths[2] + widths[1], widths[0]), subfield(colour, widths[2], widths[1]),
+          subfield(colour, 0, widths[2])};
 }
 
 }  // namespace csgsim::emit

@@ -36,10 +36,10 @@ constexpr std::array rows{&flat};
 const EffectRow flat{.section = scene::effect_section<NoSettings>("effects.flat", "every facet in one colour"),
                      .technique =
                          "Lambert's law and Blinn's highlights (Models of Light Reflection for Computer "
-                         "Synthesized Pictures, SIGGRAPH 1977), worked out once a facet by the host",
+                         "Synthesized Pictures, SIGGRAPH 1977), computed once per facet by the host",
                      .parts = parts_of<FlatShading>,
                      .takes_quadrics = true};
 
-std::span<const EffectRow* const> flat_alone() { return rows; }
+std::span<const EffectRow* const> only_flat_shading() { return rows; }
 
 }  // namespace csgsim::emit

@@ -1,10 +1,12 @@
+// Flat shading: every facet in one colour.
+// Used by the table of effect rows.
 #pragma once
 
 #include "host/emit/effect.h"
 
 namespace csgsim::emit {
 
-/// Every facet in one colour: the effect that every picture has, and whose facets are those that no other takes.
+/// The effect that every picture has. It colours the facets that no other effect takes.
 extern const EffectRow flat;
 
 }  // namespace csgsim::emit

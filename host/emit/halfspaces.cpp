@@ -17,17 +17,17 @@ namespace {
 
 using view::Side;
 
-/// Throws InputError, naming the primitive, unless the plane's coefficients fit the machine.
+/// Throws InputError, naming the primitive, unless the machine can represent the plane's coefficients.
 void require_representable(const Context& context, std::uint32_t primitive, facet::Halfspace halfspace) {
   if (context.view.planes[halfspace.plane].representable) return;
   throw InputError(model::place_of(context.tree, primitive) +
                    ": a face of this primitive is too large for the picture: its coefficients do not fit " +
                    std::to_string(isa::max_linear_width) +
-                   " bits; move the camera back or the picture's centre onto it, give up --z-bits or --fraction-bits, "
+                   " bits; move the camera back, move the picture's centre onto it, lower --z-bits or --fraction-bits, "
                    "or split the primitive");
 }
 
-csg::Known known_of(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
+csg::Known locate_block(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
   context.counted.add(&isa::Preparation::halfspaces);
   const csg::Known known = csg::locate(context.view, halfspace, block);
   const bool representable = context.view.planes[halfspace.plane].representable;
@@ -36,7 +36,7 @@ csg::Known known_of(const Context& context, facet::Halfspace halfspace, const cs
 
 bool is_edge_test(const Context& context, facet::Halfspace halfspace, const csg::Block& block) {
   return context.view.planes[halfspace.plane].kind == view::PlaneKind::edge &&
-         known_of(context, halfspace, block) != csg::Known::in;
+         locate_block(context, halfspace, block) != csg::Known::in;
 }
 
 template <class Item>
@@ -45,8 +45,8 @@ void keep(std::vector<Item>& items, const std::vector<bool>& kept) {
   std::erase_if(items, [&](const Item&) { return !kept[index++]; });
 }
 
-/// Drops half-spaces whose rank the greatest rank at a corner exceeds by a step at every corner, hence at every pixel
-/// between.
+/// Drops half-spaces that some leader, the greatest rank at a corner, exceeds by a step at every corner, and hence at
+/// every pixel.
 void drop_before_leaders(std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
                          const view::PixelRect& pixels, const csg::Counted& counted) {
   std::uint64_t held = 0;
@@ -56,7 +56,7 @@ void drop_before_leaders(std::vector<view::FixedLinear>& ranks, std::vector<Face
   keep(facets, leads);
 }
 
-/// Drops half-spaces that at no pixel come as near as a depth step to the extreme there.
+/// Drops half-spaces that are at least a depth step behind the extreme at every pixel.
 void drop_before_all(const std::vector<view::FixedLinear>& ranks, std::vector<Facet>& facets, std::int64_t step,
                      const view::PixelRect& pixels, const csg::Counted& counted) {
   std::vector<bool> kept(ranks.size(), false);
@@ -83,14 +83,14 @@ void drop_before_all(const std::vector<view::FixedLinear>& ranks, std::vector<Fa
   keep(facets, kept);
 }
 
-/// Drops half-spaces that never make the extreme of their side: at each pixel another one is beyond them by a whole
-/// depth step at least.
+/// Drops half-spaces that never form the extreme of their side, because another one exceeds them by at least a depth
+/// step at every pixel.
 void drop_dominated(const Context& context, std::vector<Facet>& facets, Side side, const view::PixelRect& pixels) {
   const std::int64_t sign = side == Side::front ? 1 : -1;
   const std::int64_t step = std::int64_t{1} << context.view.sampling.fraction_bits;
   std::vector<view::FixedLinear> ranks;
   for (const Facet& facet : facets) {
-    const view::FixedLinear& plane = context.linear_of(facet.halfspace);
+    const view::FixedLinear& plane = context.linear_plane(facet.halfspace);
     ranks.push_back({sign * plane.a, sign * plane.b, sign * plane.c});
   }
   drop_before_leaders(ranks, facets, step, pixels, context.counted);
@@ -105,7 +105,7 @@ Deciding undecided(const Context& context, std::span<const std::uint32_t> set, S
   for (const std::uint32_t primitive : set) {
     for (const facet::Halfspace& halfspace : context.geometry.solids[primitive].halfspaces) {
       if (view::side_of(context.view.planes[halfspace.plane], halfspace) != side) continue;
-      const csg::Known known = known_of(context, halfspace, block);
+      const csg::Known known = locate_block(context, halfspace, block);
       if (known == csg::Known::in) continue;
       result.nothing = result.nothing || known == csg::Known::out;
       if (known == csg::Known::depends) require_representable(context, primitive, halfspace);
@@ -129,7 +129,7 @@ std::uint32_t Sides::count() const {
 
 namespace {
 
-/// Whether the quadric is what is seen of a solid at depth 0, and it may be there.
+/// Whether the quadric is what a solid shows at depth 0, and it may be there.
 bool is_seen_at_near(const Context& context, const PlannedSurface& planned, const QuadricBound& bound) {
   return bound.primitive == planned.primitive() && !context.complemented(planned.primitive()) &&
          is_at_near(context, bound) && may_reach_near(context, bound, planned.block.pixels);
@@ -147,7 +147,7 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
         std::count_if(halfspaces.begin(), halfspaces.end(),
                       [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, column); }));
     for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
-      const csg::Known known = known_of(context, bound, column);
+      const csg::Known known = locate_block(context, bound, column);
       sides.nothing = sides.nothing || known == csg::Known::out;
       if (known == csg::Known::in && !is_seen_at_near(context, planned, bound)) continue;
       if (bound.role == view::QuadricRole::edge) {
@@ -160,11 +160,11 @@ Sides deciding_sides(const Context& context, const PlannedSurface& planned) {
   return sides;
 }
 
-isa::Origin origin_of(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet) {
+isa::Origin facet_origin(isa::Purpose purpose, const PlannedSurface& planned, const Facet& facet) {
   return {purpose, facet.primitive, planned.set.size() > 1 ? planned.primitive() : isa::no_node};
 }
 
-std::optional<Facet> seen_of(const QuadricBound& bound, bool complemented) {
+std::optional<Facet> visible_facet(const QuadricBound& bound, bool complemented) {
   using view::QuadricRole;
   const auto facet = [&](At at) { return Facet{bound.primitive, {}, at, bound.side}; };
   switch (bound.role) {
@@ -176,14 +176,14 @@ std::optional<Facet> seen_of(const QuadricBound& bound, bool complemented) {
   return std::nullopt;
 }
 
-view::FixedLinear plane_of(const Context& context, const Facet& facet) {
-  return facet.at != At::plane ? view::FixedLinear{} : context.linear_of(facet.halfspace);
+view::FixedLinear facet_plane(const Context& context, const Facet& facet) {
+  return facet.at != At::plane ? view::FixedLinear{} : context.linear_plane(facet.halfspace);
 }
 
 bool has_edges(const Context& context, std::uint32_t primitive, const csg::Block& block) {
   const auto cuts = [&](const facet::Halfspace& halfspace) { return is_edge_test(context, halfspace, block); };
   const auto cuts_too = [&](const QuadricBound& bound) {
-    return bound.role == view::QuadricRole::edge && known_of(context, bound, block) != csg::Known::in;
+    return bound.role == view::QuadricRole::edge && locate_block(context, bound, block) != csg::Known::in;
   };
   return std::ranges::any_of(context.geometry.solids[primitive].halfspaces, cuts) ||
          std::ranges::any_of(quadric_bounds(context, primitive), cuts_too);
@@ -198,7 +198,7 @@ void emit_edges(const Context& context, Broadcast& out, std::uint32_t primitive,
     out.edge(positive ? isa::Opcode::edge_not_negative : isa::Opcode::edge_negative, plane.linear, block.pixels);
   }
   for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
-    if (bound.role == view::QuadricRole::edge && known_of(context, bound, block) != csg::Known::in)
+    if (bound.role == view::QuadricRole::edge && locate_block(context, bound, block) != csg::Known::in)
       emit_outline(context, out, bound, block.pixels);
   }
 }

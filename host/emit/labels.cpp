@@ -11,7 +11,7 @@ namespace {
 
 using isa::Opcode;
 
-/// Emits one list. The label is no wider than this list needs.
+/// Emits one list. The label is as wide as this list requires.
 class ListEmitter {
  public:
   ListEmitter(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned label_bits)
@@ -23,7 +23,7 @@ class ListEmitter {
   [[nodiscard]] std::uint64_t classified() const { return classified_; }
 
   void emit(std::span<const csg::ListLeaf> leaves) {
-    // E is the mask, and every pixel in it begins at label 0, which is the first leaf's: none of them waits yet.
+    // E is the mask. All its pixels start with label 0, that of the first leaf.
     write_label(0);
     for (const csg::ListLeaf& leaf : leaves) {
       emit_stack(out_, Opcode::enable_load, context_.layout.mask);
@@ -33,28 +33,28 @@ class ListEmitter {
   }
 
  private:
-  /// Where E is 1: the pixels that wait for the leaf.
+  /// Emits a leaf, with E 1 at the pixels that wait for it.
   void emit(const csg::ListLeaf& leaf) {
     classified_ += emit_comparison(context_, out_, planned_.active.nodes[leaf.node], planned_);
     if (!stays(leaf, leaf.if_in)) {
-      go(leaf.if_in);
+      apply(leaf.if_in);
       if (stays(leaf, leaf.if_out)) return;
-      // What still waits here is out.
+      // The pixels that still wait for this leaf are outside it.
       emit_stack(out_, Opcode::enable_load, context_.layout.mask);
       keep_label(leaf.name);
     } else {
-      // E is in the mask, so that this is the mask without E.
+      // E is a subset of the mask, so this gives the mask without E.
       emit_stack(out_, Opcode::enable_xor, context_.layout.mask);
       keep_label(leaf.name);
     }
-    go(leaf.if_out);
+    apply(leaf.if_out);
   }
 
   static bool stays(const csg::ListLeaf& leaf, const csg::Target& target) {
     return target.to != csg::Destination::hidden && target.label == leaf.name;
   }
 
-  /// E := E and "the pixel's label is this one".
+  /// E := E and "the pixel's label equals `label`".
   void keep_label(std::uint32_t label) {
     for (unsigned bit = 0; bit < label_.width; ++bit) {
       const isa::Field field{static_cast<std::uint16_t>(label_.base + bit), 1};
@@ -66,8 +66,8 @@ class ListEmitter {
     if (label_.width > 0) emit_stack(out_, Opcode::set_constant, label_, label);
   }
 
-  /// Where E is 1.
-  void go(const csg::Target& target) {
+  /// Applies the target where E is 1.
+  void apply(const csg::Target& target) {
     if (target.to == csg::Destination::hidden) {
       emit_stack(out_, Opcode::set_constant, context_.layout.mask, 0);
     } else {
@@ -82,7 +82,7 @@ class ListEmitter {
   std::uint64_t classified_ = 0;
 };
 
-/// The bits of the label that a pixel keeps.
+/// The width of the label that a pixel holds.
 ClassificationBits list_bits(const csg::ActiveTree& active, const Options& /*options*/) {
   return {.label = csg::make_ordered_list(active).label_bits};
 }
@@ -96,7 +96,7 @@ std::uint64_t emit_list(const Context& context, Broadcast& out, const PlannedSur
 
 }  // namespace
 
-/// Ordered Boolean list (csg::OrderedList), leaf after leaf: the label of the leaf that a pixel waits for.
+/// Ordered Boolean list (csg::OrderedList): the leaves in order, each for the pixels whose label names it.
 extern const StrategyRow list_strategy{.bits = list_bits, .classify = emit_list};
 
 }  // namespace csgsim::emit

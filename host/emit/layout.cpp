@@ -19,19 +19,19 @@ constexpr std::string_view fewer_bits = "work with fewer bits by --strategy list
 constexpr std::string_view no_quadrics = "draw curved surfaces as facets by --curves facets";
 constexpr std::string_view one_buffer = "take a machine whose scan_out.buffers is 1";
 
-// Depths of primitives.
+// Names of the fields for stored depths of primitives.
 constexpr std::array<std::string_view, 2> stored_names{"front", "back"};
 constexpr std::string_view stored_depth = "stored depth";
 
-// Fields of quadrics.
+// Names of the fields for quadrics.
 constexpr std::string_view sum_name = "sum";
 constexpr std::string_view root_name = "root";
 constexpr std::string_view squares_name = "squares";
 constexpr std::string_view kept_name = "kept";
 
-/// All that is asked for, except the second buffer, which has its place. What a strategy, a colouring or an effect adds
-/// is listed here and nowhere else.
-std::vector<FieldRequest> requests_of(const Needs& needs) {
+/// All requested fields except the second buffer, whose position is fixed. This is the only list of the fields that
+/// strategies, colourings and effects add.
+std::vector<FieldRequest> list_requests(const Needs& needs) {
   using isa::FieldRole;
   std::vector<FieldRequest> all{{"Z2", FieldRole::depth, needs.z_bits, "depth"},
                                 {"Z1", FieldRole::candidate_depth, needs.z_bits, "depth"},
@@ -64,7 +64,7 @@ std::vector<FieldRequest> requests_of(const Needs& needs) {
   return all;
 }
 
-/// Scratch of the effects, laid over what holds nothing then.
+/// Places the scratch fields of effects over fields that are unused at that time.
 class ScratchPlaces {
  public:
   ScratchPlaces(isa::Field candidate, unsigned end) : candidate_(candidate), end_(end), most_(end) {}
@@ -81,7 +81,7 @@ class ScratchPlaces {
     return {static_cast<std::uint16_t>(beyond_ - width), static_cast<std::uint16_t>(width)};
   }
 
-  /// The first bit that no field has.
+  /// The first bit after all fields.
   [[nodiscard]] unsigned end() const { return most_; }
 
  private:
@@ -92,9 +92,9 @@ class ScratchPlaces {
   unsigned beyond_ = 0;
 };
 
-/// What the bits are for, requests for the same thing together.
+/// The purposes of the bits, for the error message; requests for the same purpose are combined.
 std::string parts(const Needs& needs, unsigned scratch) {
-  std::vector<FieldRequest> left = requests_of(needs);
+  std::vector<FieldRequest> left = list_requests(needs);
   std::string text;
   while (!left.empty()) {
     const FieldRequest first = left.front();
@@ -111,22 +111,22 @@ std::string parts(const Needs& needs, unsigned scratch) {
     text += " " + std::string(first.what);
   }
   if (scratch > 0) text += ", " + std::to_string(scratch) + " scratch";
-  if (needs.shown.width > 0) text += ", " + std::to_string(needs.shown.width) + " colour that is shown";
+  if (needs.shown.width > 0) text += ", " + std::to_string(needs.shown.width) + " displayed colour";
   return text;
 }
 
-/// Fields as wide as a depth, or as a colour.
+/// Number of requests for a field of that purpose and width.
 unsigned fields_of_width(const Needs& needs, std::string_view what, unsigned width) {
   unsigned count = 0;
-  for (const FieldRequest& request : requests_of(needs)) count += request.what == what && request.width == width;
+  for (const FieldRequest& request : list_requests(needs)) count += request.what == what && request.width == width;
   return count;
 }
 
-/// Options that would make it fit, the least painful first.
-std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
+/// Options that would make it fit, those with the smallest effect on the picture first.
+std::string suggest_options(const Needs& needs, std::uint32_t memory_bits) {
   std::string text;
   const unsigned missing = total_bits(needs) - memory_bits;
-  std::vector<FieldRequest> left = requests_of(needs);
+  std::vector<FieldRequest> left = list_requests(needs);
   while (!left.empty()) {
     const std::string_view without = left.front().without;
     unsigned saved = 0;
@@ -140,18 +140,19 @@ std::string what_to_do(const Needs& needs, std::uint32_t memory_bits) {
   const unsigned depths =
       fields_of_width(needs, "depth", needs.z_bits) + fields_of_width(needs, stored_depth, needs.z_bits);
   const unsigned z_bits = needs.z_bits - std::min(needs.z_bits, (missing + depths - 1) / depths);
-  if (z_bits >= view::fewest_z_bits) text += "give up depth with --z-bits " + std::to_string(z_bits) + ", or ";
+  if (z_bits >= view::fewest_z_bits)
+    text += "lower the depth resolution with --z-bits " + std::to_string(z_bits) + ", or ";
   const unsigned colours = fields_of_width(needs, "colour", needs.colour_bits) + (needs.shown.width > 0 ? 1 : 0);
   const unsigned colour_bits = needs.colour_bits - std::min(needs.colour_bits, (missing + colours - 1) / colours);
   if (colour_bits >= isa::fewest_colour_bits)
-    text += "colours with --colour-bits " + std::to_string(colour_bits) + ", or ";
+    text += "the colour resolution with --colour-bits " + std::to_string(colour_bits) + ", or ";
   if (needs.shown.width >= missing) text += std::string(one_buffer) + ", or ";
   if (total_bits(needs) <= isa::max_memory_bits)
     return text + "take --memory-bits " + std::to_string(total_bits(needs));
   return text + "take a smaller model: no machine has more than " + std::to_string(isa::max_memory_bits);
 }
 
-/// The member of the layout that keeps the place of a request, where quadrics have one for it.
+/// The layout's member for a field of quadrics; null for other names.
 isa::Field* quadric_field(Layout& layout, std::string_view name) {
   if (name == sum_name) return &layout.sum;
   if (name == root_name) return &layout.root;
@@ -184,20 +185,21 @@ void put(Layout& layout, const FieldRequest& request, isa::Field field) {
 
 struct Planned {
   Layout layout;
-  unsigned without_scratch = 0;  ///< bits
-  unsigned bits = 0;             ///< the second buffer not among them
+  unsigned without_scratch = 0;  ///< bits without the scratch of effects
+  unsigned bits = 0;             ///< all bits except the second buffer
 };
 
 Planned plan(const Needs& needs) {
   Planned planned;
   unsigned next = 0;
-  for (const FieldRequest& request : requests_of(needs)) {
+  for (const FieldRequest& request : list_requests(needs)) {
     const isa::Field field{static_cast<std::uint16_t>(request.width > 0 ? next : 0),
                            static_cast<std::uint16_t>(request.width)};
     put(planned.layout, request, field);
     next += request.width;
   }
-  if (needs.quadrics.root_in_candidate) planned.layout.root = part_of(planned.layout.candidate, 0, needs.quadrics.root);
+  if (needs.quadrics.root_in_candidate)
+    planned.layout.root = subfield(planned.layout.candidate, 0, needs.quadrics.root);
   planned.layout.light = needs.quadrics.in_place ? planned.layout.candidate : planned.layout.sum;
   if (needs.quadrics.in_place) planned.layout.kept = planned.layout.mask;
   ScratchPlaces places(planned.layout.candidate, next);
@@ -215,12 +217,12 @@ Planned plan(const Needs& needs) {
   return planned;
 }
 
-/// Names the low part of a field that is wider than others can be, and then its high part.
+/// Names a field in two parts, low and high, if it is wider than max_field_width.
 void add_in_parts(std::vector<isa::NamedField>& fields, std::string_view name, isa::Field field) {
   const unsigned low = std::min<unsigned>(field.width, isa::max_field_width);
-  if (low > 0) fields.push_back({std::string(name), part_of(field, 0, low), isa::FieldRole::scratch});
+  if (low > 0) fields.push_back({std::string(name), subfield(field, 0, low), isa::FieldRole::scratch});
   if (low < field.width)
-    fields.push_back({std::string(name) + "_high", part_of(field, low, field.width - low), isa::FieldRole::scratch});
+    fields.push_back({std::string(name) + "_high", subfield(field, low, field.width - low), isa::FieldRole::scratch});
 }
 
 }  // namespace
@@ -229,11 +231,11 @@ isa::Field Layout::of(std::string_view effect, std::string_view name) const {
   const std::string full = std::string(effect) + "." + std::string(name);
   const auto found =
       std::find_if(effects.begin(), effects.end(), [&](const isa::NamedField& one) { return one.name == full; });
-  if (found == effects.end()) throw std::logic_error("no effect asked for the field " + full);
+  if (found == effects.end()) throw std::logic_error("no effect requested the field " + full);
   return found->field;
 }
 
-ClassificationBits most_of(const ClassificationBits& a, const ClassificationBits& b) {
+ClassificationBits max_bits(const ClassificationBits& a, const ClassificationBits& b) {
   return {std::max(a.stack, b.stack), std::max(a.product, b.product), std::max(a.label, b.label),
           std::max(a.stored, b.stored)};
 }
@@ -245,7 +247,7 @@ Layout plan_layout(const Needs& needs, std::uint32_t memory_bits) {
   if (total_bits(needs) > memory_bits) {
     throw NoRoom("the picture needs " + std::to_string(total_bits(needs)) + " memory bits a pixel (" +
                      parts(needs, planned.bits - planned.without_scratch) + ") and the machine has " +
-                     std::to_string(memory_bits) + "; " + what_to_do(needs, memory_bits),
+                     std::to_string(memory_bits) + "; " + suggest_options(needs, memory_bits),
                  total_bits(needs));
   }
   return planned.layout;

@@ -14,9 +14,9 @@ namespace {
 using csg::PositiveOperator;
 using isa::Opcode;
 
-/// Emits the evaluation of an active tree. E is kept inside the mask, where Z1 is a surface. So is every result: a bit
-/// of the stack is first stored from E at every pixel, and is set to 1 later where E only. So a result is 0 outside the
-/// mask, and the mask and the result is the result.
+/// Emits the evaluation of an active tree. E and all results are kept within the mask, the pixels where Z1 is a
+/// surface: a bit of the stack is first stored from E at every pixel, and later set to 1 only where E is 1. Hence a
+/// result is 0 outside the mask, and no further AND with the mask is needed.
 class Classifier {
  public:
   Classifier(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels)
@@ -93,7 +93,7 @@ class Classifier {
     }
   }
 
-  /// bit := the subtree, its products found one traversal after another and summed.
+  /// bit := the subtree as the sum of its products, which are computed one traversal after another.
   void sum_products(const std::vector<csg::ActiveNode>& nodes, std::uint32_t root, isa::Field bit) {
     csg::ProductTraversal traversal(nodes, root);
     emit_product(nodes, traversal.leaves());
@@ -104,7 +104,8 @@ class Classifier {
     }
   }
 
-  /// E := the mask and every leaf. E holds what the leaves have left so far, or else the product bit does.
+  /// E := the mask and every leaf. The intersection of the leaves compared until now is in E, or else in the product
+  /// bit.
   void emit_product(const std::vector<csg::ActiveNode>& nodes, const std::vector<std::uint32_t>& leaves) {
     const isa::Field product = context_.layout.product;
     isa::Field left = context_.layout.mask;
@@ -123,7 +124,8 @@ class Classifier {
     }
   }
 
-  /// stack[0] := the operator node, worked out in postorder without recursion, so that no tree is too deep.
+  /// stack[0] := the operator node, evaluated in postorder without recursion, so that deep trees do not overflow the
+  /// stack.
   void evaluate(std::uint32_t root, unsigned root_level) {
     struct Visit {
       std::uint32_t node;
@@ -141,7 +143,7 @@ class Classifier {
         path.pop_back();
         continue;
       }
-      // Every operand after the first that is an operator was worked out one bit up.
+      // The result of each operator operand after the first is in the next stack bit.
       if (visit.next > 1 && !nodes_[node.children[visit.next - 1]].is_leaf) {
         combine_result(node.op, bit, context_.layout.stack[visit.bit + 1]);
       }
@@ -167,8 +169,8 @@ class Classifier {
   std::uint64_t classified_ = 0;
 };
 
-/// The level of every node that an operand holds, from the top.
-std::vector<unsigned> levels_of(const csg::ActiveTree& active) {
+/// The level of each node below an operand, counted from the top.
+std::vector<unsigned> node_levels(const csg::ActiveTree& active) {
   std::vector<unsigned> levels(active.nodes.size(), 0);
   for (const std::uint32_t operand : active.operands) levels[operand] = active.operands.size() > 1 ? 2 : 1;
   for (std::size_t i = active.nodes.size(); i-- > 0;) {
@@ -189,7 +191,7 @@ std::uint64_t products_below_levels(const csg::ActiveTree& active, unsigned leve
     }
     return total;
   }
-  const std::vector<unsigned> level = levels_of(active);
+  const std::vector<unsigned> level = node_levels(active);
   for (std::size_t i = 0; i < active.nodes.size(); ++i) {
     if (active.nodes[i].is_leaf || level[i] != levels + 1) continue;
     if (__builtin_add_overflow(total, counts[i], &total)) return csg::countless;
@@ -200,7 +202,7 @@ std::uint64_t products_below_levels(const csg::ActiveTree& active, unsigned leve
 ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned levels) {
   ClassificationBits bits;
   if (active.operands.size() > 1 && levels == 0) return {1, 1, 0};
-  const std::vector<unsigned> level = levels_of(active);
+  const std::vector<unsigned> level = node_levels(active);
   std::vector<unsigned> needed(active.nodes.size(), 0);
   for (std::size_t i = 0; i < active.nodes.size(); ++i) {
     const csg::ActiveNode& node = active.nodes[i];
@@ -233,7 +235,7 @@ std::uint64_t emit_by_all_levels(const Context& context, Broadcast& out, const P
   return emit_by_levels(context, out, planned, all_levels);
 }
 
-/// The active tree once for a primitive, one bit a pending result.
+/// Evaluates the active tree once per primitive, with one bit for each pending result.
 extern const StrategyRow stack_strategy{.bits = bits_for_all_levels, .classify = emit_by_all_levels};
 
 }  // namespace csgsim::emit

@@ -1,23 +1,25 @@
+// Classification by a stack for the first levels of a tree and by products below.
+// Used by the strategies stack, bits, stored and polygons.
 #pragma once
 
 #include "host/emit/context.h"
 
 namespace csgsim::emit {
 
-/// A tree whose first levels are worked out by a stack, and whose subtrees below by repeated traversal, their products
-/// summed (thesis 6.4). The levels are those of the active tree, its topmost intersection included, which the mask
-/// accumulates.
+/// The first levels of a tree are evaluated with a stack, and the subtrees below by repeated traversal, as sums of
+/// products (thesis 6.4). Levels count from the root of the active tree, including its topmost intersection, which the
+/// mask accumulates. `all_levels` means that the whole tree is evaluated with the stack.
 inline constexpr unsigned all_levels = 0xffffffffU;
 
-/// Products that are gone through below the levels; csg::countless if there are more than fit.
+/// Number of products traversed below the levels; csg::countless on overflow.
 std::uint64_t products_below_levels(const csg::ActiveTree& active, unsigned levels);
 
 ClassificationBits bits_for_levels(const csg::ActiveTree& active, unsigned levels);
 
-/// Clears the mask where Z1 is out of the active tree. Returns how many primitives were compared with Z1.
+/// Clears the mask where Z1 is outside the active tree. Returns the number of primitives compared with Z1.
 std::uint64_t emit_by_levels(const Context& context, Broadcast& out, const PlannedSurface& planned, unsigned levels);
 
-/// The same of all levels, as StrategyRow has them.
+/// The same for all levels, with the signatures of StrategyRow.
 ClassificationBits bits_for_all_levels(const csg::ActiveTree& active, const Options& options);
 std::uint64_t emit_by_all_levels(const Context& context, Broadcast& out, const PlannedSurface& planned);
 

@@ -21,15 +21,15 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Places around an axis at which a surface is looked at, and along it.
+/// Number of sample positions around an axis and along it.
 constexpr int around = 48;
 constexpr int along = 13;
 
-/// A pivot below this part of the greatest counts as 0: the places lie in a plane.
-constexpr double least_pivot = 1e-12;
+/// A pivot below this fraction of the greatest counts as 0: the samples lie in a plane.
+constexpr double min_pivot = 1e-12;
 
-/// None where the shape has no curved surface.
-std::vector<model::SurfacePlace> places_of(const model::Shape& shape) {
+/// Sample positions on a shape; empty if it has no curved surface.
+std::vector<model::SurfacePlace> sample_places(const model::Shape& shape) {
   std::vector<model::SurfacePlace> places;
   for (int ring = 0; ring < along; ++ring) {
     for (int i = 0; i < around; ++i) {
@@ -41,7 +41,7 @@ std::vector<model::SurfacePlace> places_of(const model::Shape& shape) {
   return places;
 }
 
-/// 1, column and row from the middle of the picture, depth steps.
+/// Coordinates of a sample: 1, column and row from the picture's centre, depth steps.
 using Coordinates = std::array<double, 4>;
 
 struct Sample {
@@ -53,7 +53,7 @@ double cosine_at(const lighting::SeenLight& light, const glm::dvec3& place, cons
   return glm::dot(light.is_point ? glm::normalize(light.where - place) : light.where, normal);
 }
 
-/// The depth at which a place of the surface is drawn; `place` is a column, a row and a distance from the eye.
+/// The depth at which a point of the surface is drawn; `place` is its column, row and distance from the eye.
 double drawn_depth(const view::View& view, const Facet& facet, const glm::dvec3& place) {
   const view::ScreenQuadric& quadric = view.quadrics[facet.quadric.quadric];
   if (quadric.kind == view::ScreenQuadricKind::paraboloid)
@@ -61,8 +61,8 @@ double drawn_depth(const view::View& view, const Facet& facet, const glm::dvec3&
   return isa::depth_of(view.depth, view.sampling.z_bits, place.z);
 }
 
-/// How far the floors of a depth take it behind drawn_depth on average, in steps (host/view/screen_quadric.h). The
-/// floors of middle and root cancel, unless the middle is the same at all pixels.
+/// Mean distance in steps by which the floor operations of a depth move it behind drawn_depth
+/// (host/view/screen_quadric.h). The floors of the middle and the root cancel, unless the middle is constant.
 double off_steps(const view::View& view, const Facet& facet) {
   const view::ScreenQuadric& quadric = view.quadrics[facet.quadric.quadric];
   if (quadric.kind == view::ScreenQuadricKind::paraboloid) return facet.at == At::quadric_near ? -0.5 : 0.5;
@@ -71,14 +71,14 @@ double off_steps(const view::View& view, const Facet& facet) {
   return 0.5 - static_cast<double>(quadric.middle.c & (one - 1)) / static_cast<double>(one);
 }
 
-std::vector<Sample> samples_of(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
+std::vector<Sample> take_samples(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
   const model::Primitive& primitive = context.tree.primitives[facet.primitive];
   const glm::dmat3 normals = glm::transpose(glm::inverse(glm::dmat3(primitive.transform)));
   const double sign = context.complemented(facet.primitive) ? -1.0 : 1.0;
   const view::View& view = context.view;
   const view::EyeSpace space = view::eye_space(view.camera, view.sampling);
   std::vector<Sample> samples;
-  for (const model::SurfacePlace& own : places_of(primitive.shape)) {
+  for (const model::SurfacePlace& own : sample_places(primitive.shape)) {
     const glm::dvec3 in_eye = space.to_eye(glm::dvec3(primitive.transform * glm::dvec4(own.at, 1)));
     const glm::dvec3 normal = in_camera_axes(view.camera, sign * glm::normalize(normals * own.normal));
     const glm::dvec3 from_eye = space.perspective ? in_eye : glm::dvec3(0, 0, 1);
@@ -92,8 +92,8 @@ std::vector<Sample> samples_of(const Context& context, const Facet& facet, const
   return samples;
 }
 
-/// The sizes of the coordinates, so that all count alike.
-Coordinates sizes_of(const std::vector<Sample>& samples) {
+/// The magnitudes of the coordinates, which give them equal weight.
+Coordinates coordinate_sizes(const std::vector<Sample>& samples) {
   Coordinates sizes{};
   for (const Sample& one : samples)
     for (std::size_t i = 0; i < sizes.size(); ++i) sizes[i] = std::max(sizes[i], std::abs(one.at[i]));
@@ -103,7 +103,7 @@ Coordinates sizes_of(const std::vector<Sample>& samples) {
 
 constexpr std::size_t none = 4;
 
-/// Solves the symmetric equations of least squares; an unknown that the others leave undetermined is 0.
+/// Solves the normal equations of least squares; undetermined unknowns become 0.
 Coordinates solve(std::array<std::array<double, 5>, 4> equations) {
   std::array<bool, 4> used{};
   std::array<std::size_t, 4> pivot_of{none, none, none, none};
@@ -114,7 +114,7 @@ Coordinates solve(std::array<std::array<double, 5>, 4> equations) {
     for (std::size_t row = 0; row < 4; ++row)
       if (!used[row] && (best == none || std::abs(equations[row][column]) > std::abs(equations[best][column])))
         best = row;
-    if (std::abs(equations[best][column]) <= least_pivot * greatest) continue;
+    if (std::abs(equations[best][column]) <= min_pivot * greatest) continue;
     used[best] = true;
     pivot_of[column] = best;
     for (std::size_t row = 0; row < 4; ++row) {
@@ -132,8 +132,8 @@ Coordinates solve(std::array<std::array<double, 5>, 4> equations) {
 }  // namespace
 
 LightFit fit_light(const Context& context, const Facet& facet, const lighting::SeenLight& light) {
-  const std::vector<Sample> samples = samples_of(context, facet, light);
-  const Coordinates sizes = sizes_of(samples);
+  const std::vector<Sample> samples = take_samples(context, facet, light);
+  const Coordinates sizes = coordinate_sizes(samples);
   std::array<std::array<double, 5>, 4> equations{};
   for (const Sample& one : samples) {
     for (std::size_t row = 0; row < 4; ++row) {

@@ -1,3 +1,5 @@
+// Linear fits of the cosine between a light and the normals of a curved facet.
+// Used by curved_light.
 #pragma once
 
 #include "host/emit/halfspaces.h"
@@ -6,18 +8,18 @@
 
 namespace csgsim::emit {
 
-/// A linear function of column, row and depth: `plane` of the pixel and `per_step` for each step of depth.
+/// A linear function of column, row and depth: `plane` for the pixel, plus `per_step` for each depth step.
 struct LightFit {
   view::RealLinear plane;
   double per_step = 0;
-  double greatest = 0;      ///< about what it comes to on the facet, at least 0
-  double middle_depth = 0;  ///< halfway through the facet's depths, steps
-  double off_steps = 0;     ///< by which the facet is drawn behind the depths that were fitted, on average
+  double greatest = 0;      ///< approximate maximum on the facet, at least 0
+  double middle_depth = 0;  ///< centre of the facet's depth range, steps
+  double off_steps = 0;     ///< mean distance by which the facet is drawn behind the fitted depths
 };
 
-/// The cosine between a light and the normal of a curved facet, not below -1, as the linear function that is nearest to
-/// it (least squares) over what is seen of the facet. In an orthographic view it is the cosine itself of directional
-/// light on spheres and on round cylinders, whose normals are linear in the place.
+/// The linear function nearest (least squares, over the visible part of a curved facet) to the cosine between a light
+/// and the facet's normal, clamped to at least -1. In an orthographic view, the fit is exact for directional light on
+/// spheres and round cylinders, whose normals are linear in position.
 LightFit fit_light(const Context& context, const Facet& facet, const lighting::SeenLight& light);
 
 }  // namespace csgsim::emit

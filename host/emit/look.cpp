@@ -18,7 +18,7 @@ Look make_look(const scene::Scene& scene, const model::Tree& tree, const csg::Po
   look.finishes.reserve(tree.primitives.size());
   bool is_cut = false;
   for (std::size_t i = 0; i < tree.primitives.size(); ++i) {
-    // The first of a node's pieces decides for all: what the node itself takes away is a hole in it, not a cut.
+    // The first piece of a node decides for all its pieces: what the node itself subtracts is a hole, not a cut.
     if (!tree.primitives[i].continues) is_cut = positive.nodes[positive.leaf_of[i]].complemented;
     look.finishes.push_back(lighting::finish_of(scene, tree.primitives[i], is_cut));
   }

@@ -1,3 +1,5 @@
+// The appearance of a model: lighting and finishes.
+// Used by the emitter, sessions and sim/studies/accuracy.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +11,16 @@
 
 namespace csgsim::emit {
 
-/// How a model looks to a camera, whatever the strategy.
+/// The appearance of a model to a camera; it does not depend on the strategy.
 struct Look {
   lighting::Lighting lighting;
-  std::vector<lighting::Finish> finishes;  ///< one a primitive
+  std::vector<lighting::Finish> finishes;  ///< one per primitive
 };
 
-/// A colour, red, green, blue in [0, 1], as a field of `colour_bits` bits holds it.
+/// A colour, red, green, blue in [0, 1], in the format of a field of `colour_bits` bits.
 std::uint32_t packed(const glm::dvec3& colour, unsigned colour_bits);
 
-/// Where nothing is seen, as a field of so many bits holds it.
+/// The background colour in the format of a field of `colour_bits` bits.
 std::uint32_t packed_background(const scene::Scene& scene, unsigned colour_bits);
 
 Look make_look(const scene::Scene& scene, const model::Tree& tree, const csg::PositiveTree& positive,

@@ -9,7 +9,7 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Pixels that places in double precision may be off.
+/// Tolerance in pixels of positions in double precision.
 constexpr double integer_slack = 1e-6;
 
 using Polygon = std::vector<glm::dvec2>;
@@ -43,13 +43,14 @@ bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, co
   if (fronts.empty()) return true;
   if (block.z_low > 0) return false;
   if (!context.options.pruning.near) {
-    return std::none_of(fronts.begin(), fronts.end(),
-                        [&](const Facet& front) { return context.range_of(front.halfspace, block.pixels).low >= 1; });
+    return std::none_of(fronts.begin(), fronts.end(), [&](const Facet& front) {
+      return context.depth_range(front.halfspace, block.pixels).low >= 1;
+    });
   }
   Polygon polygon = corners(block.pixels);
   const double step = std::ldexp(1.0, static_cast<int>(context.view.sampling.fraction_bits));
   for (const Facet& front : fronts) {
-    const view::FixedLinear& plane = context.linear_of(front.halfspace);
+    const view::FixedLinear& plane = context.linear_plane(front.halfspace);
     const auto a = static_cast<double>(plane.a);
     const auto b = static_cast<double>(plane.b);
     const double beyond = static_cast<double>(plane.c) - step;
@@ -79,12 +80,12 @@ std::optional<facet::Halfspace> first_front(const Context& context, std::uint32_
 
 bool is_at_near(const Context& context, const QuadricBound& bound) {
   return !context.view.extents[bound.primitive].cut_by_near && !first_front(context, bound.primitive) &&
-         seen_of(bound, false).has_value();
+         visible_facet(bound, false).has_value();
 }
 
 Facet at_near(const Context& context, std::uint32_t primitive) {
   for (const QuadricBound& bound : quadric_bounds(context, primitive))
-    if (is_at_near(context, bound)) return *seen_of(bound, false);
+    if (is_at_near(context, bound)) return *visible_facet(bound, false);
   const std::optional<facet::Halfspace> front = first_front(context, primitive);
   const bool cut = context.view.extents[primitive].cut_by_near || !front;
   return {primitive, cut ? facet::Halfspace{} : *front, cut ? At::cap : At::near};

@@ -1,3 +1,5 @@
+// What a solid shows at depth 0, where it meets the near plane.
+// Used by surface.cpp, halfspaces.cpp and quadric_depths.cpp.
 #pragma once
 
 #include <vector>
@@ -6,17 +8,16 @@
 
 namespace csgsim::emit {
 
-/// Whether all the fronts may be before the near plane, or at it, at some pixel: whether a surface that is the farthest
-/// of them may be at depth 0. Without any front it is. Without pruning `near`, they may unless one of them is at depth
-/// 1 or behind it at every corner.
+/// Whether all fronts may be at or before the near plane at some pixel, so that a surface that is the farthest of them
+/// may be at depth 0. True without any front. Without the pruning `near`, true unless one of them is at depth 1 or
+/// farther at every corner.
 bool may_reach_near(const Context& context, const std::vector<Facet>& fronts, const csg::Block& block);
 
-/// What is seen at depth 0 of a solid that may reach it, whatever facets are there: its first primitive's cap if the
-/// near plane cuts that open, else the first of that primitive's fronts, which rounding has taken there; a curved one
-/// if it has no other.
+/// The facet that a solid shows at depth 0: the cap of its first primitive if the near plane cuts that open, else the
+/// first front of that primitive, which rounding moved there, or a curved front if it has no other.
 Facet at_near(const Context& context, std::uint32_t primitive);
 
-/// Whether that quadric's depth, where it is 0 or before it, is what at_near has of its primitive.
+/// Whether at_near of the primitive is this quadric's depth, clamped to 0.
 bool is_at_near(const Context& context, const QuadricBound& bound);
 
 }  // namespace csgsim::emit

@@ -1,3 +1,5 @@
+// The error for pictures that do not fit pixel memory.
+// Thrown by the layout and caught by sessions.
 #pragma once
 
 #include <string_view>
@@ -6,12 +8,12 @@
 
 namespace csgsim::emit {
 
-/// Pixel memory does not hold what a picture needs.
+/// Pixel memory is too small for a picture.
 class NoRoom : public InputError {
  public:
   NoRoom(std::string_view message, unsigned needed_bits) : InputError(message), needed(needed_bits) {}
 
-  unsigned needed;  ///< bits a pixel
+  unsigned needed;  ///< required bits per pixel
 };
 
 }  // namespace csgsim::emit

@@ -1,3 +1,5 @@
+// Compile options: strategy, colouring, pruning, scene and effects.
+// Used by the emitter, the effects, sessions and studies.
 #pragma once
 
 #include <array>
@@ -13,14 +15,15 @@
 
 namespace csgsim::emit {
 
-/// How classifications are worked out at the pixels, in the order of messages; each is a file of this folder with a row
-/// (strategy.h). The pictures are the same, bit for bit.
+/// The ways to compute classifications at the pixels, in the order in which messages list them. Each is a file of this
+/// folder with a row (strategy.h). All give the same picture, bit for bit.
 #define CSGSIM_STRATEGIES(ROW) ROW(stack) ROW(list) ROW(bits) ROW(products) ROW(parallel) ROW(stored) ROW(polygons)
 #define CSGSIM_ENUMERATOR(name) name,
 #define CSGSIM_OWN_ENUMERATOR(name) Strategy::name,
 
 enum class Strategy : std::uint8_t {
-  CSGSIM_STRATEGIES(CSGSIM_ENUMERATOR) automatic  ///< whichever that may be chosen takes the fewest clocks and fits
+  CSGSIM_STRATEGIES(CSGSIM_ENUMERATOR) automatic  ///< the strategy with the fewest clocks among those that fit and may
+                                                  ///< be chosen
 };
 
 inline constexpr std::array strategies{CSGSIM_STRATEGIES(CSGSIM_OWN_ENUMERATOR) Strategy::automatic};
@@ -28,45 +31,45 @@ inline constexpr std::array strategies{CSGSIM_STRATEGIES(CSGSIM_OWN_ENUMERATOR) 
 #undef CSGSIM_OWN_ENUMERATOR
 #undef CSGSIM_ENUMERATOR
 
-/// Strategies that studies vary by default: not polygons, which takes the bits of a stack and more clocks
-/// (docs/memory-bits.md).
+/// The strategies that studies vary by default. `polygons` is not among them: it takes the bits of a stack and more
+/// clocks (docs/memory-bits.md).
 std::vector<Strategy> usual_strategies();
 
 /// The strategy's name on the command line and in the stats.
 std::string_view name_of(Strategy strategy);
 
-/// How the colour of a surface gets to the pixels that show it.
+/// How the colour of a surface reaches the pixels that show it.
 enum class Colouring : std::uint8_t {
-  rebroadcast,  ///< the facets are broadcast again after the merge, to find where each is seen
-  field,        ///< a second colour field is written beside Z1, and copied by the merge
-  automatic,    ///< whichever takes the fewest clocks and fits
+  rebroadcast,  ///< the facets are broadcast again after the merge, to find the pixels of each
+  field,        ///< a second colour field is written along with Z1, and copied by the merge
+  automatic,    ///< the colouring with the fewest clocks that fits
 };
 
 inline constexpr std::array colourings{Colouring::rebroadcast, Colouring::field, Colouring::automatic};
 
 std::string_view name_of(Colouring colouring);
 
-/// The fewest bits that `Strategy::bits` works with, as the thesis counts them (fig. 6.3): one each for the front and
-/// back of the primitive compared, one for the product. From the next on, one sums the products.
+/// Minimum number of bits for `Strategy::bits`, as the thesis counts them (fig. 6.3): one each for the front and back
+/// of the compared primitive, and one for the product. From four bits on, one of them sums the products.
 inline constexpr unsigned fewest_stack_bits = 3;
 
-/// Most products that a segment of a Program is compiled for.
-inline constexpr std::uint64_t most_products = 16'384;
+/// Maximum number of products that a segment is compiled for.
+inline constexpr std::uint64_t max_products = 16'384;
 
 struct EffectRow;
 
-/// Flat shading and no other effect.
-std::span<const EffectRow* const> flat_alone();
+/// The list with only flat shading.
+std::span<const EffectRow* const> only_flat_shading();
 
 struct Options {
   Strategy strategy = Strategy::stack;
-  unsigned stack_bits = fewest_stack_bits;  ///< for Strategy::bits: m of thesis 6.4, fewest_stack_bits at least
+  unsigned stack_bits = fewest_stack_bits;  ///< for Strategy::bits: m of thesis 6.4, at least fewest_stack_bits
   Colouring colouring = Colouring::rebroadcast;
   unsigned colour_bits = isa::most_colour_bits;
   csg::Pruning pruning;
   scene::Scene scene;
-  std::span<const EffectRow* const> effects = flat_alone();  ///< all that there are, in the order of their work
-  Work work{};  ///< that compiling is charged to; each strategy and colouring that is tried counts alone
+  std::span<const EffectRow* const> effects = only_flat_shading();  ///< all known effects, in the order of their work
+  Work work{};  ///< limit on the work of compiling, for each tried strategy and colouring separately
 };
 
 }  // namespace csgsim::emit

@@ -17,18 +17,18 @@ isa::Field field_at(std::size_t base, std::size_t width) {
   return {static_cast<std::uint16_t>(base), static_cast<std::uint16_t>(width)};
 }
 
-/// Some bits of a string to be inverted together.
+/// A range of bits of a string that one instruction inverts.
 struct Piece {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
   std::uint64_t pattern = 0;
 };
 
-/// Pieces that hold all the positions, which ascend, in as few clocks as can be: bits between them that stay as they
-/// are cost nothing where the ALU is wide enough to take them along.
-std::vector<Piece> pieces_of(std::span<const std::uint32_t> positions, unsigned alu_bits) {
+/// Ranges that contain all positions (ascending) in the fewest clocks. Bits between them that stay unchanged are free
+/// where the ALU is wide enough to process them in the same clock.
+std::vector<Piece> make_pieces(std::span<const std::uint32_t> positions, unsigned alu_bits) {
   std::vector<Piece> pieces;
-  std::uint32_t clock_end = 0;  // of the bits that go through the ALU with the first position of the clock
+  std::uint32_t clock_end = 0;  // end of the bits that the ALU processes in the current clock
   for (const std::uint32_t position : positions) {
     if (position >= clock_end) {
       const bool goes_on =
@@ -94,10 +94,10 @@ unsigned string_bits(const csg::ActiveTree& active) {
 }
 
 void emit_string_levels(Broadcast& out, const csg::BitString& string, unsigned base, unsigned alu_bits) {
-  const std::uint32_t most = isa::max_field_width / alu_bits * alu_bits;  // bits that fill the ALU in every clock
+  const std::uint32_t most = isa::max_field_width / alu_bits * alu_bits;  // largest multiple of the ALU's width
   out.origin = {isa::Purpose::stack, out.origin.primitive, isa::no_node};
   for (const csg::StringLevel& level : string.levels) {
-    for (const Piece& piece : pieces_of(level.inverted, alu_bits)) {
+    for (const Piece& piece : make_pieces(level.inverted, alu_bits)) {
       out.plain(Opcode::xor_constant, field_at(base + piece.begin, piece.end - piece.begin), {}, piece.pattern);
     }
     for (const csg::Meeting& meeting : level.meetings) {
@@ -124,7 +124,7 @@ std::uint64_t emit_parallel(const Context& context, Broadcast& out, const Planne
 
 }  // namespace
 
-/// Thesis 4.4.2: one bit a leaf, all nodes of a level at once.
+/// Thesis 4.4.2: one bit per leaf; all nodes of a level are evaluated at once.
 extern const StrategyRow parallel_strategy{.bits = parallel_bits, .classify = emit_parallel};
 
 }  // namespace csgsim::emit

@@ -13,11 +13,11 @@ namespace csgsim::emit {
 
 namespace {
 
-/// The most solids that are tried for one surface: in a model of very many small pieces thousands may stand before
-/// each. A hidden surface that is kept costs clocks and changes no picture.
-constexpr std::size_t most_hiders = 256;
+/// Maximum number of solids tested for hiding one surface: in a model with very many small pieces, thousands may be in
+/// front of each. Keeping a hidden surface costs clocks but does not change the picture.
+constexpr std::size_t max_hiders = 256;
 
-/// Solids that nothing is taken from, as what hides surfaces behind them.
+/// Solids that nothing is subtracted from; they may hide the surfaces behind them.
 class Hiders {
  public:
   Hiders(const std::vector<PlannedSurface>& surfaces, const csg::PositiveTree& positive,
@@ -29,14 +29,14 @@ class Hiders {
         counted_(counted),
         index_(entries(surfaces, positive, view, opacity)) {}
 
-  /// Whether one of them fills the block's pixels one depth step before the block, so that no surface in it is seen. It
-  /// may be hidden itself: what hides it hides the other too.
+  /// Whether one of them fills the block's pixels one depth step in front of the block, so that no surface in the block
+  /// is visible. It may be hidden itself: whatever hides it also hides the block.
   [[nodiscard]] bool hide(const csg::Block& block) const {
     if (block.z_low <= 0) return false;
     const std::int64_t before = block.z_low - 1;
-    counted_.add(&isa::Preparation::boxes, index_.boxes_of_way());
+    counted_.add(&isa::Preparation::boxes, index_.path_boxes());
     const std::vector<std::uint32_t> fronts =
-        index_.covering(csg::picture_box(block.pixels, before, before), most_hiders);
+        index_.covering(csg::picture_box(block.pixels, before, before), max_hiders);
     return std::any_of(fronts.begin(), fronts.end(), [&](std::uint32_t number) {
       const PlannedSurface& front = surfaces_[number];
       return front.block.z_low < block.z_low &&
@@ -86,8 +86,9 @@ void drop_hidden(SegmentPlan& plan, const csg::PositiveTree& positive, const fac
   std::erase_if(plan.surfaces, [&](const PlannedSurface&) { return drop[index++]; });
 }
 
-/// The sets; of those that hold primitives of different opacities each primitive on its own.
-std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, const std::vector<double>& opacity) {
+/// The sets, where sets of primitives with different opacities are split into single primitives.
+std::vector<csg::ConvexSet> split_by_opacity(const std::vector<csg::ConvexSet>& sets,
+                                             const std::vector<double>& opacity) {
   if (opacity.empty()) return sets;
   std::vector<csg::ConvexSet> result;
   for (const csg::ConvexSet& set : sets) {
@@ -101,8 +102,7 @@ std::vector<csg::ConvexSet> unmixed(const std::vector<csg::ConvexSet>& sets, con
   return result;
 }
 
-/// The cost of comparing a surface with others, each of which is kept for it: that of each half-space, and for each
-/// solid that of some more half-spaces.
+/// Estimated work of comparing a surface with others: a cost per half-space, and a fixed overhead per solid.
 std::uint64_t comparison_steps(const csg::ActiveTree& active, const facet::Geometry& geometry) {
   constexpr std::uint64_t of_halfspace = 100;
   constexpr std::uint64_t of_solid = 20;
@@ -124,7 +124,7 @@ void charge_comparisons(const csg::ActiveTree& active, const facet::Geometry& ge
   }
 }
 
-/// Counts the primitives that have pixels in each region, pruned or not.
+/// Counts the primitives with pixels in each region, pruned or not.
 void count_active(std::vector<SegmentPlan>& segments, const std::vector<isa::Region>& regions,
                   const facet::Geometry& geometry, const view::View& view) {
   RegionIndex index(regions);
@@ -141,7 +141,7 @@ void count_active(std::vector<SegmentPlan>& segments, const std::vector<isa::Reg
 
 }  // namespace
 
-view::PixelRect SegmentPlan::pixels() const { return pixels_of(region); }
+view::PixelRect SegmentPlan::pixels() const { return region_pixels(region); }
 
 std::uint32_t Plan::depth() const {
   std::uint32_t deepest = 0;
@@ -156,7 +156,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
                const Work& work) {
   Plan plan;
   plan.positive = csg::make_positive(tree);
-  const std::vector<csg::ConvexSet> sets = unmixed(csg::convex_sets(plan.positive, pruning.sets), opacity);
+  const std::vector<csg::ConvexSet> sets = split_by_opacity(csg::convex_sets(plan.positive, pruning.sets), opacity);
   plan.preparation.nodes = plan.positive.nodes.size();
   isa::Preparation counted;
   const csg::Pruner pruner(geometry, view, plan.positive, pruning, csg::Counted(counted));
@@ -170,7 +170,7 @@ Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const v
     counted.boxes = active_sets[i].size();
     for (const std::uint32_t number : active_sets[i]) {
       const csg::ConvexSet& set = sets[number];
-      const csg::Block block = pruner.block_of(set, segment.pixels());
+      const csg::Block block = pruner.surface_block(set, segment.pixels());
       if (block.pixels.empty()) continue;
       csg::ActiveTree active = pruner.active_tree(set, block);
       if (active.nothing) continue;

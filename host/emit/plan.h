@@ -1,3 +1,5 @@
+// The plan of a picture: the surfaces of each segment, with their active trees.
+// Used by the emitter and sim/viewer.
 #pragma once
 
 #include <cstdint>
@@ -13,39 +15,39 @@
 
 namespace csgsim::emit {
 
-/// What is drawn as one surface in a segment: a primitive, or several that make one convex solid.
+/// What is drawn as one surface in a segment: a primitive, or several that form one convex solid.
 struct PlannedSurface {
   csg::ConvexSet set;
   csg::Block block;
   csg::ActiveTree active;
-  std::uint32_t number = 0;  ///< within its segment, from 1 on
+  std::uint32_t number = 0;  ///< number within its segment, from 1
 
   [[nodiscard]] std::uint32_t primitive() const { return set.front(); }
 };
 
-/// What a segment's instructions are made from, whatever the strategy.
+/// The input for a segment's instructions, independent of the strategy.
 struct SegmentPlan {
   isa::Region region;
   std::vector<PlannedSurface> surfaces;  ///< in tree order
-  std::uint32_t active_primitives = 0;   ///< with pixels in the region
-  std::uint32_t active_halfspaces = 0;   ///< of these
-  isa::Preparation preparation;          ///< that this took
+  std::uint32_t active_primitives = 0;   ///< primitives with pixels in the region
+  std::uint32_t active_halfspaces = 0;   ///< half-spaces of these primitives
+  isa::Preparation preparation;          ///< host work for this segment
 
   [[nodiscard]] view::PixelRect pixels() const;
 };
 
-/// What a Program's instructions are made from.
+/// The input for a Program's instructions.
 struct Plan {
   csg::PositiveTree positive;
   std::vector<SegmentPlan> segments;
-  isa::Preparation preparation;  ///< that this took before the first segment
+  isa::Preparation preparation;  ///< host work before the first segment
 
-  /// Levels of the deepest active tree.
+  /// Number of levels of the deepest active tree.
   [[nodiscard]] std::uint32_t depth() const;
 };
 
-/// `opacity`, by primitive: those below 1 hide nothing, and no set mixes different ones; empty if all are 1. Throws
-/// InputError, naming the primitive, past the limit on work.
+/// `opacity` is by primitive: those below 1 hide nothing, and no set mixes different values; empty if all are 1. Throws
+/// InputError, naming the primitive, if the work limit is exceeded.
 Plan make_plan(const model::Tree& tree, const facet::Geometry& geometry, const view::View& view,
                const std::vector<isa::Region>& regions, const csg::Pruning& pruning, const std::vector<double>& opacity,
                const Work& work);

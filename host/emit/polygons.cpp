@@ -22,25 +22,25 @@ using view::FixedLinear;
 
 /// A plane that a face is compared with.
 struct Neighbour {
-  Opcode opcode;  ///< E stays 1 where it says so of the plane and of Z1, the face's depth
+  Opcode opcode;  ///< E stays 1 where this comparison of the plane with Z1, the face's depth, holds
   FixedLinear plane;
 };
 
-/// The neighbours of faces of one surface.
+/// The neighbours of the faces of one surface.
 class Faces {
  public:
   Faces(const Context& context, const Sides& sides, const Surface& surface)
       : pixels_(surface.block.pixels),
         step_(std::int64_t{1} << context.view.sampling.fraction_bits),
-        boundary_(boundary_of(context, sides, surface)),
+        boundary_(make_boundary(context, sides, surface)),
         rivals_(view::rivals(boundary_, pixels_, context.view.sampling.fraction_bits)) {}
 
-  /// None where the face is at no pixel: then the region is empty.
+  /// The neighbours of a face. If the face covers no pixel, there are none and the region is empty.
   [[nodiscard]] std::vector<Neighbour> around(std::uint32_t face, view::Region& region) const {
     const FixedLinear& own = boundary_.fronts[face];
     const view::Rivals& rivals = rivals_.of_fronts[face];
     region = view::Region(rivals.pixels.empty() ? view::PixelRect{} : pixels_);
-    // Depths that differ by less than a step may be one depth.
+    // Depths that differ by less than a step may be rounded to the same depth.
     const auto leave = [&](const FixedLinear& near, const FixedLinear& far) {
       region.clip(difference(far, near, step_ - 1));
     };
@@ -50,7 +50,7 @@ class Faces {
     const auto add = [&](Opcode opcode, const FixedLinear& plane, const FixedLinear& thickness) {
       if (!region.is_surely_at_least(thickness, static_cast<double>(step_))) neighbours.push_back({opcode, plane});
     };
-    // Of faces at one depth the first is seen.
+    // Among faces at the same depth, the first is visible.
     for (const std::uint32_t i : rivals.fronts) {
       const FixedLinear& front = boundary_.fronts[i];
       add(i < face ? Opcode::linear_lt : Opcode::linear_le, front, difference(own, front));
@@ -61,10 +61,10 @@ class Faces {
   }
 
  private:
-  static view::Boundary boundary_of(const Context& context, const Sides& sides, const Surface& surface) {
+  static view::Boundary make_boundary(const Context& context, const Sides& sides, const Surface& surface) {
     view::Boundary boundary;
-    for (const Facet& front : surface.facets) boundary.fronts.push_back(context.linear_of(front.halfspace));
-    for (const Facet& back : sides.backs.facets) boundary.backs.push_back(context.linear_of(back.halfspace));
+    for (const Facet& front : surface.facets) boundary.fronts.push_back(context.linear_plane(front.halfspace));
+    for (const Facet& back : sides.backs.facets) boundary.backs.push_back(context.linear_plane(back.halfspace));
     return boundary;
   }
 
@@ -74,25 +74,25 @@ class Faces {
   view::AllRivals rivals_;
 };
 
-/// The face where E is 1: its depth and its colour where it is nearer than Z2.
+/// Writes the depth and colour of a face where E is 1 and it is nearer than Z2.
 void emit_face(const Context& context, Broadcast& out, const PlannedSurface& planned, const Facet& facet,
                const std::vector<Neighbour>& neighbours, const view::PixelRect& pixels) {
   const Layout& layout = context.layout;
-  out.origin = origin_of(isa::Purpose::render, planned, facet);
-  out.surface(Opcode::load_linear, layout.candidate, context.linear_of(facet.halfspace), pixels);
+  out.origin = facet_origin(isa::Purpose::render, planned, facet);
+  out.surface(Opcode::load_linear, layout.candidate, context.linear_plane(facet.halfspace), pixels);
   for (const Neighbour& one : neighbours) out.surface(one.opcode, layout.candidate, one.plane, pixels);
-  const isa::Origin merging = origin_of(isa::Purpose::merge, planned, facet);
+  const isa::Origin merging = facet_origin(isa::Purpose::merge, planned, facet);
   out.origin = merging;
   out.plain(Opcode::field_lt, layout.candidate, layout.depth);
   const std::size_t merge = out.size();
   out.plain(Opcode::copy, layout.depth, layout.candidate);
-  out.origin = origin_of(isa::Purpose::shade, planned, facet);
+  out.origin = facet_origin(isa::Purpose::shade, planned, facet);
   emit_colour(context, out, facet, layout.colour, pixels);
   emit_early_out(context, out, merge, merging);
 }
 
-/// Whether the surface is drawn face by face: nothing is compared with it but its own faces, all are
-/// flat and none is cut by the near plane, and flat shading is the only effect.
+/// Whether the surface is drawn face by face: it is compared with nothing but its own faces, all of them are flat, the
+/// near plane cuts none, and flat shading is the only effect.
 bool has_polygons(const Context& context, const PlannedSurface& planned, const Surface& surface) {
   const bool is_plain = context.called.size() <= 1 && context.base.width == 0 && context.beyond.width == 0 &&
                         context.beyond_plane == nullptr && context.paint == nullptr && context.layout.owner.width == 0;
@@ -102,9 +102,9 @@ bool has_polygons(const Context& context, const PlannedSurface& planned, const S
          std::ranges::all_of(surface.facets, [](const Facet& facet) { return facet.at == At::plane; });
 }
 
-/// Draws the surface where it is visible: each face for itself where it is nearer than Z2. A face is what its
-/// neighbours' planes leave of its own (thesis 7.2.1 and 8.2), by the depths at which machines compare planes, so that
-/// each pixel is of the face that emit_surface finds there. A plane that the face nowhere comes near is not compared.
+/// Draws the visible part of the surface, each face separately where it is nearer than Z2. A face is its plane clipped
+/// by those of its neighbours (thesis 7.2.1 and 8.2), which are compared by the machine's rounded depths, so that each
+/// pixel gets the face that emit_surface finds there. Planes that the face does not come near are skipped.
 void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                    const Surface& surface) {
   const view::PixelRect& pixels = surface.block.pixels;
@@ -118,7 +118,7 @@ void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface&
   for (std::uint32_t i = 0; i < surface.facets.size(); ++i) {
     const std::vector<Neighbour> neighbours = faces.around(i, region);
     if (region.empty()) continue;
-    out.origin = origin_of(isa::Purpose::render, planned, surface.facets[i]);
+    out.origin = facet_origin(isa::Purpose::render, planned, surface.facets[i]);
     out.plain(Opcode::enable_load, context.layout.mask);
     emit_face(context, out, planned, surface.facets[i], neighbours, pixels);
     ++out.counts.depth_tests;
@@ -127,7 +127,7 @@ void emit_polygons(const Context& context, Broadcast& out, const PlannedSurface&
 }
 
 bool draw_polygons(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
-  const Surface surface = surface_of(context, planned, sides);
+  const Surface surface = plan_surface(context, planned, sides);
   if (surface.nothing) return true;
   if (!has_polygons(context, planned, surface)) return false;
   emit_polygons(context, out, planned, sides, surface);
@@ -136,7 +136,7 @@ bool draw_polygons(const Context& context, Broadcast& out, const PlannedSurface&
 
 }  // namespace
 
-/// Thesis 7.2.1 and 8.2: what is compared with nothing is drawn face by face, the rest as by stack.
+/// Thesis 7.2.1 and 8.2: surfaces that are compared with nothing are drawn face by face, the rest as by `stack`.
 extern const StrategyRow polygons_strategy{.bits = bits_for_all_levels,
                                            .classify = emit_by_all_levels,
                                            .draw = draw_polygons,

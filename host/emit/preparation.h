@@ -1,3 +1,5 @@
+// Counts of host work for transforming a model.
+// Used by the compiler.
 #pragma once
 
 #include "host/facet/geometry.h"
@@ -7,10 +9,10 @@
 
 namespace csgsim::emit {
 
-/// What it takes the host to see a model as a camera does (docs/host.md): its planes and quadrics, and the points of
-/// its solids.
-inline isa::Preparation preparation_of(const facet::Geometry& geometry, const view::View& view) {
-  // A quadric has ten coefficients, a plane four.
+/// The host work of transforming a model for a camera (docs/host.md): its planes and quadrics, and the points of its
+/// solids.
+inline isa::Preparation count_preparation(const facet::Geometry& geometry, const view::View& view) {
+  // A quadric has ten coefficients and a plane four, so that a quadric counts as three planes.
   constexpr std::uint64_t planes_of_quadric = 3;
   constexpr std::uint64_t corners_of_box = 8;
   isa::Preparation preparation;

@@ -13,11 +13,11 @@ namespace csgsim::emit {
 
 namespace {
 
-/// Levels that `Strategy::bits` works out by a stack: what m bits leave beside those for front, back, product and sum,
-/// as figure 6.3 of the thesis shows it (the text of 6.4 says m - 3). Not for m = 3, which has no sum.
+/// Number of levels that `Strategy::bits` evaluates with a stack: m bits minus those for front, back, product and sum,
+/// as in figure 6.3 of the thesis (the text of 6.4 says m - 3). Not for m = 3, which has no sum.
 unsigned stack_levels(const Options& options) { return options.stack_bits - fewest_stack_bits - 1; }
 
-/// Whether a primitive is merged product by product: there is no bit to sum them in.
+/// Whether a primitive is merged product by product, because there is no bit to sum them in.
 bool merges_each_product(const Options& options) { return options.stack_bits == fewest_stack_bits; }
 
 std::uint64_t all_products(const csg::ActiveTree& active) {
@@ -25,7 +25,7 @@ std::uint64_t all_products(const csg::ActiveTree& active) {
   return csg::count_products(rooted.nodes)[rooted.root];
 }
 
-/// The surface with the leaves of one product for its active tree.
+/// The surface with the leaves of one product as its active tree.
 PlannedSurface with_product(const PlannedSurface& planned, const std::vector<csg::ActiveNode>& nodes,
                             std::vector<std::uint32_t> leaves) {
   PlannedSurface product{planned.set, planned.block, {}, planned.number};
@@ -50,7 +50,7 @@ bool is_empty(const Context& context, const std::vector<csg::ActiveNode>& nodes,
   return false;
 }
 
-/// The products of thesis 6.3 but the empty ones: each is rendered, classified and merged.
+/// The non-empty products of thesis 6.3: each is rendered, classified and merged.
 void emit_rendered_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::RootedTree rooted = csg::with_root(planned.active);
   csg::ProductTraversal traversal(rooted.nodes, rooted.root);
@@ -63,14 +63,15 @@ void emit_rendered_products(const Context& context, Broadcast& out, const Planne
   } while (traversal.next());
 }
 
-/// Z1 := "nothing" where E is 0. The depth test then excludes these pixels, and no bit has to mark the surface.
+/// Z1 := the farthest depth where E is 0. The depth test then excludes these pixels, and no bit has to mark the
+/// surface.
 void emit_nothing_elsewhere(const Context& context, Broadcast& out, const PlannedSurface& planned) {
   out.origin = {isa::Purpose::stack, planned.primitive(), isa::no_node};
   out.plain(isa::Opcode::enable_invert);
   out.plain(isa::Opcode::set_constant, context.layout.candidate, {}, static_cast<std::uint64_t>(context.farthest()));
 }
 
-/// One product after another of a surface that stays in Z1.
+/// Classifies and merges one product after another, while the surface stays in Z1.
 void emit_kept_products(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface) {
   emit_admission(context, out, planned);
   emit_nothing_elsewhere(context, out, planned);
@@ -91,7 +92,7 @@ void emit_kept_products(const Context& context, Broadcast& out, const PlannedSur
       emit_depth_early_out(context, out, planned, after_test);
     }
   } while (traversal.next());
-  // Z2 only gets nearer: what is hidden before the first product is hidden before all.
+  // Z2 only gets nearer: pixels hidden before the first product stay hidden.
   emit_depth_early_out(context, out, planned, after_first_test);
   emit_base_early_out(context, out, planned, surface);
 }
@@ -109,7 +110,7 @@ void emit_products(const Context& context, Broadcast& out, const PlannedSurface&
 
 }  // namespace
 
-/// Thesis 6.4: the first levels by a stack, subtrees below by repeated traversal.
+/// Thesis 6.4: the first levels with a stack, the subtrees below by repeated traversal.
 extern const StrategyRow bits_strategy{
     .bits =
         [](const csg::ActiveTree& active, const Options& options) {
@@ -132,8 +133,8 @@ extern const StrategyRow bits_strategy{
         },
     .has_stack_bits = true};
 
-/// Thesis 6.3: sum of products, a primitive rendered once for each. Chapter 6 multiplies the tree of primitives out as
-/// it is.
+/// Thesis 6.3: sum of products, with each primitive rendered once per product. Chapter 6 expands the tree of primitives
+/// without simplification.
 extern const StrategyRow products_strategy{
     .bits = [](const csg::ActiveTree& /*active*/, const Options& /*options*/) { return ClassificationBits{}; },
     .draw =

@@ -26,30 +26,30 @@ const view::ScreenQuadric& screen(const Context& context, const QuadricBound& bo
   return context.view.quadrics[bound.side.quadric];
 }
 
-RootRanges ranges_of(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels) {
+RootRanges root_ranges(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels) {
   return view::ranges_over(screen(context, bound), context.view.sampling.fraction_bits, pixels);
 }
 
 bool is_paraboloid(const view::ScreenQuadric& quadric) { return quadric.kind == view::ScreenQuadricKind::paraboloid; }
 
-/// Bits of the root over those pixels.
+/// Bits of the root over the pixels.
 unsigned root_bits(const RootRanges& ranges) {
-  return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(ranges.most_root))));
+  return std::max(1U, static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(ranges.max_root))));
 }
 
 bool is_depth(const view::Range& range, std::int64_t farthest) { return range.low >= 0 && range.high <= farthest; }
 
-/// Bits of a sum with these values: as many as a depth has if all are depths, else of a two's complement number.
+/// Bits of a sum with these values: those of a depth if all values are depths, else those of a two's complement number.
 unsigned sum_bits(const view::Range& range, unsigned z_bits) {
   if (is_depth(range, (std::int64_t{1} << z_bits) - 1)) return z_bits;
   return std::max(z_bits + 1, signed_width(range));
 }
 
-/// Makes a depth of a two's complement number: 0 of one below, the farthest of one beyond. E is kept.
+/// Clamps a two's complement number to the depth range [0, farthest]. E is preserved.
 void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const view::Range& range) {
   const std::int64_t farthest = context.farthest();
-  const isa::Field depth = part_of(sum, 0, context.layout.candidate.width);
-  const isa::Field sign = part_of(sum, sum.width - 1U, 1);
+  const isa::Field depth = subfield(sum, 0, context.layout.candidate.width);
+  const isa::Field sign = subfield(sum, sum.width - 1U, 1);
   if (is_depth(range, farthest)) return;
   out.plain(Opcode::enable_store, context.layout.kept);
   if (range.low < 0) {
@@ -58,10 +58,10 @@ void emit_clamp(const Context& context, Broadcast& out, isa::Field sum, const vi
     out.plain(Opcode::enable_load, context.layout.kept);
   }
   if (range.high <= farthest) return;
-  // The bits between the depth's and the sign become one.
-  const isa::Field beyond = part_of(sum, depth.width, 1);
+  // The OR of the bits between the depth's bits and the sign.
+  const isa::Field beyond = subfield(sum, depth.width, 1);
   for (unsigned bit = depth.width + 1U; bit + 1U < sum.width; ++bit)
-    out.bitwise(Opcode::bit_or, beyond, beyond, part_of(sum, bit, 1));
+    out.bitwise(Opcode::bit_or, beyond, beyond, subfield(sum, bit, 1));
   out.plain(Opcode::enable_and, beyond);
   if (range.low < 0) out.plain(Opcode::enable_and_not, sign);
   out.constant(depth, static_cast<std::uint64_t>(farthest));
@@ -72,8 +72,8 @@ bool may_miss(const QuadricBound& bound, const RootRanges& ranges) {
   return bound.role == QuadricRole::until && ranges.discriminant.low < 0;
 }
 
-/// Whether every surface of the picture is that of one primitive that is compared with no other, nor subtracted, and
-/// fits.
+/// Whether every surface of the picture is that of a single primitive that is not compared with others, not subtracted,
+/// and satisfies `fits`.
 template <class Fits>
 bool draws_alone(const Plan& plan, const Fits& fits) {
   const auto is_alone = [&](const PlannedSurface& one) {
@@ -85,7 +85,7 @@ bool draws_alone(const Plan& plan, const Fits& fits) {
   });
 }
 
-Matters all_of(QuadricRole role) {
+RelevantParts parts_for(QuadricRole role) {
   return {role != QuadricRole::until, role == QuadricRole::between || role == QuadricRole::until,
           role == QuadricRole::between || role == QuadricRole::from};
 }
@@ -104,8 +104,8 @@ bool is_out(const QuadricBound& bound, const RootRanges& ranges, const csg::Bloc
 
 void refuse_unfit(const Context& context, std::uint32_t primitive) {
   throw InputError(fmt::format(
-      "{}: the depths of this primitive's surface do not fit the machine's numbers, as it is seen along a straight "
-      "line in it, or from a point on it; move the camera, or draw it in facets by --curves auto",
+      "{}: the depths of this primitive's surface exceed the machine's number range, because the camera looks along a "
+      "straight line in the surface or from a point on it; move the camera, or draw facets with --curves auto",
       model::place_of(context.tree, primitive)));
 }
 
@@ -121,10 +121,10 @@ std::vector<QuadricBound> quadric_bounds(const Context& context, std::uint32_t p
   return bounds;
 }
 
-Matters what_matters(const Context& context, const QuadricBound& bound, const csg::Block& block) {
-  Matters matters = all_of(bound.role);
+RelevantParts relevant_parts(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+  RelevantParts matters = parts_for(bound.role);
   if (!context.options.pruning.halfspaces) return matters;
-  const RootRanges ranges = ranges_of(context, bound, block.pixels);
+  const RootRanges ranges = root_ranges(context, bound, block.pixels);
   const bool ends_at_near = bound.role == QuadricRole::until;
   if (ends_at_near && ranges.discriminant.high < 0) return {false, false, false};
   matters.outline = matters.outline && ranges.discriminant.low < 0;
@@ -134,18 +134,18 @@ Matters what_matters(const Context& context, const QuadricBound& bound, const cs
   return matters;
 }
 
-Known known_of(const Context& context, const QuadricBound& bound, const csg::Block& block) {
+Known locate_block(const Context& context, const QuadricBound& bound, const csg::Block& block) {
   context.counted.add(&isa::Preparation::halfspaces, csg::tests_of_quadric);
   if (!context.options.pruning.halfspaces) return Known::depends;
-  const RootRanges ranges = ranges_of(context, bound, block.pixels);
+  const RootRanges ranges = root_ranges(context, bound, block.pixels);
   if (is_out(bound, ranges, block)) return Known::out;
   if (bound.role == QuadricRole::edge) return ranges.discriminant.low >= 0 ? Known::in : Known::depends;
-  const Matters matters = what_matters(context, bound, block);
+  const RelevantParts matters = relevant_parts(context, bound, block);
   return matters.outline || matters.near || matters.far ? Known::depends : Known::in;
 }
 
 bool may_reach_near(const Context& context, const QuadricBound& bound, const view::PixelRect& pixels) {
-  const RootRanges ranges = ranges_of(context, bound, pixels);
+  const RootRanges ranges = root_ranges(context, bound, pixels);
   return ranges.discriminant.high >= 0 && (bound.role == QuadricRole::from ? ranges.far : ranges.near).low <= 0;
 }
 
@@ -213,7 +213,7 @@ bool is_met_within(const Context& context, const QuadricBound& bound, const view
                                                {rect.x0, pixels.y0, pixels.x0 - 1, pixels.y1},
                                                {pixels.x1 + 1, pixels.y0, rect.x1, pixels.y1}}};
   return std::all_of(around.begin(), around.end(), [&](const view::PixelRect& strip) {
-    return strip.empty() || ranges_of(context, bound, strip).discriminant.high < 0;
+    return strip.empty() || root_ranges(context, bound, strip).discriminant.high < 0;
   });
 }
 
@@ -224,7 +224,7 @@ void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound
     emit_circle(context, out, quadric, enabled);
     return;
   }
-  const RootRanges ranges = ranges_of(context, bound, pixels);
+  const RootRanges ranges = root_ranges(context, bound, pixels);
   const unsigned bits = root_bits(ranges);
   const isa::Field& root = context.layout.root;
   const isa::Field field{static_cast<std::uint16_t>(root.base - bits - 1), static_cast<std::uint16_t>(2 * bits + 1)};
@@ -236,25 +236,25 @@ void emit_root(const Context& context, Broadcast& out, const QuadricBound& bound
 isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound& bound, Root root,
                       const view::PixelRect& pixels, isa::Field into) {
   const view::ScreenQuadric& quadric = screen(context, bound);
-  const RootRanges ranges = ranges_of(context, bound, pixels);
+  const RootRanges ranges = root_ranges(context, bound, pixels);
   const unsigned z_bits = context.layout.candidate.width;
   const bool is_near = root == Root::near;
   const view::Range& range = is_near ? ranges.near : ranges.far;
   const unsigned fraction = quadric.factor.fraction();
   const unsigned bits = fraction + sum_bits(range, z_bits);
-  const isa::Field all = into.width == bits && fraction == 0 ? into : part_of(context.layout.sum, 0, bits);
-  const isa::Field sum = part_of(all, fraction, bits - fraction);
-  const isa::Field depth = part_of(sum, 0, z_bits);
+  const isa::Field all = into.width == bits && fraction == 0 ? into : subfield(context.layout.sum, 0, bits);
+  const isa::Field sum = subfield(all, fraction, bits - fraction);
+  const isa::Field depth = subfield(sum, 0, z_bits);
   if (is_paraboloid(quadric)) {
     emit_paraboloid(context, out, quadric, is_near, all, pixels);
   } else {
-    out.shifted(part_of(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
+    out.shifted(subfield(context.layout.root, 0, root_bits(ranges)), sum, quadric.unit);
     view::FixedLinear middle = quadric.middle;
     if (!is_near) middle.c += std::int64_t{1} << (context.view.sampling.fraction_bits + quadric.unit);
     out.surface(is_near ? Opcode::linear_minus : Opcode::linear_plus, sum, middle, pixels);
   }
   if (may_miss(bound, ranges)) {
-    // Where the ray does not meet the quadric, all of it is inside.
+    // Rays that miss the quadric are inside at every depth.
     out.plain(Opcode::enable_xor, context.layout.kept);
     out.constant(sum, static_cast<std::uint64_t>(context.farthest()));
     out.plain(Opcode::enable_load, context.layout.kept);
@@ -264,12 +264,12 @@ isa::Field emit_depth(const Context& context, Broadcast& out, const QuadricBound
 }
 
 void emit_comparison(const Context& context, Broadcast& out, const QuadricBound& bound, const csg::Block& block) {
-  if (bound.role == QuadricRole::edge) return;  // emit_edges has it
-  if (known_of(context, bound, block) == Known::out) {
-    out.nowhere();
+  if (bound.role == QuadricRole::edge) return;  // handled by emit_edges
+  if (locate_block(context, bound, block) == Known::out) {
+    out.disable_all();
     return;
   }
-  const Matters matters = what_matters(context, bound, block);
+  const RelevantParts matters = relevant_parts(context, bound, block);
   if (!matters.near && !matters.far) {
     if (matters.outline) emit_outline(context, out, bound, block.pixels);
     return;

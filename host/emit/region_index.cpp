@@ -7,13 +7,13 @@ namespace {
 csg::BoxIndex index_of(std::span<const isa::Region> regions) {
   std::vector<csg::BoxIndex::Entry> entries;
   for (const isa::Region& region : regions)
-    entries.push_back({csg::picture_box(pixels_of(region), 0, 0), static_cast<std::uint32_t>(entries.size())});
+    entries.push_back({csg::picture_box(region_pixels(region), 0, 0), static_cast<std::uint32_t>(entries.size())});
   return csg::BoxIndex(entries);
 }
 
 }  // namespace
 
-view::PixelRect pixels_of(const isa::Region& region) {
+view::PixelRect region_pixels(const isa::Region& region) {
   const auto x = static_cast<std::int32_t>(region.x);
   const auto y = static_cast<std::int32_t>(region.y);
   return {x, y, x + static_cast<std::int32_t>(region.width) - 1, y + static_cast<std::int32_t>(region.height) - 1};

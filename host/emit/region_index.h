@@ -1,3 +1,5 @@
+// A spatial index of the machine's regions.
+// Used by the plan and the division counts.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +13,14 @@
 
 namespace csgsim::emit {
 
-view::PixelRect pixels_of(const isa::Region& region);
+view::PixelRect region_pixels(const isa::Region& region);
 
-/// Finds the regions that a rectangle of pixels has some of.
+/// Finds the regions that overlap a rectangle of pixels.
 class RegionIndex {
  public:
   explicit RegionIndex(std::span<const isa::Region> regions);
 
-  /// Calls visit(number) for each of them, the least number first.
+  /// Calls visit(number) for each of them, in ascending order.
   template <class Visit>
   void for_each(const view::PixelRect& pixels, const Visit& visit) {
     if (pixels.empty()) return;
@@ -32,7 +34,8 @@ class RegionIndex {
   std::vector<std::uint32_t> found_;
 };
 
-/// For each region the numbers of the sets whose primitives' rectangles and the region have pixels in common, in order.
+/// The numbers, in ascending order for each region, of the sets whose primitives' rectangles have common pixels with
+/// it.
 std::vector<std::vector<std::uint32_t>> sets_in(std::span<const isa::Region> regions,
                                                 std::span<const csg::ConvexSet> sets, const view::View& view);
 

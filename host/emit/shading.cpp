@@ -19,12 +19,12 @@ namespace {
 
 using isa::Opcode;
 
-/// Lights whose shadows meet on one facet: there are twice as many colours with each.
-constexpr std::size_t most_shadows = 6;
+/// Maximum number of shadows on one facet: each doubles the number of its colours.
+constexpr std::size_t max_shadows = 6;
 
 using ShadowBits = std::vector<const ShadowBit*>;
 
-/// The lighting without a light.
+/// The lighting with one light turned off.
 lighting::Lighting without(lighting::Lighting lighting, std::size_t light) {
   lighting.lights[light].colour = {0, 0, 0};
   return lighting;
@@ -41,8 +41,8 @@ std::vector<isa::Instruction> colour_under(const Context& context, const Facet& 
 }
 
 /// The shadows that fall on the facet and change its colour.
-ShadowBits that_matter(const Context& context, const Facet& facet, const view::PixelRect& pixels,
-                       const std::vector<ShadowBit>& bits) {
+ShadowBits relevant_shadows(const Context& context, const Facet& facet, const view::PixelRect& pixels,
+                            const std::vector<ShadowBit>& bits) {
   ShadowBits matter;
   if (facet.at != At::plane) return matter;
   for (const ShadowBit& bit : bits) {
@@ -50,15 +50,15 @@ ShadowBits that_matter(const Context& context, const Facet& facet, const view::P
     const bool falls_on = std::find(bit.facets.begin(), bit.facets.end(), facet_of) != bit.facets.end();
     if (falls_on && light_matters(context, facet, pixels, bit.light)) matter.push_back(&bit);
   }
-  if (matter.size() > most_shadows) {
-    throw InputError(fmt::format("the shadows of {} lights meet on one facet; let {} at most throw shadows",
-                                 matter.size(), most_shadows));
+  if (matter.size() > max_shadows) {
+    throw InputError(fmt::format("the shadows of {} lights meet on one facet; let at most {} lights cast shadows",
+                                 matter.size(), max_shadows));
   }
   return matter;
 }
 
-/// The facet's colour; over it, for each set of lights, the colour without them where all of them are in shadow. A set
-/// comes after those that it holds.
+/// Writes the facet's colour, and over it, for each set of lights, the colour without them where all of them are in
+/// shadow. A set comes after its subsets.
 void emit_shadowed_colour(const Context& context, Broadcast& out, const Facet& facet, isa::Field field,
                           const view::PixelRect& pixels, const ShadowBits& bits, isa::Field spare) {
   if (!bits.empty()) out.plain(Opcode::enable_store, spare);
@@ -87,7 +87,7 @@ void emit_seen_at(const Context& context, Broadcast& out, const Facet& facet, is
   if (is_curved(facet.at)) {
     out.plain(Opcode::field_eq, depth, emit_facet_depth(context, out, facet, pixels, pixels));
   } else {
-    out.surface(Opcode::linear_eq, depth, plane_of(context, facet), pixels);
+    out.surface(Opcode::linear_eq, depth, facet_plane(context, facet), pixels);
   }
 }
 
@@ -111,7 +111,7 @@ void emit_colour(const Context& context, Broadcast& out, const Facet& facet, isa
     out.plain(Opcode::set_constant, field, {}, (*context.paint)(facet));
     return;
   }
-  // The last that takes the facet has it; flat shading, the first, takes all.
+  // The last effect that accepts the facet colours it; flat shading, the first, accepts all.
   for (std::size_t i = context.called.size(); i-- > 0;) {
     if (((context.left_out >> i) & 1U) != 0) continue;
     const Billing billing(out, i);
@@ -125,10 +125,10 @@ void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSur
   for (std::size_t i = 0; i < surface.facets.size(); ++i) {
     const Facet& facet = surface.facets[i];
     const bool is_rest = i + 1 == surface.facets.size();
-    out.origin = origin_of(isa::Purpose::shade, planned, facet);
+    out.origin = facet_origin(isa::Purpose::shade, planned, facet);
     if (i > 0) out.plain(Opcode::enable_load, mask);
     if (!is_rest) emit_seen_at(context, out, facet, depth, surface.block.pixels);
-    const ShadowBits bits = that_matter(context, facet, surface.block.pixels, shadows.bits);
+    const ShadowBits bits = relevant_shadows(context, facet, surface.block.pixels, shadows.bits);
     const bool mask_first = has_shaders(context) || !bits.empty();
     if (!is_rest && mask_first) out.plain(Opcode::set_constant, mask, {}, 0);
     emit_shadowed_colour(context, out, facet, context.layout.colour, surface.block.pixels, bits, shadows.spare);
@@ -136,8 +136,9 @@ void emit_facet_colours(const Context& context, Broadcast& out, const PlannedSur
   }
 }
 
-void emit_seen_colours(const Context& context, Broadcast& out, const PlannedSurface& planned, const Shadows& shadows) {
-  const Surface surface = surface_of(context, planned, deciding_sides(context, planned));
+void emit_visible_colours(const Context& context, Broadcast& out, const PlannedSurface& planned,
+                          const Shadows& shadows) {
+  const Surface surface = plan_surface(context, planned, deciding_sides(context, planned));
   if (surface.nothing) return;
   out.origin = {isa::Purpose::shade, planned.primitive(), isa::no_node};
   enable_drawing(context, out);

@@ -21,7 +21,7 @@ using view::QuadricRole;
 using view::Side;
 
 /// The primitive's pixels within the segment.
-view::PixelRect pixels_of(const Context& context, std::uint32_t primitive) {
+view::PixelRect primitive_pixels(const Context& context, std::uint32_t primitive) {
   return common(context.view.extents[primitive].pixels, context.plan.pixels());
 }
 
@@ -40,37 +40,37 @@ void add_compared(const PlannedSurface& surface, const view::View& view, std::ve
   }
 }
 
-void sort_out(std::vector<std::uint32_t>& all) {
+void sort_unique(std::vector<std::uint32_t>& all) {
   std::ranges::sort(all);
   all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
-/// One end of a primitive into its field: the farthest of the fronts, or the nearest of the backs.
+/// Writes one end of a primitive to its field: the farthest of the fronts, or the nearest of the backs.
 class End {
  public:
   End(const Context& context, Broadcast& out, const csg::Block& column, Side side, isa::Field field)
       : context_(context), out_(out), column_(column), is_front_(side == Side::front), field_(field) {}
 
-  /// E stays 1 where the extreme of the planes is a depth, or before the first one if it is a front, or behind the last
-  /// if it is a back.
+  /// E stays 1 where the extreme of the planes is a depth, or before the first one for a front, or behind the last one
+  /// for a back.
   void begin(const std::vector<Facet>& facets, bool quadrics_follow) {
     const auto first = std::ranges::find_if(
         facets, [&](const Facet& facet) { return fits_depth(context_, facet, column_, is_front_); });
     is_set_ = !facets.empty() || !quadrics_follow;
     if (!is_set_) return;
     if (first != facets.end()) {
-      out_.surface(Opcode::load_linear, field_, context_.linear_of(first->halfspace), column_.pixels);
+      out_.surface(Opcode::load_linear, field_, context_.linear_plane(first->halfspace), column_.pixels);
     } else {
       out_.constant(field_, is_front_ ? 0 : static_cast<std::uint64_t>(context_.farthest()));
     }
     for (auto facet = facets.begin(); facet != facets.end(); ++facet) {
       if (facet == first) continue;
-      out_.surface(is_front_ ? Opcode::keep_max : Opcode::keep_min, field_, context_.linear_of(facet->halfspace),
+      out_.surface(is_front_ ? Opcode::keep_max : Opcode::keep_min, field_, context_.linear_plane(facet->halfspace),
                    column_.pixels);
     }
   }
 
-  /// The depth of a quadric, where E is 1.
+  /// Combines the field with the depth of a quadric, where E is 1.
   void add(isa::Field depth) {
     if (!is_set_) {
       out_.plain(Opcode::copy, field_, depth);
@@ -95,23 +95,23 @@ class End {
 bool has_front(QuadricRole role) { return role == QuadricRole::between || role == QuadricRole::from; }
 bool has_back(QuadricRole role) { return role == QuadricRole::between || role == QuadricRole::until; }
 
-/// Quadrics that bound the column, and are no edge tests.
-std::vector<QuadricBound> bounds_of(const Context& context, std::uint32_t primitive, const csg::Block& column) {
+/// The quadrics that bound the column and are not edge tests.
+std::vector<QuadricBound> bounds_in(const Context& context, std::uint32_t primitive, const csg::Block& column) {
   std::vector<QuadricBound> bounds = quadric_bounds(context, primitive);
   std::erase_if(bounds, [&](const QuadricBound& bound) {
-    return bound.role == QuadricRole::edge || known_of(context, bound, column) == csg::Known::in;
+    return bound.role == QuadricRole::edge || locate_block(context, bound, column) == csg::Known::in;
   });
   return bounds;
 }
 
 void emit_depths(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields) {
   out.origin = {isa::Purpose::classify, primitive, isa::no_node};
-  const csg::Block column{pixels_of(context, primitive), 0, context.farthest()};
+  const csg::Block column{primitive_pixels(context, primitive), 0, context.farthest()};
   enable_drawing(context, out);
   out.clip(column.pixels, context.plan.pixels());
   const std::size_t begin = out.size();
   emit_edges(context, out, primitive, column);
-  const std::vector<QuadricBound> bounds = bounds_of(context, primitive, column);
+  const std::vector<QuadricBound> bounds = bounds_in(context, primitive, column);
   const auto any = [&](bool (*has)(QuadricRole)) {
     return std::ranges::any_of(bounds, [&](const QuadricBound& bound) { return has(bound.role); });
   };
@@ -130,29 +130,29 @@ void emit_depths(const Context& context, Broadcast& out, std::uint32_t primitive
       has_back(bound.role) ? back.add(far) : front.add(far);
     }
   }
-  // A drawing that is made at some pixels only may have none of the primitive's.
+  // A drawing that is restricted to some pixels may contain none of the primitive's.
   if (context.base.width > 0) emit_early_out(context, out, begin, out.origin);
-  // The primitive is nowhere else.
+  // Marks the pixels outside the primitive as empty.
   out.plain(Opcode::enable_invert);
   out.constant(fields.front, static_cast<std::uint64_t>(context.farthest()));
   out.constant(fields.back, 0);
   ++out.counts.rendered;
 }
 
-/// What of a primitive decides whether points of a block are in it.
-struct Decides {
+/// The parts of a primitive that decide whether points of a block are in it.
+struct DecidingParts {
   bool front = false;
   bool back = false;
-  bool outline = false;  ///< it is nowhere at some of the pixels
+  bool outline = false;  ///< the primitive is absent at some of the pixels
 };
 
-Decides what_decides(const Context& context, std::uint32_t primitive, const csg::Block& part) {
+DecidingParts deciding_parts(const Context& context, std::uint32_t primitive, const csg::Block& part) {
   const auto any = [&](Side side) { return !undecided(context, {&primitive, 1}, side, part).facets.empty(); };
-  Decides decides{any(Side::front), any(Side::back), has_edges(context, primitive, part)};
+  DecidingParts decides{any(Side::front), any(Side::back), has_edges(context, primitive, part)};
   for (const QuadricBound& bound : quadric_bounds(context, primitive)) {
     if (bound.role == QuadricRole::edge) continue;
-    const bool is_out = known_of(context, bound, part) == csg::Known::out;
-    const Matters matters = what_matters(context, bound, part);
+    const bool is_out = locate_block(context, bound, part) == csg::Known::out;
+    const RelevantParts matters = relevant_parts(context, bound, part);
     const bool is_front = has_front(bound.role);
     const bool is_back = has_back(bound.role);
     decides.front = decides.front || (is_front && (is_out || (is_back ? matters.near : matters.far)));
@@ -168,7 +168,7 @@ StoredDepths::StoredDepths(const Context& context) : layout_(context.layout) {
   if (layout_.stored.empty()) return;
   for (const PlannedSurface& one : context.plan.surfaces)
     if (is_drawn(context, one)) add_compared(one, context.view, primitives_);
-  sort_out(primitives_);
+  sort_unique(primitives_);
 }
 
 std::optional<StoredFields> StoredDepths::of(std::uint32_t primitive) const {
@@ -187,33 +187,33 @@ void emit_stored_depths(const Context& context, Broadcast& out) {
 void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
                             const PlannedSurface& of) {
   const view::PixelRect shared = common(of.block.pixels, context.view.extents[primitive].pixels);
-  const Decides decides = what_decides(context, primitive, {shared, of.block.z_low, of.block.z_high});
+  const DecidingParts decides = deciding_parts(context, primitive, {shared, of.block.z_low, of.block.z_high});
   const bool is_nowhere_at_some = decides.outline || shared != of.block.pixels;
   const isa::Field z1 = context.layout.candidate;
   if (decides.front) out.plain(Opcode::field_le, fields.front, z1);
-  // Where the primitive is nowhere, either end says so.
+  // Either comparison fails at pixels without the primitive.
   if (decides.back || (!decides.front && is_nowhere_at_some)) out.plain(Opcode::field_lt, z1, fields.back);
 }
 
 namespace {
 
-/// Whether the depths of every part of the surface are stored, and no colour is written beside Z1.
+/// Whether the depths of every part of the surface are stored, and there is no colour field for Z1.
 bool has_stored_surface(const Context& context, const PlannedSurface& planned) {
   if (context.stored == nullptr || context.layout.candidate_colour.width > 0) return false;
   return std::ranges::all_of(planned.set,
                              [&](std::uint32_t primitive) { return context.stored->of(primitive).has_value(); });
 }
 
-/// What emit_surface does, by depths that are kept.
+/// Draws a surface as emit_surface does, from stored depths.
 Surface emit_stored_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
-  Surface surface = surface_of(context, planned, sides);
+  Surface surface = plan_surface(context, planned, sides);
   if (surface.nothing) return surface;
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   enable_drawing(context, out);
   const StoredFields first = *context.stored->of(planned.primitive());
-  // Beside its own pixels the primitive is nowhere.
+  // The primitive is absent outside its own pixels.
   out.plain(Opcode::field_lt, first.front, first.back);
-  out.clip(planned.block.pixels, pixels_of(context, planned.primitive()));
+  out.clip(planned.block.pixels, primitive_pixels(context, planned.primitive()));
   surface.begin = out.size();
   const bool complemented = context.complemented(planned.primitive());
   const isa::Field z1 = context.layout.candidate;
@@ -239,17 +239,17 @@ Surface emit_surface_by_stored(const Context& context, Broadcast& out, const Pla
                                               : emit_surface(context, out, planned, sides);
 }
 
-/// The bits of a front and a back depth for each primitive that is compared with a surface of the segment.
+/// Bits of a front and a back depth for each primitive that a surface of the segment is compared with.
 unsigned depth_bits(const SegmentPlan& segment, const view::View& view) {
   std::vector<std::uint32_t> compared;
   for (const PlannedSurface& one : segment.surfaces) add_compared(one, view, compared);
-  sort_out(compared);
+  sort_unique(compared);
   return static_cast<unsigned>(compared.size()) * 2 * view.sampling.z_bits;
 }
 
 }  // namespace
 
-/// Thesis 6.1: as stack, but depths of primitives that are compared are kept, rendered once each.
+/// Thesis 6.1: like `stack`, but the compared primitives are rendered once each and their depths kept.
 extern const StrategyRow stored_strategy{.bits = bits_for_all_levels,
                                          .classify = emit_by_all_levels,
                                          .surface = emit_surface_by_stored,

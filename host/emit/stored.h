@@ -1,3 +1,5 @@
+// Depths of primitives that are stored while a segment is drawn.
+// Used by the strategy stored, comparison.cpp and drawing.cpp.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +10,20 @@
 
 namespace csgsim::emit {
 
-/// Where a primitive's depths are kept. Its solid is at depths from `front` to before `back`; at pixels where it is at
-/// none, `front` is the farthest depth and `back` the nearest.
+/// The fields of a primitive's depths. Its solid is at depths d with `front` <= d < `back`; at pixels without the
+/// solid, `front` is the farthest depth and `back` the nearest.
 struct StoredFields {
   isa::Field front;
   isa::Field back;
 };
 
-/// Whose depths are kept while a drawing's surfaces are drawn in a segment.
+/// The primitives whose depths are stored while a drawing's surfaces are drawn in a segment.
 class StoredDepths {
  public:
   explicit StoredDepths(const Context& context);
 
   [[nodiscard]] const std::vector<std::uint32_t>& primitives() const { return primitives_; }
-  /// Nothing for a primitive whose depths are not kept.
+  /// Empty for a primitive whose depths are not stored.
   [[nodiscard]] std::optional<StoredFields> of(std::uint32_t primitive) const;
 
  private:
@@ -29,10 +31,10 @@ class StoredDepths {
   const Layout& layout_;
 };
 
-/// The depths of all that the context keeps depths of, into their fields.
+/// Writes the depths of all primitives for which the context stores depths.
 void emit_stored_depths(const Context& context, Broadcast& out);
 
-/// E := E and "Z1 is in the primitive", whose depths are in the fields, by what of it matters where the surface can be.
+/// E := E and "Z1 is in the primitive", by its stored depths, as far as they matter where the surface can be.
 void emit_stored_comparison(const Context& context, Broadcast& out, std::uint32_t primitive, const StoredFields& fields,
                             const PlannedSurface& of);
 

@@ -1,3 +1,5 @@
+// The row that registers a classification strategy.
+// Used by the strategies, evaluation.cpp, sim/studies and sim/viewer.
 #pragma once
 
 #include <cstdint>
@@ -6,32 +8,32 @@
 
 namespace csgsim::emit {
 
-/// What a strategy does, `extern const StrategyRow NAME_strategy` of its file; its name is in CSGSIM_STRATEGIES.
+/// A strategy. Each file defines `extern const StrategyRow NAME_strategy`; CSGSIM_STRATEGIES lists the names.
 struct StrategyRow {
-  /// Memory bits for working out one active tree.
+  /// Memory bits for evaluating one active tree.
   ClassificationBits (*bits)(const csg::ActiveTree& active, const Options& options);
-  /// A null pointer where `draw` draws each surface that has operands.
+  /// Null if `draw` draws every surface that has operands.
   decltype(Classification::classify) classify = nullptr;
-  /// Draws a primitive's visible surface in its own way, and returns true; or returns false, and it is drawn by
-  /// `surface` and `classify`.
+  /// Draws a primitive's visible surface in a special way and returns true; or returns false, and the surface is drawn
+  /// with `surface` and `classify`.
   bool (*draw)(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) = nullptr;
-  /// Draws the surface into Z1; emit_surface, unless the strategy has its own.
+  /// Draws the surface into Z1; emit_surface by default.
   Surface (*surface)(const Context& context, Broadcast& out, const PlannedSurface& planned,
                      const Sides& sides) = emit_surface;
-  /// Products that an active tree with operands is multiplied out to.
+  /// Number of products that an active tree with operands expands to.
   std::uint64_t (*products)(const csg::ActiveTree& active, const Options& options) = nullptr;
-  /// Bits in which depths are kept throughout a segment.
+  /// Bits for depths that are stored throughout a segment.
   unsigned (*stored_bits)(const SegmentPlan& segment, const view::View& view) = nullptr;
-  bool has_stack_bits = false;  ///< Options::stack_bits counts
-  bool takes_sets = true;       ///< primitives may be drawn as one (csg::Pruning::sets)
+  bool has_stack_bits = false;  ///< depends on Options::stack_bits
+  bool takes_sets = true;       ///< supports drawing several primitives as one (csg::Pruning::sets)
   bool is_tried = true;         ///< Strategy::automatic may choose it
-  bool is_usual = true;         ///< one of usual_strategies
+  bool is_usual = true;         ///< is one of usual_strategies
 };
 
 /// Throws std::logic_error for Strategy::automatic.
 const StrategyRow& row_of(Strategy strategy);
 
-/// The prunings that are done.
+/// The prunings of the options that apply to the strategy.
 csg::Pruning pruning_of(const Options& options);
 
 }  // namespace csgsim::emit

@@ -17,9 +17,9 @@ namespace {
 
 using isa::Opcode;
 
-/// The extreme of the facets into Z1: the farthest of the fronts, or the nearest of the backs of a complemented
-/// primitive. Starts from depth 0 if it may be there, else from a facet that fits Z1, else from the bound of the depth
-/// range.
+/// Writes the extreme of the facets to Z1: the farthest of the fronts, or the nearest of the backs of a complemented
+/// primitive. Starts from depth 0 if the surface may be there, else from a facet that fits Z1, else from the end of the
+/// depth range.
 class Extreme {
  public:
   /// E is 0 outside `enabled`.
@@ -33,26 +33,26 @@ class Extreme {
         farthest_front_(!context.complemented(planned.primitive())),
         first_(first_facet()) {}
 
-  /// Without colours: curved facets last, so that the root of the last is left.
+  /// Writes depths without colours. Curved facets come last, so that the root of the last one remains.
   void emit() {
     start();
     for (const Facet& facet : surface_.facets) {
       if (&facet == first_ || is_curved(facet.at)) continue;
       out_.surface(farthest_front_ ? Opcode::keep_max : Opcode::keep_min, context_.layout.candidate,
-                   context_.linear_of(facet.halfspace), surface_.block.pixels);
+                   context_.linear_plane(facet.halfspace), surface_.block.pixels);
     }
     for (const Facet& facet : surface_.facets) {
       if (&facet == first_ || !is_curved(facet.at)) continue;
-      const isa::Field depth = depth_of(facet);
+      const isa::Field depth = curved_depth(facet);
       out_.plain(Opcode::enable_store, context_.layout.kept);
       replace_by(depth, false);
       out_.plain(Opcode::enable_load, context_.layout.kept);
     }
   }
 
-  /// With colours beside: E is taken from the mask anew for each facet. Of facets at the same depth the first counts:
-  /// what stands after the start replaces less than it, in order; what stands before the start replaces equals too,
-  /// backwards.
+  /// Writes depths and colours. E is reloaded from the mask for each facet. Of facets at the same depth the first
+  /// counts: facets after the start replace only smaller values, in order; facets before the start also replace equal
+  /// values, in reverse order.
   void emit_with_colours() {
     const std::vector<Facet>& facets = surface_.facets;
     start();
@@ -64,11 +64,11 @@ class Extreme {
     out_.plain(Opcode::enable_load, context_.layout.mask);
   }
 
-  /// The curved facet whose root is left; none if none was taken.
+  /// The curved facet whose root remains; null if none was computed.
   [[nodiscard]] const Facet* rooted() const { return rooted_; }
 
  private:
-  /// What Z1 begins with; none if none fits.
+  /// The facet that Z1 starts with; null if none fits.
   [[nodiscard]] const Facet* first_facet() const {
     const std::vector<Facet>& facets = surface_.facets;
     const auto find = [&](const auto& is_one) {
@@ -84,13 +84,13 @@ class Extreme {
     return first != nullptr ? first : find([](const Facet& facet) { return is_curved(facet.at); });
   }
 
-  /// E stays 1 where the curved facet is.
-  isa::Field depth_of(const Facet& facet, isa::Field into = {}) {
+  /// The depth of a curved facet. E stays 1 where the facet exists.
+  isa::Field curved_depth(const Facet& facet, isa::Field into = {}) {
     rooted_ = &facet;
     return emit_facet_depth(context_, out_, facet, surface_.block.pixels, enabled_, into);
   }
 
-  /// Z1 := the depth where that is more extreme, or equal, to where E is left.
+  /// Z1 := the depth where E stays 1: where it is more extreme, or equal if `equals_too`.
   void replace_by(isa::Field depth, bool equals_too) {
     const isa::Field z1 = context_.layout.candidate;
     const Opcode compare = equals_too ? Opcode::field_le : Opcode::field_lt;
@@ -101,20 +101,20 @@ class Extreme {
   void start() {
     const isa::Field z1 = context_.layout.candidate;
     if (first_ != nullptr && is_curved(first_->at)) {
-      const isa::Field depth = depth_of(*first_, z1);
+      const isa::Field depth = curved_depth(*first_, z1);
       if (depth != z1) out_.plain(Opcode::copy, z1, depth);
     } else if (first_ != nullptr && first_->at == At::plane) {
-      out_.surface(Opcode::load_linear, z1, context_.linear_of(first_->halfspace), surface_.block.pixels);
+      out_.surface(Opcode::load_linear, z1, context_.linear_plane(first_->halfspace), surface_.block.pixels);
     } else {
       out_.plain(Opcode::set_constant, z1, {}, farthest_front_ ? 0 : static_cast<std::uint64_t>(context_.farthest()));
     }
   }
 
-  /// The facet's depth and colour where it is more extreme than Z1, or equal.
+  /// Writes the facet's depth and colour where it is more extreme than Z1, or equal if `equals_too`.
   void replace_by(const Facet& facet, bool equals_too) {
     out_.plain(Opcode::enable_load, context_.layout.mask);
     if (is_curved(facet.at)) {
-      const isa::Field depth = depth_of(facet);
+      const isa::Field depth = curved_depth(facet);
       out_.plain(Opcode::enable_store, context_.layout.mask);
       replace_by(depth, equals_too);
     } else {
@@ -124,11 +124,11 @@ class Extreme {
   }
 
   void replace_by_plane(const Facet& facet, bool equals_too) {
-    const view::FixedLinear& plane = context_.linear_of(facet.halfspace);
+    const view::FixedLinear& plane = context_.linear_plane(facet.halfspace);
     const view::PixelRect& pixels = surface_.block.pixels;
-    const view::Range range = context_.range_of(facet.halfspace, pixels);
+    const view::Range range = context_.depth_range(facet.halfspace, pixels);
     if (farthest_front_ && range.high > context_.farthest()) {
-      // Beyond the farthest depth there is no surface.
+      // There is no surface beyond the farthest depth.
       const std::int64_t beyond = (context_.farthest() + 1) << context_.view.sampling.fraction_bits;
       out_.edge(Opcode::edge_negative, {plane.a, plane.b, plane.c - beyond}, pixels);
       out_.plain(Opcode::enable_store, context_.layout.mask);
@@ -144,7 +144,7 @@ class Extreme {
 
   void set_colour(const Facet& facet) {
     const isa::Origin origin = out_.origin;
-    out_.origin = origin_of(isa::Purpose::shade, planned_, facet);
+    out_.origin = facet_origin(isa::Purpose::shade, planned_, facet);
     emit_colour(context_, out_, facet, context_.layout.candidate_colour, surface_.block.pixels);
     out_.origin = origin;
   }
@@ -155,26 +155,26 @@ class Extreme {
   const Surface& surface_;
   const view::PixelRect enabled_;
   bool farthest_front_;
-  const Facet* first_;  ///< what Z1 begins with, if any
+  const Facet* first_;  ///< the facet that Z1 starts with, if any
   const Facet* rooted_ = nullptr;
 };
 
-/// A subtracted solid has no back where it ends before the near plane.
+/// A subtracted solid has no back where it ends in front of the near plane.
 void emit_near_test(const Context& context, Broadcast& out, const Surface& surface) {
   const bool reaches = std::any_of(surface.facets.begin(), surface.facets.end(), [&](const Facet& back) {
     return is_curved(back.at) ? surface.block.z_low <= 0
-                              : context.range_of(back.halfspace, surface.block.pixels).low <= 0;
+                              : context.depth_range(back.halfspace, surface.block.pixels).low <= 0;
   });
   if (reaches) out.surface(Opcode::linear_lt, context.layout.candidate, {0, 0, 0}, surface.block.pixels);
 }
 
-/// Whether the surface is nothing but the quadric's: its depths are apart wherever it has any.
+/// Whether the surface consists only of this quadric, whose near and far depths always differ.
 bool is_own_other_side(const Surface& surface, const QuadricBound& bound) {
   return surface.facets.size() == 1 && is_curved(surface.facets.front().at) &&
          surface.facets.front().quadric == bound.side && bound.role == view::QuadricRole::between;
 }
 
-/// Whether the test for the only quadric leaves no pixel outside the block, so that no edges have to cut it out.
+/// Whether the outline test of the only quadric rejects all pixels outside the block, so that no clipping is needed.
 bool is_cut_out_by_outline(const Context& context, const PlannedSurface& planned, const Sides& sides,
                            const Surface& surface) {
   if (planned.set.size() != 1 || sides.quadrics.size() != 1) return false;
@@ -183,15 +183,15 @@ bool is_cut_out_by_outline(const Context& context, const PlannedSurface& planned
          is_met_within(context, sides.quadrics.front(), planned.block.pixels, context.plan.pixels());
 }
 
-/// Where the other side of a quadric is before Z1, or behind it, there is nothing. Of the facet `rooted`, if any, the
-/// root is there.
+/// Clears E where the other side of a quadric is in front of Z1 or behind it, as there is no surface. The root of the
+/// facet `rooted` is already computed, if not null.
 void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides,
                       const Surface& surface, const Facet* rooted) {
   const bool complemented = context.complemented(planned.primitive());
   const isa::Field z1 = context.layout.candidate;
   const std::vector<QuadricBound> backwards(sides.quadrics.rbegin(), sides.quadrics.rend());
   for (const QuadricBound& bound : backwards) {
-    const std::optional<Facet> other = seen_of(bound, !complemented);
+    const std::optional<Facet> other = visible_facet(bound, !complemented);
     if (!other || is_own_other_side(surface, bound)) continue;
     const bool is_there =
         rooted != nullptr && rooted->quadric == bound.side && bound.role == view::QuadricRole::between;
@@ -203,10 +203,10 @@ void emit_other_sides(const Context& context, Broadcast& out, const PlannedSurfa
   }
 }
 
-/// Whether what is seen at depth 0 has to be among the facets: the curved fronts, if there are any, may be at it or
-/// before it, and it is none of them.
+/// Whether the facet at depth 0 must be among the facets: all curved fronts may be at or before depth 0, and it is none
+/// of them.
 bool may_be_at_near(const Context& context, const PlannedSurface& planned, const Sides& sides) {
-  const auto is_front = [](const QuadricBound& bound) { return seen_of(bound, false).has_value(); };
+  const auto is_front = [](const QuadricBound& bound) { return visible_facet(bound, false).has_value(); };
   if (std::none_of(sides.quadrics.begin(), sides.quadrics.end(), is_front)) return true;
   return planned.block.z_low <= 0 && !is_curved(at_near(context, planned.primitive()).at) &&
          std::all_of(sides.quadrics.begin(), sides.quadrics.end(), [&](const QuadricBound& bound) {
@@ -217,7 +217,7 @@ bool may_be_at_near(const Context& context, const PlannedSurface& planned, const
 }  // namespace
 
 bool fits_depth(const Context& context, const Facet& facet, const csg::Block& block, bool is_front) {
-  const view::Range range = context.range_of(facet.halfspace, block.pixels);
+  const view::Range range = context.depth_range(facet.halfspace, block.pixels);
   return is_front ? range.low >= 0 : range.high <= context.farthest();
 }
 
@@ -229,13 +229,13 @@ isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet&
   return emit_depth(context, out, bound, facet.at == At::quadric_near ? Root::near : Root::far, pixels, into);
 }
 
-Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides) {
+Surface plan_surface(const Context& context, const PlannedSurface& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
   Surface surface{false, complemented ? sides.backs.facets : sides.fronts.facets, block, 0};
   for (const QuadricBound& bound : sides.quadrics)
-    if (const std::optional<Facet> facet = seen_of(bound, complemented)) surface.facets.push_back(*facet);
-  // Where facets are at the same depth, the first one is seen: the first primitive's.
+    if (const std::optional<Facet> facet = visible_facet(bound, complemented)) surface.facets.push_back(*facet);
+  // Among facets at the same depth, the first is visible: that of the first primitive.
   std::stable_sort(surface.facets.begin(), surface.facets.end(),
                    [](const Facet& a, const Facet& b) { return a.primitive < b.primitive; });
   surface.nothing =
@@ -249,7 +249,7 @@ Surface surface_of(const Context& context, const PlannedSurface& planned, const 
 Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides) {
   const csg::Block& block = planned.block;
   const bool complemented = context.complemented(planned.primitive());
-  Surface surface = surface_of(context, planned, sides);
+  Surface surface = plan_surface(context, planned, sides);
   if (surface.nothing) return surface;
   out.origin = {isa::Purpose::render, planned.primitive(), isa::no_node};
   enable_drawing(context, out);
@@ -261,7 +261,7 @@ Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurfac
   context.layout.candidate_colour.width > 0 ? extreme.emit_with_colours() : extreme.emit();
   for (const Facet& other : complemented ? sides.fronts.facets : sides.backs.facets) {
     out.surface(complemented ? Opcode::linear_lt : Opcode::linear_gt, context.layout.candidate,
-                context.linear_of(other.halfspace), block.pixels);
+                context.linear_plane(other.halfspace), block.pixels);
   }
   emit_other_sides(context, out, planned, sides, surface, extreme.rooted());
   if (complemented) emit_near_test(context, out, surface);

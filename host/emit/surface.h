@@ -1,3 +1,5 @@
+// The visible surface of a convex solid, its depth test and its merge.
+// Used by the emitter and the effects.
 #pragma once
 
 #include <cstddef>
@@ -8,36 +10,36 @@
 
 namespace csgsim::emit {
 
-/// A convex solid's visible surface: the nearest of its front if it stands for itself, of its back if it is
-/// complemented.
+/// A convex solid's visible surface: its front, or its back if it is complemented.
 struct Surface {
-  bool nothing = false;       ///< no pixel can have one; then nothing was emitted
-  std::vector<Facet> facets;  ///< what Z1 can come from, in order; the first may be at depth 0
+  bool nothing = false;       ///< no pixel can show a surface, and nothing was emitted
+  std::vector<Facet> facets;  ///< the facets that Z1 can come from, in order; the first may be at depth 0
   csg::Block block;
-  std::size_t begin = 0;  ///< instructions in the segment when E was left to the block's pixels, if it was emitted
+  std::size_t begin = 0;  ///< number of instructions in the segment when E had been restricted to the block's pixels,
+                          ///< if emitted
 };
 
-/// Whether the facet's plane is nowhere before the range of depths, for a front, or nowhere behind it, for a back.
+/// Whether the facet's plane is nowhere before the depth range (for a front) or nowhere behind it (for a back).
 bool fits_depth(const Context& context, const Facet& facet, const csg::Block& block, bool is_front);
 
-/// The depth of a curved facet where E is 1, in the field that it returns: `into`, if one is given that may be written,
-/// or another. E stays 1 where the ray meets the quadric; before, it has to be 0 outside `enabled`, as for emit_root.
+/// Computes the depth of a curved facet where E is 1. Returns its field: `into` if given and writable, or another. E
+/// stays 1 where the ray meets the quadric; before the call it must be 0 outside `enabled`, as for emit_root.
 isa::Field emit_facet_depth(const Context& context, Broadcast& out, const Facet& facet, const view::PixelRect& pixels,
                             const view::PixelRect& enabled, isa::Field into = {});
 
-/// What emit_surface would draw, without drawing it.
-Surface surface_of(const Context& context, const PlannedSurface& planned, const Sides& sides);
+/// What emit_surface would draw; appends nothing.
+Surface plan_surface(const Context& context, const PlannedSurface& planned, const Sides& sides);
 
-/// The surface into Z1, and its colour beside it if there is a field for it. Leaves E 1 where there is one.
+/// Draws the surface into Z1, and its colour if there is a field for it. E is 1 where there is a surface.
 Surface emit_surface(const Context& context, Broadcast& out, const PlannedSurface& planned, const Sides& sides);
 
-/// E stays 1 where effects admit the surface in Z1, and it is behind the context's `beyond`.
+/// E stays 1 where effects admit the surface in Z1 and it is behind the context's `beyond`.
 void emit_admission(const Context& context, Broadcast& out, const PlannedSurface& planned);
 
-/// Depth test: leaves E and the mask 1 where E is 1 and Z1 is nearer than Z2.
+/// Depth test: E and the mask become 1 where E is 1 and Z1 is nearer than Z2.
 void emit_depth_test(const Context& context, Broadcast& out, const PlannedSurface& planned);
 
-/// Copy of Z1 to Z2 where E is 1, and its colour or number. The mask has to be E.
+/// Copies Z1, and its colour or number, to Z2 where E is 1. The mask must equal E.
 void emit_merge(const Context& context, Broadcast& out, const PlannedSurface& planned, const Surface& surface);
 
 }  // namespace csgsim::emit

@@ -9,7 +9,7 @@ namespace csgsim::lighting {
 
 namespace {
 
-/// As a web page writes it.
+/// A colour in the notation of web pages.
 constexpr glm::dvec3 rgb(std::uint32_t hex) {
   return {static_cast<double>(hex >> 16U) / 255.0, static_cast<double>((hex >> 8U) & 0xffU) / 255.0,
           static_cast<double>(hex & 0xffU) / 255.0};

@@ -1,3 +1,5 @@
+// OpenSCAD's colour schemes.
+// Used by sessions.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -8,20 +10,20 @@
 
 namespace csgsim::lighting {
 
-/// Colours under a name, red, green, blue in [0, 1]: those that OpenSCAD's preview gives the background and solids
-/// without a colour of their own.
+/// A named set of colours, red, green, blue in [0, 1], that OpenSCAD's preview uses for the background and for solids
+/// without a colour.
 struct ColourScheme {
   std::string_view name;
   glm::dvec3 background;
   glm::dvec3 face;
-  glm::dvec3 cut_face;  ///< where a solid was taken away
+  glm::dvec3 cut_face;  ///< colour where a solid was subtracted
 };
 
 /// The schemes of OpenSCAD 2021.01, from its folder color-schemes/render: background, opencsg-face-front,
-/// opencsg-face-back. The first is the default, there and here.
+/// opencsg-face-back. The first is the default, as in OpenSCAD.
 std::span<const ColourScheme> colour_schemes();
 
-/// Puts its colours in the place of the scene's background and of the usual ones.
+/// Replaces the scene's background and its default colours by those of the scheme.
 void apply(const ColourScheme& scheme, scene::Scene& scene);
 
 }  // namespace csgsim::lighting

@@ -9,10 +9,10 @@ namespace csgsim::lighting {
 
 namespace {
 
-const scene::Light usual_light{
+const scene::Light default_light{
     .kind = scene::LightKind::directional, .axes = scene::Axes::camera, .direction = {0.36, -0.56, 0.75}};
 
-/// Colours that a model says are the same: as exactly as they are written.
+/// Whether two colours of a model are equal within the precision with which they are written.
 bool same_colour(const glm::dvec3& a, const glm::dvec3& b) {
   const glm::dvec3 difference = glm::abs(a - b);
   return std::max({difference.x, difference.y, difference.z}) < 1e-6;
@@ -51,7 +51,7 @@ Lighting lighting_of(const scene::Scene& scene, const view::Camera& camera) {
   lighting.ambient = scene.ambient.colour * scene.ambient.intensity;
   lighting.is_perspective = camera.projection == view::Projection::perspective;
   for (const scene::Light& light : scene.lights) lighting.lights.push_back(seen(light, camera));
-  if (scene.lights.empty()) lighting.lights.push_back(seen(usual_light, camera));
+  if (scene.lights.empty()) lighting.lights.push_back(seen(default_light, camera));
   return lighting;
 }
 

@@ -1,3 +1,5 @@
+// Lights, finishes and the colour of lit surfaces.
+// Used by the emitter, the effects and sim/studies/trace.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -9,52 +11,52 @@
 
 namespace csgsim::lighting {
 
-/// Colours of things whose model says none, and of the background, red, green, blue in [0, 1].
+/// Default colours of solids, cut faces and the background, red, green, blue in [0, 1].
 inline constexpr glm::dvec3 default_colour{0.976, 0.843, 0.173};
 inline constexpr glm::dvec3 default_cut_colour{0.616, 0.796, 0.318};
 inline constexpr glm::dvec3 background_colour{1.0, 1.0, 0.898};
 
-/// A light as the camera has it: axes right, up, forward, the eye at 0.
+/// A light in camera space: axes right, up, forward, origin at the eye.
 struct SeenLight {
   bool is_point = false;
-  glm::dvec3 where{0};   ///< point: its place, model units; directional: the direction to it, of length 1
-  glm::dvec3 colour{0};  ///< times its intensity
+  glm::dvec3 where{0};   ///< point light: position, model units; directional light: unit vector to it
+  glm::dvec3 colour{0};  ///< colour times intensity
 };
 
-/// All light of a scene as one camera sees it.
+/// All lights of a scene as one camera sees them.
 struct Lighting {
   glm::dvec3 ambient{0};
   std::vector<SeenLight> lights;
   bool is_perspective = false;
 
-  /// Whether light depends on more than the normal: whether lit() reads `place`.
+  /// Whether the light depends on more than the normal, so that lit() reads `place`.
   [[nodiscard]] bool is_local(const scene::Material& material) const;
 };
 
-/// The scene's lights; if it has none, one that is fixed to the camera, from the upper left behind the eye.
+/// The scene's lights; if it has none, one fixed to the camera, from the upper left behind the eye.
 Lighting lighting_of(const scene::Scene& scene, const view::Camera& camera);
 
-/// A place of a surface, in the camera's axes.
+/// A point of a surface, in camera space.
 struct SurfacePoint {
   glm::dvec3 place;   ///< model units
-  glm::dvec3 normal;  ///< of length 1, to the viewer's side
+  glm::dvec3 normal;  ///< unit vector, on the viewer's side
 };
 
-/// What is seen of a colour: ambient light, Lambert's law, and Blinn's highlight. Components may be above 1.
+/// The visible colour: ambient light, Lambert's law and Blinn's highlight. Components may exceed 1.
 glm::dvec3 lit(const Lighting& lighting, const scene::Material& material, const glm::dvec3& colour,
                const SurfacePoint& at);
 
-/// Whether the scene's finish for these primitives holds for that one.
+/// Whether the scene's rule applies to the primitive.
 bool is_chosen(const scene::Chosen& chosen, const model::Primitive& primitive);
 
-/// How a primitive looks: what the scene says of it, else the model, else the usual.
+/// The appearance of a primitive: the scene's settings, else the model's, else the defaults.
 struct Finish {
   glm::dvec3 colour;
   scene::Material material;
-  double opacity = 1;  ///< from 0, clear, to 1
+  double opacity = 1;  ///< from 0, transparent, to 1, opaque
 };
 
-/// `is_cut`: it is the surface of what was taken away.
+/// `is_cut`: the surface of a subtracted solid.
 Finish finish_of(const scene::Scene& scene, const model::Primitive& primitive, bool is_cut);
 
 }  // namespace csgsim::lighting

@@ -10,9 +10,9 @@ namespace csgsim::model {
 
 namespace {
 
-/// 1 - x^2 / (s+1)(s+2) (1 - x^2 / (s+3)(s+4) (1 - ...)): the cosine of x from s = 0 on, the sine without its factor x
-/// from s = 1 on. Of x up to pi / 4 it is right to 2^-80: what is left out, and what rounding takes from the terms that
-/// are one double, is less.
+/// 1 - x^2 / (s+1)(s+2) (1 - x^2 / (s+3)(s+4) (1 - ...)): the cosine of x for s = 0, and the sine without its factor x
+/// for s = 1. For x up to pi / 4 the error is at most 2^-80, including the truncated terms and the rounding of the
+/// terms that are single doubles.
 TwoDoubles alternating_series(double x, int start) {
   constexpr int of_one_double = 5;
   constexpr int of_two_doubles = 6;
@@ -31,7 +31,7 @@ TwoDoubles alternating_series(double x, int start) {
 double sine(double x) { return (TwoDoubles{x, 0.0} * alternating_series(x, 1)).high; }
 double cosine(double x) { return alternating_series(x, 0).high; }
 
-/// The sines of a sum, whose second part is below 2^-52: its square is too small to count.
+/// The sine of a sum whose second part is below 2^-52, so that its square is negligible.
 double sine(const TwoDoubles& x) {
   return (TwoDoubles{x.high, 0.0} * alternating_series(x.high, 1) + TwoDoubles{x.low * cosine(x.high), 0.0}).high;
 }
@@ -39,7 +39,7 @@ double cosine(const TwoDoubles& x) {
   return (alternating_series(x.high, 0) + TwoDoubles{-x.low * sine(x.high), 0.0}).high;
 }
 
-/// Sine of an angle in [0, 90]. The angle in radians is rounded once, as OpenSCAD's, and its sine once.
+/// Sine of an angle in [0, 90]. The angle in radians is rounded once, as in OpenSCAD, and its sine once.
 double sin_first_quadrant(double angle) {
   constexpr double radians = std::numbers::pi / 180.0;
   if (angle == 30.0) return 0.5;
@@ -47,7 +47,7 @@ double sin_first_quadrant(double angle) {
   return angle < 45.0 ? sine(angle * radians) : cosine((90.0 - angle) * radians);
 }
 
-TwoDoubles radians_of(int hundredths) {
+TwoDoubles to_radians(int hundredths) {
   constexpr TwoDoubles pi{std::numbers::pi, 1.2246467991473532e-16};
   return TwoDoubles{static_cast<double>(hundredths), 0.0} * pi / 18000.0;
 }
@@ -72,7 +72,7 @@ double sin_hundredths(int hundredths) {
   const int rest = turn % half_turn;
   const int quadrant = std::min(rest, half_turn - rest);
   const double sine_of_rest =
-      quadrant <= half_turn / 4 ? sine(radians_of(quadrant)) : cosine(radians_of(half_turn / 2 - quadrant));
+      quadrant <= half_turn / 4 ? sine(to_radians(quadrant)) : cosine(to_radians(half_turn / 2 - quadrant));
   return turn >= half_turn ? -sine_of_rest : sine_of_rest;
 }
 

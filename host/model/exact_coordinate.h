@@ -1,16 +1,18 @@
+// Coordinates for CGAL's exact arithmetic.
+// Used by host/solids and host/flat.
 #pragma once
 
 namespace csgsim::model {
 
-/// A coordinate as CGAL's exact arithmetic takes it: whatever is nearer to 0 than this, and -0, becomes 0. CGAL 5.5
-/// makes a fraction of a double by doubling it until it is whole, and the denominator of one below 2^-1023 is infinite.
-inline constexpr double least_exact_coordinate = 0x1p-500;
+/// Minimum magnitude of a coordinate passed to CGAL; smaller ones, and -0, become 0. CGAL 5.5 converts a double to a
+/// fraction by doubling it until it is an integer, and the denominator of one below 2^-1023 would be infinite.
+inline constexpr double min_exact_coordinate = 0x1p-500;
 
 constexpr double exact_coordinate(double coordinate) {
-  return coordinate < least_exact_coordinate && coordinate > -least_exact_coordinate ? 0.0 : coordinate;
+  return coordinate < min_exact_coordinate && coordinate > -min_exact_coordinate ? 0.0 : coordinate;
 }
 
-/// CGAL's point of two or three coordinates.
+/// A CGAL point with two or three coordinates.
 template <typename Point, typename... Coordinates>
 Point exact_point(Coordinates... coordinates) {
   return Point(exact_coordinate(coordinates)...);

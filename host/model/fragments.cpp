@@ -17,7 +17,7 @@ std::uint32_t fragments(double radius, const FacetControl& control) {
           : std::ceil(std::max(std::min(360.0 / control.fa, radius * 2.0 * std::numbers::pi / control.fs), 5.0));
   if (!(count <= max_fragments)) {
     throw InputError("a circle has more than " + std::to_string(max_fragments) +
-                     " fragments; ask for fewer with $fn, or raise $fa or $fs");
+                     " fragments; use a smaller $fn, or a larger $fa or $fs");
   }
   return static_cast<std::uint32_t>(count);
 }

@@ -1,3 +1,5 @@
+// Numbers of fragments of circles and spheres, as in OpenSCAD.
+// Used by facets, flat shapes and solids.
 #pragma once
 
 #include <cstdint>
@@ -6,14 +8,14 @@
 
 namespace csgsim::model {
 
-/// OpenSCAD takes lengths below this for 0: circles of such a radius are triangles.
+/// OpenSCAD treats lengths below this as 0: circles with such a radius are triangles.
 inline constexpr double grid_fine = 0.00000095367431640625;
 
-/// Corners of the polygon that stands for a circle of that radius, as OpenSCAD counts them. Throws InputError past
+/// Number of corners of the polygon that approximates a circle of that radius, as in OpenSCAD. Throws InputError above
 /// `max_fragments`.
 std::uint32_t fragments(double radius, const FacetControl& control);
 
-/// Rings of vertices of a sphere whose circles have that many fragments, as OpenSCAD counts them.
+/// Number of rings of vertices of a sphere whose circles have `fragment_count` fragments, as in OpenSCAD.
 constexpr std::uint32_t rings(std::uint32_t fragment_count) { return (fragment_count + 1) / 2; }
 
 inline constexpr std::uint32_t max_fragments = 100'000;

@@ -9,9 +9,10 @@ namespace csgsim::model {
 
 namespace {
 
-constexpr int half_range = 600;  ///< a power of two that brings squares of very large or small numbers to 1, about
+constexpr int half_range = 600;  ///< exponent of a power of two that scales very large or small numbers so that their
+                                 ///< squares are near 1
 
-/// Of numbers whose squares, and what rounding takes from these, are doubles.
+/// The hypotenuse of numbers whose squares, and the rounding errors of these, are normal doubles.
 double moderate_hypotenuse(double x, double y) {
   const TwoDoubles square = exact_product(x, x) + exact_product(y, y);
   const double root = std::sqrt(square.high);

@@ -1,9 +1,11 @@
+// Limits of models.
+// Used by commands, facets and solids.
 #pragma once
 
 namespace csgsim::model {
 
-/// How far a model may reach from the origin along an axis, in model units. Farther off, products of coordinates leave
-/// the range of doubles, or, long before, are coarser than what is drawn.
+/// Maximum magnitude of a coordinate, in model units. Beyond it, products of coordinates overflow doubles or, long
+/// before, are coarser than what is drawn.
 inline constexpr double most_coordinate = 1e12;
 
 }  // namespace csgsim::model

@@ -12,10 +12,10 @@ namespace csgsim::model {
 
 namespace {
 
-/// A facet of a cylinder whose normal has a greater cosine to the z axis is one of its ends.
+/// A facet of a cylinder is one of its ends if the cosine of its normal to the z axis is greater.
 constexpr double end_cosine = 1 - 1e-9;
 
-/// What a shape answers that has no curved surface.
+/// Default answers, for a shape without a curved surface.
 struct Flat {
   std::string_view name;
 
@@ -52,7 +52,7 @@ struct Frustum : Flat {
 
   [[nodiscard]] bool is_flat(const glm::dvec3& normal) const { return std::abs(normal.z) > end_cosine; }
   [[nodiscard]] std::optional<glm::dvec3> normal_at(const glm::dvec3& vertex, const glm::dvec3& of_facet) const {
-    // A cone's apex has no normal; the facet's is used there.
+    // A cone's apex has no normal; that of the facet is used there.
     const bool is_apex = hypotenuse(vertex.x, vertex.y) <= 1e-9 * std::max(of.r1, of.r2);
     const glm::dvec2 around = is_apex ? glm::dvec2(of_facet) : glm::dvec2(vertex);
     return normal_towards(around / glm::length(around));
@@ -69,41 +69,41 @@ struct Frustum : Flat {
   }
 };
 
-Flat surface_of(const Cube& /*cube*/) { return {"cube"}; }
-Ball surface_of(const Sphere& sphere) { return {{"sphere"}, sphere.radius}; }
-Frustum surface_of(const Cylinder& cylinder) { return {{"cylinder"}, cylinder}; }
-Flat surface_of(const Polyhedron& /*polyhedron*/) { return {"polyhedron"}; }
+Flat make_surface(const Cube& /*cube*/) { return {"cube"}; }
+Ball make_surface(const Sphere& sphere) { return {{"sphere"}, sphere.radius}; }
+Frustum make_surface(const Cylinder& cylinder) { return {{"cylinder"}, cylinder}; }
+Flat make_surface(const Polyhedron& /*polyhedron*/) { return {"polyhedron"}; }
 
-/// What the function returns for the shape's surface.
+/// Calls the function with the surface of the shape.
 template <class Function>
-auto ask(const Shape& shape, const Function& function) {
-  return std::visit([&](const auto& one) { return function(surface_of(one)); }, shape);
+auto visit_surface(const Shape& shape, const Function& function) {
+  return std::visit([&](const auto& one) { return function(make_surface(one)); }, shape);
 }
 
 }  // namespace
 
 std::string_view name_of(const Shape& shape) {
-  return ask(shape, [](const auto& surface) { return surface.name; });
+  return visit_surface(shape, [](const auto& surface) { return surface.name; });
 }
 
 bool has_flat_faces(const Shape& shape) {
-  return ask(shape, [](const auto& surface) { return surface.has_flat_faces(); });
+  return visit_surface(shape, [](const auto& surface) { return surface.has_flat_faces(); });
 }
 
 bool is_flat(const Shape& shape, const glm::dvec3& normal) {
-  return ask(shape, [&](const auto& surface) { return surface.is_flat(normal); });
+  return visit_surface(shape, [&](const auto& surface) { return surface.is_flat(normal); });
 }
 
 double angle_between(const Shape& shape, std::size_t facets) {
-  return ask(shape, [&](const auto& surface) { return surface.angle_between(static_cast<double>(facets)); });
+  return visit_surface(shape, [&](const auto& surface) { return surface.angle_between(static_cast<double>(facets)); });
 }
 
 std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& of_facet) {
-  return ask(shape, [&](const auto& surface) { return surface.normal_at(vertex, of_facet); });
+  return visit_surface(shape, [&](const auto& surface) { return surface.normal_at(vertex, of_facet); });
 }
 
 std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double part) {
-  return ask(shape, [&](const auto& surface) { return surface.place_at(direction, part); });
+  return visit_surface(shape, [&](const auto& surface) { return surface.place_at(direction, part); });
 }
 
 }  // namespace csgsim::model

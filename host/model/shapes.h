@@ -1,3 +1,5 @@
+// Queries about the surface of a shape; positions and unit normals are in the shape's local space.
+// Used by the emitter and the effects.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +10,6 @@
 
 #include "host/model/tree.h"
 
-/// Queries about a shape's surface; shapes.cpp implements them for each shape. Places and unit normals are in the
-/// shape's own axes.
 namespace csgsim::model {
 
 std::string_view name_of(const Shape& shape);
@@ -17,13 +17,13 @@ std::string_view name_of(const Shape& shape);
 /// Whether some part of the surface is flat.
 bool has_flat_faces(const Shape& shape);
 
-/// Whether the facet with that normal is a part of the surface, and does not stand for a curved one.
+/// Whether a facet with that normal is part of the surface, and does not approximate a curved one.
 bool is_flat(const Shape& shape, const glm::dvec3& normal);
 
-/// Radians between neighbouring facets, if the curved surface is approximated by `facets` of them.
+/// Angle in radians between neighbouring facets, if `facets` of them approximate the curved surface.
 double angle_between(const Shape& shape, std::size_t facets);
 
-/// The normal of the curved surface that a facet stands for, at one of its vertices; nothing if there is none.
+/// The normal, at a vertex, of the curved surface that a facet approximates; empty if there is none.
 std::optional<glm::dvec3> normal_at(const Shape& shape, const glm::dvec3& vertex, const glm::dvec3& of_facet);
 
 struct SurfacePlace {
@@ -31,8 +31,8 @@ struct SurfacePlace {
   glm::dvec3 normal;
 };
 
-/// The place of the curved surface in that direction (a unit vector) from the z axis, at the fraction `part` of the
-/// height; nothing if there is no curved surface.
+/// The point of the curved surface in direction `direction` (a unit vector) from the z axis, at the fraction `part` of
+/// the height; empty if there is no curved surface.
 std::optional<SurfacePlace> place_at(const Shape& shape, const glm::dvec2& direction, double part);
 
 }  // namespace csgsim::model

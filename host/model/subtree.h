@@ -1,3 +1,5 @@
+// Copies parts of CSG trees.
+// Used by host/read and host/solids.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +8,7 @@
 
 namespace csgsim::model {
 
-/// The part of a tree below a node, with it, as a tree. `node` and `primitive` are the first ones below it.
+/// The subtree at `root` as a separate tree. `node` and `primitive` are the indices of its first node and primitive.
 Tree subtree(const Tree& tree, std::uint32_t root, std::uint32_t node, std::uint32_t primitive);
 
 }  // namespace csgsim::model

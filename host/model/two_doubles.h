@@ -1,16 +1,18 @@
+// Double-double arithmetic that is the same on every platform.
+// Used by hypotenuse, degrees and host/solids.
 #pragma once
 
 #include <cmath>
 
 namespace csgsim::model {
 
-/// A number as the sum of two doubles that do not overlap: some 106 bits. The steps are those of Dekker, A
+/// A number as the sum of two non-overlapping doubles, with about 106 bits. The operations are those of Dekker, A
 /// Floating-Point Technique for Extending the Available Precision (1971), and Shewchuk, Adaptive Precision
-/// Floating-Point Arithmetic (1997). They take additions, products, quotients and fma alone, which IEEE 754 rounds in
-/// one way everywhere.
+/// Floating-Point Arithmetic (1997). They use only additions, products, quotients and fma, which IEEE 754 rounds in the
+/// same way everywhere.
 struct TwoDoubles {
   double high = 0;
-  double low = 0;  ///< what rounding took from `high`
+  double low = 0;  ///< rounding error of `high`
 };
 
 /// Exact.
@@ -21,13 +23,13 @@ inline TwoDoubles exact_sum(double a, double b) {
   return {sum, (a - of_a) + (b - of_b)};
 }
 
-/// Exact, unless what rounding takes is below what doubles hold.
+/// Exact, unless the rounding error is below the range of doubles.
 inline TwoDoubles exact_product(double a, double b) {
   const double product = a * b;
   return {product, std::fma(a, b, -product)};
 }
 
-/// Right to 2^-100 of the sum of the sizes.
+/// The error is at most 2^-100 of the sum of the magnitudes.
 inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles sum = exact_sum(a.high, b.high);
   return exact_sum(sum.high, sum.low + (a.low + b.low));
@@ -35,7 +37,7 @@ inline TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
 
 inline TwoDoubles operator-(const TwoDoubles& a) { return {-a.high, -a.low}; }
 
-/// Right to 2^-100 of it.
+/// Relative error at most 2^-100.
 inline TwoDoubles operator*(const TwoDoubles& a, const TwoDoubles& b) {
   const TwoDoubles product = exact_product(a.high, b.high);
   return exact_sum(product.high, product.low + (a.high * b.low + a.low * b.high));

@@ -17,7 +17,7 @@ constexpr double half_field_of_view = 11.25 * std::numbers::pi / 180.0;
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// Turns about x, then y, then z.
+/// Rotates about x, then y, then z.
 glm::dvec3 turned_about_axes(const glm::dvec3& v, const glm::dvec3& degrees) {
   const glm::dvec3 s(model::sin_degrees(degrees.x), model::sin_degrees(degrees.y), model::sin_degrees(degrees.z));
   const glm::dvec3 c(model::cos_degrees(degrees.x), model::cos_degrees(degrees.y), model::cos_degrees(degrees.z));
@@ -44,10 +44,10 @@ Basis basis(const Camera& camera) {
   const glm::dvec3 view = camera.centre - camera.eye;
   const double distance = glm::length(view);
   if (!finite(camera.eye) || !finite(camera.centre) || !(distance > 0.0) || !std::isfinite(distance)) {
-    throw InputError("the camera's eye and centre have to be two different points a finite distance apart");
+    throw InputError("the camera's eye and centre must be different points at a finite distance");
   }
   const glm::dvec3 forward = glm::normalize(view);
-  // Straight up and down there is no horizontal direction to take from the view; OpenSCAD has +y upwards then.
+  // Looking straight up or down, the view gives no horizontal direction; as in OpenSCAD, +y is up then.
   const glm::dvec3 across = glm::cross(forward, camera.up);
   const bool is_along = !(glm::length(across) > 1e-12);
   const glm::dvec3 right = glm::normalize(is_along ? glm::cross(forward, glm::dvec3(0, 1, 0)) : across);
@@ -68,7 +68,7 @@ double pixel_size(const Camera& camera, std::uint32_t height, double distance) {
 
 Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width, std::uint32_t height) {
   if (box.empty()) return camera;
-  // A picture higher than wide is narrower than its vertical field of view.
+  // A picture higher than wide has a horizontal field of view that is narrower than the vertical one.
   const double narrower = std::min(1.0, static_cast<double>(width) / height);
   const double half_angle = std::atan(half_height_per_distance() * narrower);
   const double radius = box.diagonal() / 2.0;
@@ -78,7 +78,7 @@ Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width
 }
 
 Camera default_camera(const facet::Box& box, std::uint32_t width, std::uint32_t height) {
-  // Turned by 55 degrees about x and 25 degrees about z.
+  // Rotated by 55 degrees about x and 25 degrees about z.
   constexpr double tilt = 55.0 * std::numbers::pi / 180.0;
   constexpr double turn = 25.0 * std::numbers::pi / 180.0;
   const glm::dvec3 back(std::sin(tilt) * std::sin(turn), -std::sin(tilt) * std::cos(turn), std::cos(tilt));

@@ -1,3 +1,5 @@
+// Cameras as in OpenSCAD, and the axes of their views.
+// Used by sessions, lighting, effects and studies.
 #pragma once
 
 #include <cstdint>
@@ -9,46 +11,46 @@ namespace csgsim::view {
 
 enum class Projection : std::uint8_t { orthographic, perspective };
 
-/// A camera as OpenSCAD's: the vertical field of view 22.5 degrees; the orthographic picture shows the height
-/// 2 |eye - centre| tan(11.25 degrees).
+/// A camera as in OpenSCAD, with a vertical field of view of 22.5 degrees. An orthographic picture shows the height 2
+/// |eye - centre| tan(11.25 degrees).
 struct Camera {
   glm::dvec3 eye{0, 0, 1};
   glm::dvec3 centre{0};
   Projection projection = Projection::orthographic;
-  glm::dvec3 up{0, 0, 1};  ///< in the picture, as far as it is across the view
+  glm::dvec3 up{0, 0, 1};  ///< upward in the picture; only its component perpendicular to the view matters
 };
 
-/// OpenSCAD's camera of seven numbers: it looks at a point from above, with +y upwards, and is then turned by the given
-/// degrees about x, y and z in that order.
+/// OpenSCAD's camera of seven numbers: it looks at `centre` from above, with +y up, and is then rotated by `degrees`
+/// about x, y and z in that order.
 Camera gimbal_camera(const glm::dvec3& centre, const glm::dvec3& degrees, double distance);
 
-/// The camera turned counterclockwise about the vertical axis through its centre.
+/// The camera rotated counterclockwise about the vertical axis through its centre.
 Camera turned(const Camera& camera, double radians);
 
-/// The picture's right, up and forward directions in model space; orthonormal.
+/// The right, up and forward directions of the picture in model space; orthonormal.
 struct Basis {
   glm::dvec3 right;
   glm::dvec3 up;
   glm::dvec3 forward;
 };
 
-/// Throws InputError if eye and centre coincide or are not finite. Looking along `up`, +y is up.
+/// Throws InputError if eye and centre coincide or are not finite. For a view along `up`, +y is up.
 Basis basis(const Camera& camera);
 
-/// Half the vertical field of view's tangent.
+/// Tangent of half the vertical field of view.
 double half_height_per_distance();
 
-/// Model units that half the height of an orthographic picture shows.
+/// Half the height of an orthographic picture, model units.
 double half_height(const Camera& camera);
 
-/// Model units that a pixel covers, at a distance along the view axis, in a picture that many pixels high.
+/// Size of a pixel at a distance along the view axis, model units; the picture is `height` pixels high.
 double pixel_size(const Camera& camera, std::uint32_t height, double distance);
 
-/// The camera that looks from the same direction at the middle of the box, from where its bounding sphere just fits
-/// into a picture of that many pixels.
+/// A camera with the same direction that looks at the centre of the box, at the distance where its bounding sphere just
+/// fits into a picture of `width` x `height` pixels.
 Camera view_all(const Camera& camera, const facet::Box& box, std::uint32_t width, std::uint32_t height);
 
-/// OpenSCAD's default direction of view, from the front right and above, with the whole box in the picture.
+/// OpenSCAD's default view direction, from the front right and above, with the whole box in the picture.
 Camera default_camera(const facet::Box& box, std::uint32_t width, std::uint32_t height);
 
 }  // namespace csgsim::view

@@ -15,10 +15,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 const facet::Box everywhere{glm::dvec3(-infinite), glm::dvec3(infinite)};
 
-/// Rounding of doubles on the way into the picture and back, relative to a coordinate.
+/// Relative rounding error of a coordinate that is projected into the picture and back.
 constexpr double noise = 1e-12;
 
-/// Corners of the part of a solid from the near plane on, in eye space.
+/// Corners of the part of a solid behind the near plane, in eye space.
 std::vector<glm::dvec3> clip_near(const facet::Convex& solid, const EyeSpace& space, double near) {
   std::vector<glm::dvec3> in_eye;
   in_eye.reserve(solid.vertices.size());
@@ -41,22 +41,22 @@ double value_at(const Sampling& sampling, const RealLinear& linear, const glm::d
          linear.b * (place.y - (sampling.height - 1.0) / 2.0);
 }
 
-/// The most that coefficients of that many fraction bits are off anywhere in the picture.
+/// Maximum error, anywhere in the picture, of a function whose coefficients have `fraction_bits` fraction bits.
 double rounding(const Sampling& sampling, unsigned fraction_bits) {
   return (1.0 + sampling.width / 2.0 + sampling.height / 2.0) * std::ldexp(0.5, -static_cast<int>(fraction_bits));
 }
 
-/// How far half-spaces may move outwards when their planes are rounded.
+/// How far rounding of the planes may move half-spaces outwards.
 struct Moves {
   explicit Moves(const Sampling& sampling)
       : step(1.0 + rounding(sampling, sampling.fraction_bits)),
         edge(sampling.edge_on_fraction + rounding(sampling, edge_fraction_bits(sampling))) {}
 
-  double step;  ///< surfaces lose a step to the floor
-  double edge;  ///< edge tests stand where the plane passes half the depth range
+  double step;  ///< surfaces lose up to a step to the floor
+  double edge;  ///< edge tests stand where the plane crosses half the depth range
 };
 
-/// How far a half-space may move outwards when its plane is rounded, as a part of its slack at a point.
+/// How far rounding may move a half-space outwards, relative to its slack at a point.
 double relative_move(const View& view, facet::Halfspace halfspace, const glm::dvec3& inside, const Moves& moves) {
   const ScreenPlane& plane = view.planes[halfspace.plane];
   const double value = value_at(view.sampling, plane.real, inside);
@@ -86,7 +86,8 @@ PixelRect touched_pixels(const std::vector<glm::dvec3>& places, const Sampling& 
   const auto to_pixel = [](double value) {
     return static_cast<std::int32_t>(std::clamp(value, -1.0, static_cast<double>(isa::max_array_side) + 1.0));
   };
-  // Edge-on planes are met at most half their depth range away from where they are drawn; the rest is for rounding.
+  // Edge-on planes differ from their drawn position by at most half their extent over the depth range; the rest is for
+  // rounding.
   const double margin = sampling.edge_on_fraction + 1.0 / 64;
   const PixelRect screen{0, 0, static_cast<std::int32_t>(sampling.width) - 1,
                          static_cast<std::int32_t>(sampling.height) - 1};
@@ -95,7 +96,7 @@ PixelRect touched_pixels(const std::vector<glm::dvec3>& places, const Sampling& 
                 screen);
 }
 
-/// Depth steps that the planes leave over the rectangle, by the values the machine uses.
+/// Narrows the depths to those that the planes allow over the rectangle, computed as the machine does.
 void narrow_by_planes(Extent& extent, const facet::Convex& solid, const View& view) {
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     const ScreenPlane& plane = view.planes[halfspace.plane];
@@ -109,24 +110,24 @@ void narrow_by_planes(Extent& extent, const facet::Convex& solid, const View& vi
   }
 }
 
-/// In the picture a solid is the intersection of half-spaces g(p) <= 0. Where rounding moves each of them to
-/// g(p) <= d, and g(inside) <= -s < 0, scaling the solid about `inside` by 1 + max d/s gives one that holds the rounded
-/// solid: this is max d/s, infinite for a solid without inside.
+/// In picture space, a solid is the intersection of half-spaces g(p) <= 0. If rounding moves each of them to g(p) <= d,
+/// and g(inside) <= -s < 0, then scaling the solid about `inside` by 1 + max d/s contains the rounded solid. Returns
+/// max d/s, which is infinite for a solid without an interior.
 double growth_about(const glm::dvec3& inside, const facet::Convex& solid, bool near_cuts, const View& view,
                     const PixelRect& pixels) {
-  // What the near plane cuts, at depth 1, is capped at depth 0.
+  // The cap of a solid that the near plane cuts at depth 1 is at depth 0.
   double growth = near_cuts ? 1.0 / std::max(inside.z - 1.0, 0.0) : 0.0;
   const Moves moves(view.sampling);
   for (const facet::Halfspace& halfspace : solid.halfspaces) {
     growth = std::max(growth, relative_move(view, halfspace, inside, moves));
   }
   for (const facet::QuadricSide side : solid.quadrics) {
-    growth = std::max(growth, growth_of(view.quadrics[side.quadric], side, inside, view, pixels));
+    growth = std::max(growth, required_growth(view.quadrics[side.quadric], side, inside, view, pixels));
   }
   return growth;
 }
 
-/// The box in model space of places in the picture; infinite where one of them is nowhere before the eye.
+/// The model-space box of points in the picture; infinite if one of them is not in front of the eye.
 facet::Box box_around(const std::vector<glm::dvec3>& places, const EyeSpace& space, const View& view) {
   facet::Box box;
   for (const glm::dvec3& place : places) {
@@ -138,8 +139,8 @@ facet::Box box_around(const std::vector<glm::dvec3>& places, const EyeSpace& spa
   return {box.low - more, box.high + more};
 }
 
-/// The corners of the block of pixels and depths that the integers leave, which holds the solid whatever rounding does.
-std::vector<glm::dvec3> corners_of(const Extent& extent) {
+/// The corners of the solid's block of pixels and depths, which contains the solid in spite of rounding.
+std::vector<glm::dvec3> block_corners(const Extent& extent) {
   std::vector<glm::dvec3> corners;
   for (const std::int32_t x : {extent.pixels.x0, extent.pixels.x1}) {
     for (const std::int32_t y : {extent.pixels.y0, extent.pixels.y1}) {
@@ -151,7 +152,7 @@ std::vector<glm::dvec3> corners_of(const Extent& extent) {
 
 }  // namespace
 
-PixelRect pixels_of(const facet::Convex& solid, const EyeSpace& space, const View& view) {
+PixelRect vertex_pixels(const facet::Convex& solid, const EyeSpace& space, const View& view) {
   std::vector<glm::dvec3> places = clip_near(solid, space, view.depth.near);
   for (glm::dvec3& place : places) place = space.to_picture(place);
   return places.empty() ? PixelRect{} : touched_pixels(places, view.sampling);
@@ -194,7 +195,7 @@ Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View
   narrow_by_planes(extent, solid, view);
   for (const facet::QuadricSide side : solid.quadrics) narrow(extent, view.quadrics[side.quadric], side, view);
   if (!solid.quadrics.empty() && extent.corners.empty() && !extent.empty()) {
-    extent.corners = corners_of(extent);
+    extent.corners = block_corners(extent);
     extent.box = box_around(extent.corners, space, view);
   }
   return extent;

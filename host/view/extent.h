@@ -1,3 +1,5 @@
+// Bounds of solids in a picture.
+// Used by the projection.
 #pragma once
 
 #include "host/view/eye_space.h"
@@ -5,10 +7,10 @@
 
 namespace csgsim::view {
 
-/// The pixels of the picture that a solid's vertices span; `view` has to have its depth scale.
-PixelRect pixels_of(const facet::Convex& solid, const EyeSpace& space, const View& view);
+/// The pixels spanned by a solid's vertices. The depth scale of `view` must be set.
+PixelRect vertex_pixels(const facet::Convex& solid, const EyeSpace& space, const View& view);
 
-/// What a solid can touch in a picture; `view` has to have its planes, its quadrics and its depth scale.
+/// The pixels and depths that a solid can touch. The planes, quadrics and depth scale of `view` must be set.
 Extent make_extent(const facet::Convex& solid, const EyeSpace& space, const View& view);
 
 }  // namespace csgsim::view

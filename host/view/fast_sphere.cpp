@@ -12,20 +12,19 @@ namespace csgsim::view {
 
 namespace {
 
-/// Fraction bits of r^2 - d^2, in pixels.
+/// Fraction bits of r^2 - d^2, in square pixels.
 constexpr unsigned outline_fraction_bits = 8;
 
-/// The smaller power of two is 2 to the 4th part of the greater one at the least: more would cost more bits than they
-/// are worth.
-constexpr int most_between = 4;
+/// Maximum difference of the two exponents: a smaller second power would cost more bits than its accuracy is worth.
+constexpr int max_exponent_gap = 4;
 
-/// Bits of the sums that depths are worked out in, beyond which an addition of fields does not reach.
-constexpr int most_sum_bits = 32;
+/// Maximum width of the sums from which depths are computed; additions of fields are limited to it.
+constexpr int max_sum_bits = 32;
 
-/// Bits that expressions of depths may have.
-constexpr int most_expression_bits = 60;
+/// Maximum width of the expressions of depths.
+constexpr int max_expression_bits = 60;
 
-/// The greatest of two powers of two that is not above `most`.
+/// The greatest sum or difference of two powers of two that is not above `most`.
 TwoPowers greatest_within(double most) {
   TwoPowers best;
   if (!(most > 0.0)) return best;
@@ -38,15 +37,15 @@ TwoPowers greatest_within(double most) {
     best = one;
     value = of_one;
   };
-  for (int between = 1; between <= most_between; ++between) {
+  for (int between = 1; between <= max_exponent_gap; ++between) {
     take({exponent, exponent - between, 1, false});
     take({exponent + 1, exponent + 1 - between, -1, false});
   }
   return best;
 }
 
-/// r^2 - d^2 about a centre, each coefficient rounded once about the middle pixel, then counted from the picture's
-/// first, exactly.
+/// r^2 - d^2 about a centre: each coefficient is rounded once relative to the middle pixel, and then shifted exactly to
+/// the picture's first pixel.
 FixedQuadratic circle(double column, double row, double radius, const PixelRect& pixels) {
   const std::int64_t x = (std::int64_t{pixels.x0} + pixels.x1) / 2;
   const std::int64_t y = (std::int64_t{pixels.y0} + pixels.y1) / 2;
@@ -62,18 +61,19 @@ FixedQuadratic circle(double column, double row, double radius, const PixelRect&
   return {-one, 0, -one, {a + 2 * one * x, b + 2 * one * y, c - a * x - b * y - one * (x * x + y * y)}};
 }
 
-int bits_of(double value) { return value < 1.0 ? 1 : std::ilogb(value) + 2; }
+int signed_bits(double value) { return value < 1.0 ? 1 : std::ilogb(value) + 2; }
 
-/// Whether the machine has room for what its depths are worked out from.
+/// Whether the numbers from which depths are computed fit the machine.
 bool fits(const ScreenQuadric& screen, const Sampling& sampling) {
   const int fraction = static_cast<int>(screen.factor.fraction());
   const RootRanges ranges = ranges_over(screen, sampling.fraction_bits, screen.pixels);
   const auto most = static_cast<double>(std::max(std::abs(ranges.near.low), std::abs(ranges.far.high)));
   const double side = std::max(sampling.width, sampling.height);
   const double square = 8.0 * side * side * std::ldexp(static_cast<double>(screen.factor.scaled()), -fraction);
-  const int sum = std::max(bits_of(most) + 1, static_cast<int>(sampling.z_bits) + 2) + fraction;
-  return sum <= most_sum_bits &&
-         bits_of(std::abs(most) + square) + fraction + static_cast<int>(outline_fraction_bits) <= most_expression_bits;
+  const int sum = std::max(signed_bits(most) + 1, static_cast<int>(sampling.z_bits) + 2) + fraction;
+  return sum <= max_sum_bits &&
+         signed_bits(std::abs(most) + square) + fraction + static_cast<int>(outline_fraction_bits) <=
+             max_expression_bits;
 }
 
 }  // namespace
@@ -99,9 +99,9 @@ ScreenQuadric make_fast_sphere(const EyeSpace& space, const View& view, const fa
   const double steps = isa::depth_steps(sampling.z_bits) / (view.depth.far - view.depth.near) / row_length;
   const double middle = std::floor(isa::depth_of(view.depth, sampling.z_bits, in_eye.z));
   const bool is_near_picture = std::abs(place.x) < 4 * most_radius && std::abs(place.y) < 4 * most_radius;
-  // A sphere that is far greater than the picture, or deeper than the depth range by far.
+  // The sphere is far larger than the picture, or far deeper than the depth range.
   if (space.perspective || !is_near_picture || radius > most_radius ||
-      std::abs(middle) + steps > std::ldexp(1.0, most_sum_bits))
+      std::abs(middle) + steps > std::ldexp(1.0, max_sum_bits))
     return screen;
   screen.discriminant = circle(place.x, place.y, radius, pixels);
   const double across = 1.0 + (pixels.x1 - pixels.x0) / 2.0 + (pixels.y1 - pixels.y0) / 2.0 + 1.0;

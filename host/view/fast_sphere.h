@@ -1,3 +1,5 @@
+// Fast spheres: spheres drawn as paraboloids by linear-expression hardware.
+// Used by the projection and sim tests.
 #pragma once
 
 #include "host/facet/quadric_table.h"
@@ -8,21 +10,23 @@
 namespace csgsim::view {
 
 /// A canonical sphere in an orthographic picture, drawn as hardware for linear expressions can draw it (Fuchs,
-/// Goldfeather, Hultquist et al. 1985): a pixel that is d from its centre is in it where r^2 - d^2 is not negative.
-/// That is linear in x and y, except for x^2 + y^2, which is kept in pixel memory. The sphere's depths are replaced by
-/// those of a paraboloid, c -/+ k (r^2 - d^2). Its discriminant is r^2 - d^2, in pixels.
+/// Goldfeather, Hultquist et al. 1985): a pixel at distance d from the centre is inside if r^2 - d^2 is not negative.
+/// This is linear in x and y, except for x^2 + y^2, which is kept in pixel memory. The sphere's depths are replaced by
+/// those of a paraboloid, c -/+ k (r^2 - d^2). Its discriminant is r^2 - d^2, in square pixels.
 ///
-/// A paraboloid that touches the sphere at the front and at the outline has k = R / r^2, R the radius in depth steps.
-/// Here k is the greatest number of two powers of two that keeps the paraboloid, floors included, within the sphere:
-/// k r^2 is p R with p from 5/6 to 1, give or take a few depth steps. At the part u = sqrt(1 - d^2 / r^2) of
-/// the half depth R the two are R (u - p u^2) apart: at most R / (4 p), that is 0.3 of the radius; 0.25 for p = 1.
+/// A paraboloid that touches the sphere at the front and at the outline has k = R / r^2, where R is the radius in depth
+/// steps. Here k is the greatest sum or difference of two powers of two that keeps the paraboloid, including floors,
+/// inside the sphere: k r^2 is p R with p from 5/6 to 1, within a few depth steps. At the fraction u = sqrt(1 - d^2 /
+/// r^2) of the half depth R, the surfaces are R (u - p u^2) apart: at most R / (4 p), that is 0.3 of the radius, or
+/// 0.25 for p = 1.
 ///
-/// The outline is off by 1 / 256 of a pixel at most where r is a third of one or more. `unfit` in perspective, where a
-/// sphere is seen as an ellipse, and where the integers do not fit the machine's. Arguments as of make_screen_quadric.
+/// The outline is off by at most 1 / 256 of a pixel if r is at least a third of a pixel. The result is `unfit` in
+/// perspective, where a sphere is seen as an ellipse, and if the integers do not fit the machine's. Arguments as for
+/// make_screen_quadric.
 ScreenQuadric make_fast_sphere(const EyeSpace& space, const View& view, const facet::Quadric& quadric,
                                const glm::dvec3& centre, const PixelRect& pixels);
 
-/// The depth of a paraboloid at a place of the picture before the floors: the nearer one, or the farther.
+/// The unrounded depth of a paraboloid at a point of the picture: the nearer one if `is_near`, else the farther.
 double paraboloid_depth(const ScreenQuadric& quadric, const Sampling& sampling, double x, double y, bool is_near);
 
 }  // namespace csgsim::view

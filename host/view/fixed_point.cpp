@@ -7,7 +7,7 @@ namespace csgsim::view {
 
 namespace {
 
-/// 2^bits, of up to 62.
+/// 2^bits, for at most 62 bits.
 double power_of_two(unsigned bits) { return static_cast<double>(std::uint64_t{1} << bits); }
 
 }  // namespace
@@ -29,7 +29,7 @@ std::optional<FixedLinear> to_fixed(const RealLinear& linear, unsigned fraction_
                         static_cast<double>(*b) * ulp * ((height - 1.0) / 2.0);
   const auto c = to_fixed(corner, fraction_bits);
   if (!c) return std::nullopt;
-  // Room for the sum over any picture the instruction set allows.
+  // Leaves room for the sum over any picture that the instruction set allows.
   constexpr double limit = 2305843009213693952.0;  // 2^61
   const double reach = std::abs(static_cast<double>(*a)) * width + std::abs(static_cast<double>(*b)) * height +
                        std::abs(static_cast<double>(*c));

@@ -1,3 +1,5 @@
+// Fixed-point linear functions of the pixel, and rectangles of pixels.
+// Used throughout the host.
 #pragma once
 
 #include <cstdint>
@@ -5,8 +7,9 @@
 
 namespace csgsim::view {
 
-/// The nearest integer to value * 2^fraction_bits, halves away from zero; nothing if the value is not finite or the
-/// integer would not fit 62 bits. The only way from double to coefficient: off by at most 2^-(fraction_bits + 1).
+/// The integer nearest to value * 2^fraction_bits, halves away from zero; empty if the value is not finite or the
+/// integer does not fit 62 bits. All conversions from double to coefficients use it; their error is at most
+/// 2^-(fraction_bits + 1).
 std::optional<std::int64_t> to_fixed(double value, unsigned fraction_bits);
 
 /// A linear function of the pixel's column and row, in double precision: at_centre + a (x - cx) + b (y - cy), where
@@ -24,7 +27,7 @@ struct FixedLinear {
   std::int64_t c = 0;
 };
 
-/// With fraction bits, at a pixel of a picture that the function has room for.
+/// The value at a pixel, with fraction bits. The pixel must be in the picture for which the function was made.
 constexpr std::int64_t value_at(const FixedLinear& linear, std::int32_t column, std::int32_t row) {
   return linear.a * column + linear.b * row + linear.c;
 }
@@ -34,19 +37,19 @@ constexpr FixedLinear difference(const FixedLinear& a, const FixedLinear& b, std
   return {a.a - b.a, a.b - b.b, a.c - b.c + more};
 }
 
-/// Rounds each coefficient once. C is chosen after A and B, so that the function is off by at most 2^-(fraction_bits+1)
-/// at the middle of the picture and by 2^-(fraction_bits+1) more for each pixel away from it along x or y. Nothing if a
-/// coefficient does not fit.
+/// Rounds each coefficient once. C is chosen after A and B, so that the function is off by at most 2^-(fraction_bits +
+/// 1) at the middle of the picture, and by 2^-(fraction_bits + 1) more for each pixel away from it along x or y. Empty
+/// if a coefficient does not fit.
 std::optional<FixedLinear> to_fixed(const RealLinear& linear, unsigned fraction_bits, std::uint32_t width,
                                     std::uint32_t height);
 
-/// Least and greatest value of a linear function over a rectangle of pixels, exact.
+/// Exact minimum and maximum of a linear function over a rectangle of pixels.
 struct Range {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 
-/// Pixels [x0, x1] x [y0, y1].
+/// The pixels [x0, x1] x [y0, y1].
 struct PixelRect {
   std::int32_t x0 = 0;
   std::int32_t y0 = 0;

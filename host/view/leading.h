@@ -1,3 +1,5 @@
+// The linear functions that may be the greatest somewhere in a rectangle.
+// Used by the emitter and sim/software/rays.
 #pragma once
 
 #include <cstdint>
@@ -8,9 +10,9 @@
 
 namespace csgsim::view {
 
-/// Which functions may be the greatest one somewhere in a rectangle of pixels: all but those that another, greatest at
-/// a corner, is above by `step` at least, at every corner and so at every pixel between. With a step of 0, of functions
-/// that are alike the first stays. The number of values at corners that are held against others is added to `held`.
+/// Flags, by function, whether it may be the greatest somewhere in a rectangle of pixels. It is excluded if another
+/// one, which is the greatest at some corner, exceeds it by at least `step` at every corner, and hence at every pixel.
+/// If `step` is 0, the first of equal functions is kept. The number of corner values compared is added to `held`.
 std::vector<bool> leading(std::span<const FixedLinear> functions, const PixelRect& pixels, std::int64_t step,
                           std::uint64_t* held = nullptr);
 

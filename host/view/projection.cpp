@@ -21,44 +21,44 @@ namespace csgsim::view {
 
 namespace {
 
-/// The nearest a perspective view's near plane comes by itself, as a part of the distance to the far plane: 8 of the
-/// depth bits are spent on nearness then.
+/// Minimum of the default near distance of a perspective view, relative to the far distance. It limits the loss of
+/// depth resolution to 8 bits.
 constexpr double near_floor = 1.0 / 256;
 
-/// Pixels.
-constexpr double most_offset = 2;
+/// Maximum sample offset, pixels.
+constexpr double max_offset = 2;
 
 void check(const Sampling& sampling) {
   if (sampling.width < 1 || sampling.height < 1 || sampling.width > isa::max_array_side ||
       sampling.height > isa::max_array_side) {
-    throw InputError("the picture's sides have to be 1 to " + std::to_string(isa::max_array_side) + " pixels");
+    throw InputError("the picture's sides must be 1 to " + std::to_string(isa::max_array_side) + " pixels");
   }
   if (sampling.z_bits < fewest_z_bits || sampling.z_bits > most_z_bits) {
-    throw InputError("z has to have " + std::to_string(fewest_z_bits) + " to " + std::to_string(most_z_bits) + " bits");
+    throw InputError("z must have " + std::to_string(fewest_z_bits) + " to " + std::to_string(most_z_bits) + " bits");
   }
   if (sampling.fraction_bits > most_fraction_bits)
-    throw InputError("coefficients have to have 0 to " + std::to_string(most_fraction_bits) + " fraction bits");
+    throw InputError("coefficients must have 0 to " + std::to_string(most_fraction_bits) + " fraction bits");
   if (!(sampling.edge_on_fraction > 0.0 && sampling.edge_on_fraction <= 1.0)) {
-    throw InputError("the edge-on fraction has to be above 0 and at most 1 pixel");
+    throw InputError("the edge-on fraction must be above 0 and at most 1 pixel");
   }
   if (sampling.near && !(*sampling.near > 0.0 && std::isfinite(*sampling.near))) {
-    throw InputError("the near plane has to be at a finite distance above 0");
+    throw InputError("the near plane must be at a finite distance above 0");
   }
-  if (!(std::abs(sampling.offset.x) <= most_offset && std::abs(sampling.offset.y) <= most_offset)) {
-    throw InputError("pixels have to be sampled within two pixels of their centres");
+  if (!(std::abs(sampling.offset.x) <= max_offset && std::abs(sampling.offset.y) <= max_offset)) {
+    throw InputError("pixels must be sampled within two pixels of their centres");
   }
 }
 
-/// The nearest a near plane may be, as a part of the distance to the far plane: nearer ones leave too few of a double's
-/// 53 bits to tell depths apart.
-constexpr double least_near = 0x1p-48;
+/// Minimum near distance, relative to the far distance: nearer ones leave too few of a double's 53 bits to distinguish
+/// depths.
+constexpr double min_near_ratio = 0x1p-48;
 
 void check_near(double near, double far) {
-  if (near < far * least_near) {
+  if (near < far * min_near_ratio) {
     throw InputError(
-        fmt::format("the near plane is at {:g}, too near to tell the model's depths from one another, which "
-                    "end at {:g}; put --near at {:.3g} or farther",
-                    near, far, far * least_near));
+        fmt::format("the near plane at {:g} is too near to distinguish the model's depths, which end at {:g}; set "
+                    "--near to {:.3g} or more",
+                    near, far, far * min_near_ratio));
   }
   if (near > far) {
     throw InputError("the near plane is behind the whole model, which ends at a distance of " + std::to_string(far) +
@@ -66,7 +66,7 @@ void check_near(double near, double far) {
   }
 }
 
-/// The depths of an ellipsoid, which are less than its hull's.
+/// Narrows the depths to those of an ellipsoid, which are less than those of its box.
 void narrow_depth(facet::Box& box, const facet::Convex& solid, const facet::QuadricTable& quadrics,
                   const EyeSpace& space) {
   if (solid.quadrics.size() != 1) return;
@@ -93,12 +93,12 @@ isa::DepthScale fit_depth(const facet::Geometry& geometry, const model::Tree& tr
   double near = box.empty() ? 1.0 : box.low.z;
   double far = box.empty() ? 2.0 : box.high.z;
   if (space.perspective) {
-    if (far <= 0.0) return {true, 1.0, 2.0};  // all behind the eye
+    if (far <= 0.0) return {true, 1.0, 2.0};  // everything is behind the eye
     if (box.empty() && sampling.near) far = 2.0 * *sampling.near;
     near = sampling.near ? *sampling.near : std::max(near, far * near_floor);
     if (sampling.near) check_near(near, far);
   }
-  // Never a range of nothing: a flat model still has a front and a back.
+  // The range is never empty, so that a flat model still has a front and a back.
   const double least = std::max({std::abs(near), std::abs(far), std::numeric_limits<double>::min()}) * 1e-9;
   if (!(far - near > least)) far = near + least;
   return {space.perspective, near, far};
@@ -116,8 +116,7 @@ EyePlane to_eye(const EyeSpace& space, const facet::Plane& plane, const glm::dve
           plane.offset + glm::dot(plane.normal, space.eye - centre)};
 }
 
-/// The plane as an edge test: its value on the ray of each pixel where the depth range is half passed, scaled to
-/// pixels.
+/// The plane as an edge test: its value on each pixel's ray at the middle of the depth range, scaled to pixels.
 RealLinear edge_line(const EyeSpace& space, const isa::DepthScale& scale, const EyePlane& plane) {
   const double a = plane.normal.x * space.pixel;
   const double b = -plane.normal.y * space.pixel;
@@ -127,12 +126,12 @@ RealLinear edge_line(const EyeSpace& space, const isa::DepthScale& scale, const 
   return length > 0.0 ? RealLinear{a / length, b / length, middle / length} : RealLinear{0, 0, middle};
 }
 
-/// The plane's depth at every pixel; infinite coefficients if it is seen edge-on exactly.
+/// The plane's depth at every pixel; infinite coefficients if it is seen exactly edge-on.
 RealLinear depth_plane(const EyeSpace& space, const isa::DepthScale& scale, unsigned z_bits, const EyePlane& plane) {
   const glm::dvec3& n = plane.normal;
   const double steps = isa::depth_steps(z_bits);
   if (space.perspective) {
-    // On a ray (X/Z, Y/Z) the plane is met at 1/Z = -(n.x X/Z + n.y Y/Z + n.z) / offset.
+    // The ray (X/Z, Y/Z) meets the plane at 1/Z = -(n.x X/Z + n.y Y/Z + n.z) / offset.
     const double scaled = steps / (1.0 / scale.near - 1.0 / scale.far) / plane.offset;
     return {n.x * space.pixel * scaled, -n.y * space.pixel * scaled,
             1.0 + steps / (1.0 - scale.near / scale.far) + n.z * scaled};
@@ -142,11 +141,11 @@ RealLinear depth_plane(const EyeSpace& space, const isa::DepthScale& scale, unsi
           1.0 + (-plane.offset / n.z - scale.near) * scaled};
 }
 
-/// The canonical orientation of an edge: a zero of the line belongs to the side that the pixel centre falls on when it
-/// is moved right, or, along vertical moves only, down, by less than anything.
+/// Whether the edge has its canonical orientation: a zero of the line belongs to the side of the points infinitely
+/// close to the right or, for horizontal lines, below.
 bool points_right(const FixedLinear& line) { return line.a > 0 || (line.a == 0 && line.b >= 0); }
 
-/// `line`: as the pixels sample it.
+/// `line` is sampled at the pixels' sample positions.
 ScreenPlane make_edge(const RealLinear& line, const Sampling& sampling) {
   ScreenPlane edge;
   edge.kind = PlaneKind::edge;
@@ -154,7 +153,7 @@ ScreenPlane make_edge(const RealLinear& line, const Sampling& sampling) {
   const auto fixed = to_fixed(line, edge_fraction_bits(sampling), sampling.width, sampling.height);
   edge.representable = fixed.has_value();
   if (fixed) edge.linear = *fixed;
-  // normal . p + offset <= 0 is the positive half-space: there the line is negative.
+  // The positive half-space is normal . p + offset <= 0, where the line is negative.
   edge.positive = false;
   if (!points_right(edge.linear)) {
     edge.linear = {-edge.linear.a, -edge.linear.b, -edge.linear.c};
@@ -187,7 +186,7 @@ void add_quadrics(View& view, const facet::Geometry& geometry, const EyeSpace& s
   std::vector<PixelRect> touched(quadrics.size());
   for (const facet::Convex& solid : geometry.solids) {
     if (solid.quadrics.empty()) continue;
-    const PixelRect pixels = pixels_of(solid, space, view);
+    const PixelRect pixels = vertex_pixels(solid, space, view);
     for (const facet::QuadricSide side : solid.quadrics) touched[side.quadric] = hull(touched[side.quadric], pixels);
   }
   view.quadrics.reserve(quadrics.size());

@@ -10,15 +10,15 @@ namespace {
 
 constexpr double unlimited = std::numeric_limits<double>::infinity();
 
-/// A quadric about a point, in doubles: bounds that hold for the unrounded one too.
+/// A quadric near a point, in doubles, with bounds that also hold for the unrounded quadric.
 struct Around {
-  double unit;         ///< of D's root, depth steps
-  double d;            ///< D at the point, at least
-  double from_middle;  ///< depth steps between the point and the middle, at most
-  double middle;       ///< at the point
-  double least_polar;  ///< over the pixels: of D's polar form about the point, see growth_of
-  double depth_error;  ///< depth steps that a rounded depth is off by where the unrounded D is not negative
-  double error;        ///< of D
+  double unit;         ///< unit of D's root, depth steps
+  double d;            ///< lower bound of D at the point
+  double from_middle;  ///< upper bound of the depth steps between the point and the middle
+  double middle;       ///< middle at the point
+  double least_polar;  ///< minimum over the pixels of D's polar form about the point, see required_growth
+  double depth_error;  ///< error of a rounded depth where the unrounded D is not negative, depth steps
+  double error;        ///< error of D
 };
 
 Around around(const ScreenQuadric& quadric, const glm::dvec3& inside, const View& view, const PixelRect& pixels) {
@@ -49,7 +49,7 @@ Around around(const ScreenQuadric& quadric, const glm::dvec3& inside, const View
   return here;
 }
 
-/// Whether D is surely concave: with each coefficient a unit away too.
+/// Whether D is certainly concave, even if each coefficient is off by one unit.
 bool is_concave(const FixedQuadratic& f) {
   const double xx = static_cast<double>(f.xx) + 1.0;
   const double yy = static_cast<double>(f.yy) + 1.0;
@@ -57,8 +57,8 @@ bool is_concave(const FixedQuadratic& f) {
   return xx < 0.0 && yy < 0.0 && 4.0 * xx * yy > 1.000001 * xy * xy;
 }
 
-/// The growth of a paraboloid: the floors of its middle and of the depth take z off by 2 steps at most, and
-/// F = |z - M| - k D is convex.
+/// The growth of a paraboloid: the floors of its middle and of the depth shift z by at most 2 steps, and F = |z - M| -
+/// k D is convex.
 double growth_of_paraboloid(const ScreenQuadric& quadric, const Around& here) {
   const double k =
       std::ldexp(static_cast<double>(quadric.factor.scaled()), -static_cast<int>(quadric.factor.fraction()));
@@ -71,7 +71,7 @@ double growth_between(const ScreenQuadric& quadric, const Around& here, const Vi
   if (!(here.from_middle < half_depth)) return unlimited;
   if (is_concave(quadric.discriminant)) {
     const RootRanges ranges = ranges_over(quadric, view.sampling.fraction_bits, pixels);
-    const double most = here.unit * (static_cast<double>(ranges.most_root) + 1.0) + here.depth_error;
+    const double most = here.unit * (static_cast<double>(ranges.max_root) + 1.0) + here.depth_error;
     const double beyond =
         2.0 * here.depth_error * most + here.depth_error * here.depth_error + here.error * here.unit * here.unit;
     return beyond / (half_depth * half_depth - here.from_middle * here.from_middle);
@@ -80,7 +80,7 @@ double growth_between(const ScreenQuadric& quadric, const Around& here, const Vi
   return (here.depth_error + std::sqrt(here.error) * here.unit) / (half_depth - here.from_middle);
 }
 
-/// The growth of what is beyond one of two depths that every ray has.
+/// The growth of a region beyond one of two depths that every ray has.
 double growth_beyond(const ScreenQuadric& quadric, QuadricRole role, const glm::dvec3& inside, const Around& here,
                      const PixelRect& pixels) {
   if (range_over(quadric.discriminant, pixels).low <= 0 || !(here.d >= 0.0)) return unlimited;
@@ -99,7 +99,7 @@ bool is_outside(const ScreenQuadric& quadric, const PixelRect& line) {
   return range_over(quadric.discriminant, line).high < 0;
 }
 
-/// Leaves out columns and rows at the sides where the discriminant is negative.
+/// Drops columns and rows at the sides where the discriminant is negative.
 void narrow_pixels(PixelRect& pixels, const ScreenQuadric& quadric) {
   if (!pixels.empty() && is_outside(quadric, pixels)) pixels = {};
   while (!pixels.empty() && is_outside(quadric, {pixels.x0, pixels.y0, pixels.x0, pixels.y1})) ++pixels.x0;
@@ -110,16 +110,16 @@ void narrow_pixels(PixelRect& pixels, const ScreenQuadric& quadric) {
 
 }  // namespace
 
-/// Let M be off by m, D by d, and U the unit: then near >= M - m - 1 - U sqrt(D + d) and far <= M + m + U (sqrt(D + d)
-/// + 1), so that with e = m + 1 + U (1 + sqrt(d)) all that a rounded `between` holds has
+/// Let m be the error of M, d that of D, and U the unit. Then near >= M - m - 1 - U sqrt(D + d) and far <= M + m + U
+/// (sqrt(D + d) + 1), so that with e = m + 1 + U (1 + sqrt(d)) every point of a rounded `between` satisfies
 ///
 ///     |z - M| <= U sqrt(max(D, 0)) + e   and   D >= -d.
 ///
-/// The unrounded solid is B, |z - M| <= U sqrt(D), cut by planes. Scaling about a point c of B by 1 + g takes p to
-/// c + (p - c) / (1 + g); a scaled solid holds p if that is in B and within each of the planes.
+/// The unrounded solid is B, |z - M| <= U sqrt(D), cut by planes. The solid scaled by 1 + g about a point c of B
+/// contains p if the scaled point c + (p - c) / (1 + g) is in B and within each of the planes.
 ///
 /// - Where D is concave, F = (z - M)^2 - U^2 D is convex, B is F <= 0, and F(p) <= 2 e U sqrt(D) + e^2 + U^2 d. By
-///   convexity F at the scaled point is at most (F(p) + g F(c)) / (1 + g), which is not above 0 if g >= F(p) / -F(c).
+///   convexity, F at the scaled point is at most (F(p) + g F(c)) / (1 + g), which is not positive if g >= F(p) / -F(c).
 /// - The outline of a cylinder or cone, seen from outside, is two lines: D = k l with linear k and l, here scaled so
 ///   that they are equal at c. Where k + l > 0, D >= -d makes both >= -s, s = sqrt(d), and D <= (k + s)(l + s). At the
 ///   scaled point they are at least (k(p) + s + n) / (1 + g) and (l(p) + s + n) / (1 + g), n = g sqrt(D(c)) - s; the
@@ -127,9 +127,9 @@ void narrow_pixels(PixelRect& pixels, const ScreenQuadric& quadric) {
 ///   and |z - M| at most (U sqrt((k(p) + s)(l(p) + s)) + e + g |z(c) - M(c)|) / (1 + g). So g = (e + U s) / (U
 ///   sqrt(D(c)) - |z(c) - M(c)|) suffices. Up to a positive factor, k + l is D's polar form D(c) + grad D(c) . (p -
 ///   c) / 2.
-/// - From within, z < near and z >= far are convex too, and move by e at the most.
-double growth_of(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside, const View& view,
-                 const PixelRect& pixels) {
+/// - From inside, z < near and z >= far are also convex, and move by at most e.
+double required_growth(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside,
+                       const View& view, const PixelRect& pixels) {
   const bool has_depths = quadric.kind == ScreenQuadricKind::roots || quadric.kind == ScreenQuadricKind::paraboloid;
   if (!has_depths || pixels.empty() || !is_in(inside, quadric.pixels)) return unlimited;
   const Around here = around(quadric, inside, view, pixels);

@@ -1,3 +1,5 @@
+// Bounds of quadrics that include rounding.
+// Used by the extents of solids.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -7,12 +9,12 @@
 
 namespace csgsim::view {
 
-/// How much a solid that this side of a quadric bounds has to grow about a point within it, as a part of its size in
-/// columns, rows and depth steps, to hold the rounded quadric over its pixels. Infinite where no bound is known.
-double growth_of(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside, const View& view,
-                 const PixelRect& pixels);
+/// How much a solid bounded by this side of a quadric must grow about a point inside it, relative to its size in
+/// columns, rows and depth steps, to contain the rounded quadric over its pixels. Infinite if no bound is known.
+double required_growth(const ScreenQuadric& quadric, facet::QuadricSide side, const glm::dvec3& inside,
+                       const View& view, const PixelRect& pixels);
 
-/// Narrows an extent to what the quadric's integers leave of its pixels and depths.
+/// Narrows an extent to the pixels and depths that the quadric's integers allow.
 void narrow(Extent& extent, const ScreenQuadric& quadric, facet::QuadricSide side, const View& view);
 
 }  // namespace csgsim::view

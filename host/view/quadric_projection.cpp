@@ -17,22 +17,22 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// 113 bits: D is the small difference of far greater products where the eye is far away or the surface steep.
+/// 113 bits: D is the small difference of much greater products if the eye is far away or the surface is steep.
 using Real = boost::multiprecision::cpp_bin_float_quad;
 using Vec = std::array<Real, 3>;
 
 constexpr Wide sum_limit = Wide{1} << 61U;
-constexpr int most_root_bits = 30;
+constexpr int max_root_bits = 30;
 constexpr int most_shift = 60;
 
-/// a*x + b*y + c of columns and rows counted from the middle pixel of a rectangle.
+/// a*x + b*y + c, with columns and rows relative to the middle pixel of a rectangle.
 struct Linear {
   Real a;
   Real b;
   Real c;
 };
 
-/// Coefficients of x^2, x*y, y^2, x, y and 1, counted so too.
+/// Coefficients of x^2, x*y, y^2, x, y and 1, relative to the same pixel.
 using Quadratic = std::array<Real, 6>;
 
 void add_product(Quadratic& sum, const Linear& f, const Linear& g, const Real& factor) {
@@ -50,9 +50,9 @@ void add_product(Quadratic& sum, const Linear& f, const Linear& g, const Real& f
 Real dot(const Vec& a, const glm::dvec3& b) { return a[0] * b.x + a[1] * b.y + a[2] * b.z; }
 Vec to_vec(const glm::dvec3& v) { return {Real(v.x), Real(v.y), Real(v.z)}; }
 
-/// The quadric on the rays of a picture: u = fixed * t + moving(x, y), where t is the distance from the eye of an
-/// orthographic view, and the reciprocal of the distance in a perspective one. There u is divided by the distance, and
-/// the quadric's level goes with t^2.
+/// The quadric on the rays of a picture: u = fixed * t + moving(x, y), where t is the distance from the eye in an
+/// orthographic view, and its reciprocal in a perspective view. There u is divided by the distance, and the quadric's
+/// level is multiplied by t^2.
 struct OnRays {
   std::array<double, 3> signs{};
   double level = 0;
@@ -78,8 +78,8 @@ struct OnRays {
     return sum;
   }
 
-  /// The square of half the coefficient of t less the product of the others, by Lagrange's identity: products of what
-  /// the ray misses the quadric's centre by, without the cancellation of the distance to the eye.
+  /// The square of half the coefficient of t minus the product of the others, by Lagrange's identity: products of the
+  /// ray's distances from the quadric's centre, which avoids cancellation of the distance to the eye.
   [[nodiscard]] Quadratic discriminant() const {
     Quadratic sum{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -98,7 +98,7 @@ struct OnRays {
     return sum;
   }
 
-  /// The negated value at t: not negative in the quadric.
+  /// The negated value at t, which is not negative inside the quadric.
   [[nodiscard]] Quadratic depth_inside(const Real& t) const {
     Quadratic sum{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -110,7 +110,7 @@ struct OnRays {
   }
 };
 
-/// The middle pixel of a rectangle, and how far its pixels are from that.
+/// The middle pixel of a rectangle, and the maximum distances of its pixels from it.
 struct Middle {
   std::int64_t x;
   std::int64_t y;
@@ -164,7 +164,7 @@ struct DepthLine {
   }
 };
 
-/// In plain numbers, for choices and bounds.
+/// The coefficients in double precision, for choices and bounds.
 using Plain = std::array<double, 6>;
 
 Plain plain(const Quadratic& f) {
@@ -177,8 +177,8 @@ double value_at(const Plain& f, double x, double y) {
   return (f[0] * x + f[1] * y + f[3]) * x + (f[2] * y + f[4]) * y + f[5];
 }
 
-/// The most over the rectangle, to the precision of doubles.
-double most_over(const Plain& f, const Middle& middle) {
+/// The maximum over the rectangle, in double precision.
+double max_over(const Plain& f, const Middle& middle) {
   double most = -std::numeric_limits<double>::infinity();
   const auto visit = [&](double x, double y) {
     if (std::abs(x) <= middle.across && std::abs(y) <= middle.down) most = std::max(most, value_at(f, x, y));
@@ -201,8 +201,8 @@ std::optional<Wide> rounded(const Real& value, int fraction_bits) {
 
 Wide size(Wide value) { return value < 0 ? -value : value; }
 
-/// Each coefficient rounded once, then counted from the picture's first pixel, exactly. Nothing if sums over the
-/// picture may reach 2^61.
+/// Rounds each coefficient once, and then shifts the function exactly to the picture's first pixel. Empty if sums over
+/// the picture may reach 2^61.
 std::optional<FixedQuadratic> to_fixed(const Quadratic& f, int fraction_bits, const Middle& middle,
                                        const Sampling& sampling) {
   std::array<Wide, 6> k{};
@@ -230,9 +230,9 @@ std::optional<FixedLinear> to_fixed(const Linear& f, unsigned fraction_bits, con
   return fixed->linear;
 }
 
-/// The error that D may have: an eighth of a step in the middle of a surface, at the default width; and sideways, where
-/// it stands on its outline, no more than edge-on planes miss by. There it falls by 2 D / R a pixel, at the least, if
-/// it falls from D to 0 over R pixels.
+/// The allowed error of D: an eighth of a step in the middle of a surface at the default width; sideways, at the
+/// outline, no more than the error of edge-on planes. There D falls by at least 2 D / R per pixel, if it falls from D
+/// to 0 over R pixels.
 double allowed_error(double most, const Middle& middle, const Sampling& sampling) {
   constexpr double least = 0x1p-20;
   const double d = most > 0 ? std::max(most, least) : 1.0;
@@ -241,7 +241,7 @@ double allowed_error(double most, const Middle& middle, const Sampling& sampling
   return std::min(in_depth, sideways);
 }
 
-/// Puts the discriminant into integers; false where it does not fit.
+/// Converts the discriminant to integers. Returns false if it does not fit.
 bool set_discriminant(ScreenQuadric& screen, const Quadratic& f, double most, const Middle& middle,
                       const Sampling& sampling) {
   const double terms = 1.0 + middle.across + middle.down + middle.across * middle.across + middle.across * middle.down +
@@ -257,8 +257,8 @@ bool set_discriminant(ScreenQuadric& screen, const Quadratic& f, double most, co
   return true;
 }
 
-/// The most pixels that the quadric moves sideways while a ray passes the whole depth range; infinite where whole rays
-/// cannot be in it.
+/// Maximum number of pixels by which the quadric moves sideways while a ray passes through the depth range; infinite if
+/// no whole ray can be inside it.
 double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampling& sampling, const OnRays& rays,
                 const facet::Quadric& quadric, const glm::dvec3& centre) {
   constexpr double never = std::numeric_limits<double>::infinity();
@@ -270,7 +270,7 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
     return (model::hypotenuse(apex.x, apex.y) + std::abs(apex.z) * tangent) * (1.0 / scale.near - 1.0 / scale.far) /
            space.pixel;
   }
-  // Across the view, one unit of length beyond the place where it is about the origin: a conic in pixels.
+  // The cross-section one unit of length beyond the place where it is centred at the origin: a conic in pixels.
   std::array<double, 3> right{};
   std::array<double, 3> down{};
   std::array<double, 3> forward{};
@@ -286,7 +286,7 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   const double xy = product(right, down);
   const double yy = product(down, down);
   const double determinant = xx * yy - xy * xy;
-  // Its section is no ellipse where it is seen from the side: rounding alone makes it one.
+  // Its section is not an ellipse when seen from the side; only rounding could make it one.
   constexpr double least_part = 0x1p-46;
   if (!(xx > 0.0 && determinant > least_part * xx * yy)) return never;
   const double fx = product(forward, right);
@@ -303,8 +303,8 @@ double sideways(const EyeSpace& space, const isa::DepthScale& scale, const Sampl
   return (moved + widened) * (scale.far - scale.near);
 }
 
-/// Whether the rays of all pixels lean to one side of the plane across the axis: then they meet one nappe only of a
-/// cone whose apex is the eye.
+/// Whether the rays of all pixels are on one side of the plane across the axis; then they meet only one nappe of a cone
+/// whose apex is the eye.
 bool meets_one_nappe(const EyeSpace& space, const facet::Quadric& quadric, const PixelRect& pixels) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
@@ -326,9 +326,9 @@ ScreenQuadric make_edge(const EyeSpace& space, const View& view, const OnRays& r
   const Real near = view.depth.near;
   const Real far = view.depth.far;
   Quadratic inside = rays.depth_inside(space.perspective ? Real((1 / near + 1 / far) / 2) : Real((near + far) / 2));
-  // It has no unit, so it is scaled to a size whose bits below 1 do not count.
+  // The value has no unit, so it is scaled to a size at which bits below 1 are negligible.
   constexpr double wanted = 0x1p20;
-  double most = most_over(plain(inside), middle);
+  double most = max_over(plain(inside), middle);
   double greatest = std::abs(most);
   for (const double one : plain(inside)) greatest = std::max(greatest, most > 0.0 ? most : std::abs(one));
   if (!(greatest > 0.0)) greatest = 1.0;
@@ -340,9 +340,9 @@ ScreenQuadric make_edge(const EyeSpace& space, const View& view, const OnRays& r
   return screen;
 }
 
-/// Bits of the unit of depth of a cylinder whose root has too many bits: in an orthographic view its depth rises
-/// everywhere by its axis' slope at least, in steps a pixel.
-unsigned unit_of(const facet::Quadric& quadric, const Linear& middle, int root_bits, const Sampling& sampling) {
+/// Bits of the depth unit of a cylinder whose root has too many bits. In an orthographic view, its depth changes
+/// everywhere by at least its axis' slope, in steps per pixel.
+unsigned depth_unit_bits(const facet::Quadric& quadric, const Linear& middle, int root_bits, const Sampling& sampling) {
   const int beyond = root_bits - static_cast<int>(sampling.z_bits) - 2;
   if (beyond <= 0 || quadric.kind != facet::QuadricKind::cylinder) return 0;
   const double slope = model::hypotenuse(middle.a.convert_to<double>(), middle.b.convert_to<double>());
@@ -358,7 +358,7 @@ ScreenQuadric make_screen_quadric(const EyeSpace& space, const View& view, const
   ScreenQuadric screen;
   screen.pixels = pixels;
   if (pixels.empty()) {
-    // It touches no pixel of the picture: no ray is in it.
+    // The quadric touches no pixel of the picture, so no ray is inside it.
     screen.discriminant.linear.c = -1;
     return screen;
   }
@@ -376,15 +376,15 @@ ScreenQuadric make_screen_quadric(const EyeSpace& space, const View& view, const
   Quadratic discriminant = rays.discriminant();
   const Real factor_squared = factor * factor;
   for (Real& one : discriminant) one *= factor_squared;
-  double most = most_over(plain(discriminant), at);
+  double most = max_over(plain(discriminant), at);
   if (!std::isfinite(most)) return screen;
   const auto bits_of_root = [&] { return most >= 1.0 ? std::ilogb(std::sqrt(most)) + 1 : 0; };
-  if (!space.perspective) screen.unit = unit_of(quadric, middle, bits_of_root(), sampling);
+  if (!space.perspective) screen.unit = depth_unit_bits(quadric, middle, bits_of_root(), sampling);
   const int down = -2 * static_cast<int>(screen.unit);
   for (Real& one : discriminant) one = ldexp(one, down);
   most = std::ldexp(most, down);
   const auto fixed = to_fixed(middle, sampling.fraction_bits, at, sampling);
-  if (bits_of_root() > most_root_bits || !fixed || !set_discriminant(screen, discriminant, most, at, sampling))
+  if (bits_of_root() > max_root_bits || !fixed || !set_discriminant(screen, discriminant, most, at, sampling))
     return screen;
   screen.middle = *fixed;
   screen.middle_error = std::ldexp(1.0 + at.across + at.down, -static_cast<int>(sampling.fraction_bits) - 1);

@@ -1,3 +1,5 @@
+// The transformation of quadrics into screen space.
+// Used by the projection.
 #pragma once
 
 #include "host/facet/quadric_table.h"
@@ -7,8 +9,8 @@
 
 namespace csgsim::view {
 
-/// A canonical quadric in a picture, its origin relative to `centre`, whose solids touch no more than `pixels`. `view`
-/// has to have its depth scale.
+/// A canonical quadric in a picture. Its origin is relative to `centre`, and its solids touch at most `pixels`. The
+/// depth scale of `view` must be set.
 ScreenQuadric make_screen_quadric(const EyeSpace& space, const View& view, const facet::Quadric& quadric,
                                   const glm::dvec3& centre, const PixelRect& pixels);
 

@@ -13,9 +13,9 @@ double value(const FixedLinear& linear, const glm::dvec2& at) {
   return static_cast<double>(linear.a) * at.x + static_cast<double>(linear.b) * at.y + static_cast<double>(linear.c);
 }
 
-/// More than a function errs by in doubles at corners that themselves are out by as much: some ulps of its largest
-/// term.
-double doubt(const FixedLinear& linear, double reach) {
+/// Bound of the error of a function evaluated in doubles at corners with errors of the same size: a few ulps of its
+/// largest term.
+double error_bound(const FixedLinear& linear, double reach) {
   const double largest = (std::abs(static_cast<double>(linear.a)) + std::abs(static_cast<double>(linear.b))) * reach +
                          std::abs(static_cast<double>(linear.c));
   return std::ldexp(largest, -44);
@@ -30,7 +30,7 @@ Region::Region(const PixelRect& pixels) {
 }
 
 bool Region::is_surely_at_least(const FixedLinear& linear, double least) const {
-  const double sure = least + doubt(linear, reach_);
+  const double sure = least + error_bound(linear, reach_);
   return std::ranges::all_of(corners_, [&](const glm::dvec2& corner) { return value(linear, corner) >= sure; });
 }
 
@@ -45,7 +45,7 @@ std::pair<double, double> Region::range(const FixedLinear& linear) const {
 
 bool Region::clip(const FixedLinear& linear, double least) {
   if (is_surely_at_least(linear, least)) return true;
-  const double low = -doubt(linear, reach_);
+  const double low = -error_bound(linear, reach_);
   clipped_.clear();
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const glm::dvec2& here = corners_[i];

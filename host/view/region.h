@@ -1,3 +1,5 @@
+// Convex regions of the picture, clipped by linear functions.
+// Used by the emitter and sim/software.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -9,30 +11,30 @@
 
 namespace csgsim::view {
 
-/// A convex polygon of the picture that holds every pixel of a rectangle at which some linear functions of integers are
-/// at least 0, and no more than rounding makes it.
+/// A convex polygon of the picture that contains every pixel of a rectangle at which given integer linear functions are
+/// at least 0. It is as small as rounding allows.
 class Region {
  public:
   explicit Region(const PixelRect& pixels);
 
-  /// Leaves what the function is not surely below 0 at. Returns whether it is surely at least `least`, of 0 and more,
-  /// at all pixels that were left, so that nothing is taken away.
+  /// Drops the part where the function is certainly negative. Returns whether the function is certainly at least
+  /// `least` (0 or more) at all remaining pixels, so that nothing was dropped.
   bool clip(const FixedLinear& linear, double least = 0);
-  /// Whether the function is surely at least that everywhere.
+  /// Whether the function is certainly at least `least` everywhere in the region.
   [[nodiscard]] bool is_surely_at_least(const FixedLinear& linear, double least) const;
 
-  /// Its least and greatest value there, as near as doubles are. Not of an empty region.
+  /// Its minimum and maximum in the region, in double precision. The region must not be empty.
   [[nodiscard]] std::pair<double, double> range(const FixedLinear& linear) const;
 
   [[nodiscard]] bool empty() const { return corners_.empty(); }
   [[nodiscard]] std::span<const glm::dvec2> corners() const { return corners_; }
-  /// The pixels of the polygon.
+  /// Bounding rectangle of the polygon's pixels.
   [[nodiscard]] PixelRect pixels() const;
 
  private:
   std::vector<glm::dvec2> corners_;
   std::vector<glm::dvec2> clipped_;
-  double reach_ = 0;  ///< how far from the first pixel of the picture its pixels are
+  double reach_ = 0;  ///< maximum distance of its pixels from the picture's first pixel
 };
 
 }  // namespace csgsim::view

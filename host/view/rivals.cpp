@@ -13,41 +13,41 @@ namespace {
 
 using Numbers = std::vector<std::uint32_t>;
 
-/// Of this many functions all are rivals.
+/// Up to this number of functions, all are taken as rivals.
 constexpr std::size_t few = 16;
 
-/// Corners of a tile, and last a pixel in its middle.
+/// Number of a tile's corners, and index of its middle pixel, which follows them.
 constexpr std::size_t corners = 4;
 constexpr std::size_t middle = 4;
 using Values = std::array<std::int64_t, corners + 1>;
 
 constexpr bool is_pixel(const PixelRect& tile) { return tile.x0 == tile.x1 && tile.y0 == tile.y1; }
 
-constexpr std::int32_t middle_of(std::int32_t low, std::int32_t high) { return low + (high - low) / 2; }
+constexpr std::int32_t midpoint(std::int32_t low, std::int32_t high) { return low + (high - low) / 2; }
 
-/// Two halves across its longer side. Not of a pixel.
+/// The tile cut in two across its longer side. It must be larger than a pixel.
 std::array<PixelRect, 2> halves(const PixelRect& tile) {
   std::array<PixelRect, 2> parts{tile, tile};
   if (tile.x1 - tile.x0 >= tile.y1 - tile.y0) {
-    parts[0].x1 = middle_of(tile.x0, tile.x1);
+    parts[0].x1 = midpoint(tile.x0, tile.x1);
     parts[1].x0 = parts[0].x1 + 1;
   } else {
-    parts[0].y1 = middle_of(tile.y0, tile.y1);
+    parts[0].y1 = midpoint(tile.y0, tile.y1);
     parts[1].y0 = parts[0].y1 + 1;
   }
   return parts;
 }
 
-/// What leads in a tile of fronts or of backs.
+/// The fronts or backs that lead in a tile.
 struct Leading {
   Numbers numbers;
-  std::uint32_t first = 0;  ///< leads at the middle; there is one if `numbers` is not empty
-  Values ranks{};           ///< of `first`
+  std::uint32_t first = 0;  ///< the one that leads at the middle; valid if `numbers` is not empty
+  Values ranks{};           ///< ranks of `first`
 };
 
-/// Fronts, or backs: one of greater rank leads, and of equal ranks the first. The ranks at a pixel are depths, those
-/// of backs negated; in a larger tile, whose depths are not linear, ranks are values, and one that is to lead all over
-/// the tile before one of a lower number is ahead by a whole step of depth.
+/// Fronts or backs: the greatest rank leads, and of equal ranks the first. At a single pixel, ranks are depths, which
+/// are negated for backs; in a larger tile, where depths are not linear, ranks are values, and one with a higher number
+/// leads before one with a lower number only if it is ahead by a whole depth step all over the tile.
 class Envelope {
  public:
   Envelope(std::span<const FixedLinear> functions, bool is_back, unsigned shift)
@@ -55,15 +55,15 @@ class Envelope {
 
   [[nodiscard]] std::size_t size() const { return functions_.size(); }
 
-  /// Which of those lead somewhere in a tile. Calls lose(number, by) for each of the others: at every pixel of the
-  /// tile that one leads before it.
+  /// Finds those that lead somewhere in a tile. Calls lose(number, by) for each of the others: `by` leads before it at
+  /// every pixel of the tile.
   template <class Lose>
   Leading leading(const Numbers& numbers, const PixelRect& tile, const Lose& lose) {
     Leading left;
     if (numbers.empty()) return left;
     ranks_.clear();
     for (const std::uint32_t number : numbers) ranks_.push_back(ranks(functions_[number], tile));
-    // Places in `numbers`; the middle's first, since that one leads before most.
+    // Indices into `numbers`. The middle comes first, since its leader is ahead of most others.
     std::array<std::size_t, corners + 1> leaders{};
     for (std::size_t at = 0; at <= corners; ++at) {
       const auto greatest = std::ranges::max_element(ranks_, {}, [&](const Values& one) { return one[at]; });
@@ -87,8 +87,8 @@ class Envelope {
 
  private:
   [[nodiscard]] Values ranks(const FixedLinear& function, const PixelRect& tile) const {
-    const std::int32_t x = middle_of(tile.x0, tile.x1);
-    const std::int32_t y = middle_of(tile.y0, tile.y1);
+    const std::int32_t x = midpoint(tile.x0, tile.x1);
+    const std::int32_t y = midpoint(tile.y0, tile.y1);
     Values values{value_at(function, tile.x0, tile.y0), value_at(function, tile.x1, tile.y0),
                   value_at(function, tile.x0, tile.y1), value_at(function, tile.x1, tile.y1), value_at(function, x, y)};
     for (std::int64_t& value : values) {
@@ -145,13 +145,14 @@ class Finder {
     if (rival != one) rivals_[one].push_back(rival);
   }
 
-  /// Makes that one a rival of all of those.
+  /// Makes `rival` a rival of all the others.
   void add_to_all(const Numbers& fronts, const Numbers& backs, std::uint32_t rival) {
     for (const std::uint32_t number : fronts) add(number, rival);
     for (const std::uint32_t number : backs) add(back(number), rival);
   }
 
-  /// Which of the edges are below 0 at some of the tile's pixels; false if one is at all, a rival of all of those.
+  /// Collects the edges that are negative at some of the tile's pixels. Returns false if one is negative at all of
+  /// them; it becomes a rival of all functions.
   bool find_edges(const PixelRect& tile, const Numbers& fronts, const Numbers& backs, const Numbers& edges,
                   Numbers& left) {
     for (const std::uint32_t number : edges) {
@@ -192,7 +193,7 @@ class Finder {
     for (const PixelRect& part : halves(tile)) divide(part, fronts.numbers, backs.numbers, edges);
   }
 
-  /// Whether the solid would end before it begins at each pixel of a tile, by these ranks of a front and a back.
+  /// Whether these ranks of a front and a back make the solid empty at each pixel of a tile.
   static bool is_nowhere(const Values& front, const Values& back) {
     return std::equal(front.begin(), front.begin() + corners, back.begin(),
                       [](std::int64_t begins, std::int64_t ends) { return begins >= -ends; });

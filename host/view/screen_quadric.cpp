@@ -23,11 +23,11 @@ struct Side {
   Wide b;
   std::int32_t first;
   std::int32_t last;
-  bool slants;  ///< whether a ridge or valley that crosses the side may do so at a slant
+  bool slants;  ///< whether a ridge or valley may cross the side at a slant
 };
 
-/// Widens by the side's turning point: by the integers next to it and, where the side may cross a ridge at a slant, by
-/// the point between them. Such a ridge may come to an integer within the rectangle.
+/// Widens the range by the side's turning point: by the values at the adjacent integers and, if a ridge may cross the
+/// side at a slant, by the value between them. Such a ridge may pass through an integer point inside the rectangle.
 template <class At>
 void include_turning_point(Range& range, const Side& side, const At& at) {
   if (side.a == 0) return;
@@ -42,8 +42,8 @@ void include_turning_point(Range& range, const Side& side, const At& at) {
   include(range, at(static_cast<std::int32_t>(below)) + (side.a < 0 ? beyond : -beyond));
 }
 
-/// How far the top or bottom is beyond the value at a place with that gradient: half of the gradient's square over the
-/// second derivatives of f, which have that determinant. Not less than the exact number.
+/// Upper bound of how far the extremum is beyond the value at a point with that gradient: half of the gradient's square
+/// divided by the second derivatives of f, whose determinant is given.
 std::int64_t beyond_place(const FixedQuadratic& f, Wide determinant, Wide by_x, Wide by_y) {
   const auto dx = static_cast<long double>(by_x);
   const auto dy = static_cast<long double>(by_y);
@@ -53,10 +53,10 @@ std::int64_t beyond_place(const FixedQuadratic& f, Wide determinant, Wide by_x, 
   return static_cast<std::int64_t>(std::ceil(std::abs(square / static_cast<long double>(determinant)) * up)) + 1;
 }
 
-/// Widens by the top or bottom if it is within the rectangle.
+/// Widens the range by the extremum if it is inside the rectangle.
 void include_inner(Range& range, const FixedQuadratic& f, const PixelRect& rect) {
   const Wide determinant = 4 * Wide{f.xx} * f.yy - Wide{f.xy} * f.xy;
-  if (determinant <= 0) return;  // a saddle or a valley, which is as high or low at the sides
+  if (determinant <= 0) return;  // a saddle or a valley, whose extremes are at the sides
   const Wide x =
       quotient_down(2 * (Wide{f.xy} * f.linear.b - 2 * Wide{f.yy} * f.linear.a) + determinant, 2 * determinant);
   const Wide y =
@@ -146,10 +146,10 @@ RootRanges ranges_over(const ScreenQuadric& quadric, unsigned fraction_bits, con
   const std::int64_t low = middle.low >> fraction_bits;
   const std::int64_t high = middle.high >> fraction_bits;
   const std::int64_t least_root = floor_root(std::max<std::int64_t>(0, ranges.discriminant.low));
-  ranges.most_root = floor_root(ranges.discriminant.high);
+  ranges.max_root = floor_root(ranges.discriminant.high);
   const std::int64_t one = std::int64_t{1} << quadric.unit;
-  ranges.near = {low - ranges.most_root * one, high - least_root * one};
-  ranges.far = {low + least_root * one + one, high + ranges.most_root * one + one};
+  ranges.near = {low - ranges.max_root * one, high - least_root * one};
+  ranges.far = {low + least_root * one + one, high + ranges.max_root * one + one};
   return ranges;
 }
 

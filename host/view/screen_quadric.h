@@ -1,3 +1,5 @@
+// Quadrics in screen space, as integer functions of the pixel.
+// Used by the projection and the emitter.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +9,7 @@
 
 namespace csgsim::view {
 
-/// A*x^2 + B*x*y + C*y^2 + linear, with as many fraction bits as its owner says.
+/// A*x^2 + B*x*y + C*y^2 + linear; the owner defines the number of fraction bits.
 struct FixedQuadratic {
   std::int64_t xx = 0;
   std::int64_t xy = 0;
@@ -15,87 +17,86 @@ struct FixedQuadratic {
   FixedLinear linear;
 };
 
-/// Its value at a pixel.
+/// The value at a pixel.
 std::int64_t value_at(const FixedQuadratic& quadratic, std::int32_t x, std::int32_t y);
 
-/// Bounds of a quadratic function over a rectangle of pixels, which is not empty: never narrower than its values there.
-/// They are its least and greatest values there, except that a top or bottom between pixels counts too, and one between
-/// pixels of a side where f.xy is not 0.
+/// Bounds of a quadratic function over a non-empty rectangle of pixels. They are its exact minimum and maximum, except
+/// that an extremum between pixels is included, and one between pixels of a side if f.xy is not 0.
 Range range_over(const FixedQuadratic& quadratic, const PixelRect& rect);
 
 enum class ScreenQuadricKind : std::uint8_t {
   roots,       ///< two depths on every ray, where the discriminant is not negative
   paraboloid,  ///< a fast sphere: two depths on every ray, without a root (fast_sphere.h)
-  edge,        ///< seen along its axis, or from its apex: whole rays are in it or are not
-  unfit,       ///< none of both within the machine's numbers: its solids have to be faceted
+  edge,        ///< seen along its axis or from its apex: each ray is entirely inside or outside
+  unfit,       ///< neither fits the machine's numbers: its solids must be faceted
 };
 
-/// 0, a power of two, or a sum or difference of two powers of two: what a field is multiplied by in one or two steps.
+/// 0, a power of two, or a sum or difference of two powers of two: the factor of a multiplication in one or two steps.
 struct TwoPowers {
-  int first = 0;   ///< exponent of the greater one
-  int second = 0;  ///< exponent of the other
-  int signs = 0;   ///< 1: the sum; -1: the difference; 0: the first alone
+  int first = 0;   ///< exponent of the greater power
+  int second = 0;  ///< exponent of the other power
+  int signs = 0;   ///< 1: the sum; -1: the difference; 0: only the first
   bool is_zero = true;
 
-  /// Bits after the point.
+  /// Number of fraction bits.
   [[nodiscard]] unsigned fraction() const;
-  /// The number with those bits: an integer.
+  /// The number times 2^fraction(): an integer.
   [[nodiscard]] std::int64_t scaled() const;
 };
 
-/// A canonical quadric in the picture: the same integers for every solid that it bounds.
+/// A canonical quadric in the picture: all solids that it bounds have the same integers.
 ///
-/// Roots: on a ray D = (discriminant >> discriminant_shift), floor. Where D < 0 the ray does not meet the quadric;
-/// else, with q = floor(sqrt(D)) and M = middle >> fraction_bits, floor, its depths are
+/// Roots: on a ray, D = floor(discriminant >> discriminant_shift). If D < 0, the ray does not meet the quadric; else,
+/// with q = floor(sqrt(D)) and M = floor(middle >> fraction_bits), its depths are
 ///
 ///     near = M - (q << unit),    far = M + ((q + 1) << unit)    (depth steps)
 ///
-/// Paraboloid: middle is a constant, an integer c. Where the discriminant is not negative, with its value v and the
-/// factor k,
+/// Paraboloid: middle is a constant integer c. Where the discriminant is not negative, with its value v and the factor
+/// k,
 ///
 ///     near = floor(c - k v),    far = floor(c + k v) + 1    (depth steps)
 ///
-/// Edge: the ray is in the quadric where the discriminant is not negative; D has no unit then.
+/// Edge: the ray is inside the quadric where the discriminant is not negative; D has no unit.
 ///
-/// With unit > 0, D is the square of a depth in units of 2^unit steps.
+/// If unit > 0, D is the square of a depth in units of 2^unit steps.
 struct ScreenQuadric {
   ScreenQuadricKind kind = ScreenQuadricKind::roots;
-  FixedLinear middle;           ///< with Sampling::fraction_bits
+  FixedLinear middle;           ///< with Sampling::fraction_bits fraction bits
   FixedQuadratic discriminant;  ///< below 2^61 everywhere in the picture
   unsigned discriminant_shift = 0;
-  unsigned unit = 0;        ///< depth is right to 2^unit steps; more than 0 only of cylinders in orthographic
-                            ///< views that are so steep that this is less than Sampling::edge_on_fraction sideways
-  bool eye_inside = false;  ///< the coefficient of depth squared is negative: between its depths a ray is outside
-  double middle_error = 0;  ///< bounds of what rounding the scene's quadric does before the floor, over
-  double discriminant_error = 0;  ///< `pixels`: of the middle, and of D in its own units. Its doubles count as exact
-  PixelRect pixels;               ///< that solids which it bounds can touch
-  TwoPowers factor;               ///< of a paraboloid
-  bool eye_on_axis_nappe = true;  ///< eye_inside of a cone: the eye is in the nappe that the axis points into
+  unsigned unit = 0;        ///< depth resolution is 2^unit steps; greater than 0 only for cylinders in orthographic
+                            ///< views that are so steep that the error is less than Sampling::edge_on_fraction sideways
+  bool eye_inside = false;  ///< the coefficient of depth squared is negative: a ray is outside between its depths
+  double middle_error = 0;  ///< bound over `pixels` of the middle's rounding error before the floor
+  double discriminant_error = 0;  ///< the same for D, in units of D; the doubles of the scene's quadric count as exact
+  PixelRect pixels;               ///< pixels that its solids can touch
+  TwoPowers factor;               ///< factor of a paraboloid
+  bool eye_on_axis_nappe = true;  ///< if eye_inside, for a cone: the eye is in the nappe that the axis points into
 };
 
-/// What a quadric is to a solid that it bounds.
+/// The relation of a quadric to a solid that it bounds.
 enum class QuadricRole : std::uint8_t {
-  between,  ///< in is near <= z < far, where D >= 0; else nothing
-  until,    ///< in is z < near: of a ray that begins inside; where D < 0, everything
-  from,     ///< in is z >= far: the other nappe, seen through the eye's own; where D < 0, nothing
-  edge,     ///< in is where the discriminant is not negative
+  between,  ///< inside is near <= z < far, where D >= 0; else nothing
+  until,    ///< inside is z < near, for a ray that begins inside; everything where D < 0
+  from,     ///< inside is z >= far: the other nappe, seen from inside the first; nothing where D < 0
+  edge,     ///< inside is where the discriminant is not negative
 };
 
-/// What a quadric that is not unfit is to a solid on that side of it.
+/// The role of a quadric, which must not be unfit, for a solid on that side of it.
 QuadricRole role_of(const ScreenQuadric& quadric, facet::QuadricSide side);
 
-/// Bounds of the integers of a quadric of two roots, over a rectangle of pixels, which is not empty. Those of the root
-/// and of the depths are over the pixels where D is not negative: 0 and empty ranges where there are none.
+/// Bounds of the integers of a quadric with two roots, over a non-empty rectangle of pixels. Those of the root and the
+/// depths cover the pixels where D is not negative; they are 0 and empty ranges if there are none.
 struct RootRanges {
-  Range discriminant;          ///< of D
-  std::int64_t most_root = 0;  ///< of q
+  Range discriminant;         ///< range of D
+  std::int64_t max_root = 0;  ///< maximum of q
   Range near{0, -1};
   Range far{0, -1};
 };
 
 RootRanges ranges_over(const ScreenQuadric& quadric, unsigned fraction_bits, const PixelRect& rect);
 
-/// floor(sqrt(value)); `value` is not negative.
+/// floor(sqrt(value)); `value` must not be negative.
 std::int64_t floor_root(std::int64_t value);
 
 }  // namespace csgsim::view

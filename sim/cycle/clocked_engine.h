@@ -1,3 +1,5 @@
+// The cycle level: clocked SystemC machines as engines.
+// Used by runs and the lockstep tests.
 #pragma once
 
 #include <memory>
@@ -9,13 +11,13 @@
 
 namespace csgsim::cycle {
 
-/// The one machine of the process, built by the first who asks: that of make_cycle_engine, run_and_record and
-/// run_sequence. Throws std::logic_error if it is another, and InputError as kinds::make_clocked_machine.
+/// The only clocked machine of the process, built on the first call; make_cycle_engine, run_and_record and run_sequence
+/// use it. Throws std::logic_error if another machine was built before, and InputError as kinds::make_clocked_machine.
 systemc::ClockedMachine& clocked_hardware(const machines::Machine& machine,
                                           systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);
 
-/// The cycle level of a machine whose hardware is at hand, which has to live as long as the engine. make_cycle_engine
-/// builds the hardware of the kinds that come with csgsim itself.
+/// A cycle-level engine on existing hardware, which must outlive it. make_cycle_engine builds the hardware for the
+/// kinds that come with csgsim.
 std::unique_ptr<engine::Engine> make_clocked_engine(const machines::Machine& machine,
                                                     systemc::ClockedMachine& hardware);
 

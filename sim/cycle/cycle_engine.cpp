@@ -18,8 +18,8 @@ namespace csgsim::cycle {
 
 namespace {
 
-engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay, const isa::Program& program,
-                            const machines::Machine& machine) {
+engine::RunResult make_result(systemc::RunReport&& report, const Relay& relay, const isa::Program& program,
+                              const machines::Machine& machine) {
   engine::RunResult result{.overflows = relay.overflows(),
                            .skipped = report.skipped,
                            .skips = relay.skips(),
@@ -35,12 +35,12 @@ engine::RunResult result_of(systemc::RunReport&& report, const Relay& relay, con
   return result;
 }
 
-/// The Program has to be one for the machine.
+/// The Program must be compiled for the machine.
 engine::RunResult run_on(systemc::ClockedMachine& hardware, const machines::Machine& machine,
                          const isa::Program& program, std::span<engine::Observer* const> observers) {
   Relay relay(program, observers);
   systemc::RunReport report = hardware.run(program, relay);
-  return result_of(std::move(report), relay, program, machine);
+  return make_result(std::move(report), relay, program, machine);
 }
 
 class CycleEngine final : public engine::Engine {
@@ -57,7 +57,7 @@ class CycleEngine final : public engine::Engine {
 
   [[nodiscard]] std::unique_ptr<engine::Run> begin(const isa::Program& /*program*/) const override {
     throw InputError(
-        "the cycle level cannot stop and go on, since SystemC's kernel cannot be saved; take the functional or the "
+        "the cycle level cannot pause and resume, since SystemC's kernel cannot be saved; take the functional or the "
         "reference level, whose bits and clocks are the same");
   }
 
@@ -91,7 +91,7 @@ std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, st
   std::vector<systemc::RunReport> reports = clocked_hardware(machine, form).run_sequence(programs, listeners);
   std::vector<engine::RunResult> results;
   for (std::size_t i = 0; i < reports.size(); ++i)
-    results.push_back(result_of(std::move(reports[i]), relays[i], programs[i], machine));
+    results.push_back(make_result(std::move(reports[i]), relays[i], programs[i], machine));
   return results;
 }
 

@@ -1,3 +1,5 @@
+// Guards the single SystemC elaboration of a process.
+// Used by the cycle engine, sim/python and sim/waves.
 #pragma once
 
 #include <stdexcept>
@@ -6,14 +8,14 @@
 
 namespace csgsim::cycle {
 
-/// A second machine is to be clocked in a process.
+/// Thrown for a second machine to be clocked in a process.
 class ElaborationError : public std::logic_error {
  public:
   using std::logic_error::logic_error;
 };
 
-/// Throws ElaborationError unless the machine is the first of the process or the same hardware as that one: SystemC
-/// elaborates once a process.
+/// Throws ElaborationError unless the machine is the first of the process, or the same hardware as that one: SystemC
+/// elaborates only once per process.
 void claim_elaboration(const machines::Machine& machine);
 
 }  // namespace csgsim::cycle

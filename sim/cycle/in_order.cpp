@@ -17,7 +17,7 @@ bool InOrder::reads_after(const isa::Instruction& instruction) const {
 
 void InOrder::after_instruction(const engine::Step& step, const systemc::PixelView& pixels) {
   const bool reads = reads_after(step.instruction);
-  if (step.segment == due_) return tell(step, reads ? &pixels : nullptr);
+  if (step.segment == due_) return notify(step, reads ? &pixels : nullptr);
   held_[step.segment].steps.push_back({step, reads ? pixels.copy() : nullptr});
 }
 
@@ -26,28 +26,28 @@ void InOrder::after_segment(std::uint32_t segment, const systemc::PixelView& pix
     held_[segment].end = pixels.copy();
     return;
   }
-  tell_end(segment, pixels);
+  notify_end(segment, pixels);
   catch_up();
 }
 
-void InOrder::tell(const engine::Step& step, const systemc::PixelView* pixels) const {
+void InOrder::notify(const engine::Step& step, const systemc::PixelView* pixels) const {
   const SegmentState state(pixels, program_.segments[step.segment].region);
   for (engine::Observer* observer : observers_) observer->after_instruction(step, state);
 }
 
-void InOrder::tell_end(std::uint32_t segment, const systemc::PixelView& pixels) {
+void InOrder::notify_end(std::uint32_t segment, const systemc::PixelView& pixels) {
   const SegmentState state(&pixels, program_.segments[segment].region);
   for (engine::Observer* observer : observers_) observer->after_segment(segment, state);
   ++due_;
 }
 
-/// Tells what has been kept of the segments whose turn has come, up to one that has not come to its end.
+/// Notifies observers of the buffered segments that are due, up to the first unfinished one.
 void InOrder::catch_up() {
   while (due_ < held_.size()) {
     const Held segment = std::exchange(held_[due_], {});
-    for (const HeldStep& one : segment.steps) tell(one.step, one.pixels.get());
+    for (const HeldStep& one : segment.steps) notify(one.step, one.pixels.get());
     if (!segment.end) return;
-    tell_end(due_, *segment.end);
+    notify_end(due_, *segment.end);
   }
 }
 

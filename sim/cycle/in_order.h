@@ -1,3 +1,5 @@
+// Reorders a machine's events into program order for the observers.
+// Used by relay and its test.
 #pragma once
 
 #include <cstdint>
@@ -10,42 +12,42 @@
 
 namespace csgsim::cycle {
 
-/// Calls observers in program order, whatever the order in which segments are drawn. What comes before its turn is
-/// kept, with a copy of the pixels where an observer looks at them. To look after an instruction without having said so
-/// is a std::logic_error, whether it had to be kept or not.
+/// Calls observers in program order, regardless of the order in which segments are drawn. Early events are buffered,
+/// with a copy of the pixels if an observer reads them. Reading the pixels without having announced it by reads_after
+/// is a std::logic_error, whether the event was buffered or not.
 class InOrder {
  public:
-  /// Both have to live until the run is done.
+  /// Both arguments must outlive the run.
   InOrder(const isa::Program& program, std::span<engine::Observer* const> observers);
 
-  /// Whether an observer looks at the pixels after such an instruction.
+  /// Whether an observer reads the pixels after such an instruction.
   [[nodiscard]] bool reads_after(const isa::Instruction& instruction) const;
 
-  /// Within a segment in program order.
+  /// Called in program order within each segment.
   void after_instruction(const engine::Step& step, const systemc::PixelView& pixels);
-  /// Once a segment, after its instructions.
+  /// Called once per segment, after its instructions.
   void after_segment(std::uint32_t segment, const systemc::PixelView& pixels);
 
  private:
   struct HeldStep {
     engine::Step step;
-    std::unique_ptr<const systemc::PixelView> pixels;  ///< null where no observer looks
+    std::unique_ptr<const systemc::PixelView> pixels;  ///< null if no observer reads them
   };
 
-  /// A segment before its turn.
+  /// The buffered events of a segment that is not due yet.
   struct Held {
     std::vector<HeldStep> steps;
-    std::unique_ptr<const systemc::PixelView> end;  ///< of the segment, if it has come to that
+    std::unique_ptr<const systemc::PixelView> end;  ///< pixels at the end of the segment, if it has ended
   };
 
-  void tell(const engine::Step& step, const systemc::PixelView* pixels) const;
-  void tell_end(std::uint32_t segment, const systemc::PixelView& pixels);
+  void notify(const engine::Step& step, const systemc::PixelView* pixels) const;
+  void notify_end(std::uint32_t segment, const systemc::PixelView& pixels);
   void catch_up();
 
   const isa::Program& program_;
   std::span<engine::Observer* const> observers_;
-  std::uint32_t due_ = 0;   ///< the segment whose turn it is
-  std::vector<Held> held_;  ///< one a segment
+  std::uint32_t due_ = 0;   ///< the segment that is due
+  std::vector<Held> held_;  ///< one per segment
 };
 
 }  // namespace csgsim::cycle

@@ -15,7 +15,7 @@ __extension__ using Wide = __int128;
 
 constexpr std::uint32_t word_bits = 64;
 
-/// A rectangle of pixels; the last column and row belong to it.
+/// A rectangle of pixels, including the last column and row.
 struct Box {
   std::uint32_t left = 0;
   std::uint32_t right = 0;
@@ -32,22 +32,22 @@ Range operator+(const Range& one, const Range& other) {
   return {one.least + other.least, one.greatest + other.greatest};
 }
 
-Range range_of(std::initializer_list<Wide> values) {
+Range make_range(std::initializer_list<Wide> values) {
   const auto [least, greatest] = std::minmax(values);
   return {least, greatest};
 }
 
-/// Of square*i*i + slope*i: at the ends, or beside the vertex.
+/// Range of square*i*i + slope*i, whose extremes are at the ends or next to the vertex.
 Range parabola(std::int64_t square, std::int64_t slope, std::uint32_t first, std::uint32_t last) {
   const auto at = [&](Wide i) { return (square * i + slope) * i; };
-  const Range ends = range_of({at(first), at(last)});
+  const Range ends = make_range({at(first), at(last)});
   if (square == 0) return ends;
   const auto within = [&](Wide i) { return std::clamp<Wide>(i, first, last); };
   const Wide vertex = -static_cast<Wide>(slope) / (2 * static_cast<Wide>(square));
-  return range_of({ends.least, ends.greatest, at(within(vertex - 1)), at(within(vertex)), at(within(vertex + 1))});
+  return make_range({ends.least, ends.greatest, at(within(vertex - 1)), at(within(vertex)), at(within(vertex + 1))});
 }
 
-/// Bounds of the sum: those of its parts in x, in y and in both. They are reached in a row.
+/// Bounds of the sum: those of its parts in x, in y and in both. They are exact for a single row.
 Range bounds(const Expression& expression, const Box& box) {
   const isa::Linear& linear = expression.linear;
   const isa::Linear& squares = expression.squares;
@@ -59,8 +59,8 @@ Range bounds(const Expression& expression, const Box& box) {
     return parabola(squares.a, slope, box.left, box.right) + Range{row, row};
   }
   return parabola(squares.a, linear.a, box.left, box.right) + parabola(squares.c, linear.b, box.top, box.bottom) +
-         range_of({cross(box.left, box.top), cross(box.right, box.top), cross(box.left, box.bottom),
-                   cross(box.right, box.bottom)}) +
+         make_range({cross(box.left, box.top), cross(box.right, box.top), cross(box.left, box.bottom),
+                     cross(box.right, box.bottom)}) +
          Range{linear.c, linear.c};
 }
 
@@ -70,7 +70,7 @@ bool fits(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
   return -half <= sum && sum < half;
 }
 
-/// Surely, at all pixels of the box. Without squares the sum has its extremes in the corners.
+/// Whether the sum certainly fits at all pixels of the box. Without squares, its extremes are at the corners.
 bool fits(const Expression& expression, const Box& box) {
   const isa::Linear& linear = expression.linear;
   if (expression.squares.width == 0)
@@ -81,7 +81,7 @@ bool fits(const Expression& expression, const Box& box) {
   return -half <= range.least && range.greatest < half;
 }
 
-/// The smallest box around the bits that are set in rows of words; none if none is.
+/// The bounding box of the bits set in rows of words; empty if none is set.
 std::optional<Box> box_around(std::span<const std::uint64_t> enable, std::size_t row_words, std::uint32_t height) {
   std::vector<std::uint64_t> columns(row_words);
   std::optional<Box> box;
@@ -120,7 +120,7 @@ std::uint64_t count_in_row(const Expression& expression, std::uint32_t y, std::s
 
 }  // namespace
 
-std::optional<Expression> expression_of(const isa::Segment& segment, std::size_t index) {
+std::optional<Expression> find_expression(const isa::Segment& segment, std::size_t index) {
   if (index >= segment.instructions.size()) return std::nullopt;
   const isa::Instruction& instruction = segment.instructions[index];
   const bool has_sum = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::linear);

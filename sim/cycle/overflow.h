@@ -1,3 +1,5 @@
+// Counts sums that exceed their width, which the clocked machines do not detect.
+// Used by relay.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +18,15 @@ struct Expression {
   isa::Linear squares;
 };
 
-/// What an instruction streams, if it has a linear expression whose sum has to fit.
-std::optional<Expression> expression_of(const isa::Segment& segment, std::size_t index);
+/// The expression that an instruction streams, if it has one whose sum must fit.
+std::optional<Expression> find_expression(const isa::Segment& segment, std::size_t index);
 
-/// May the sum leave the expression's width in two's complement at a pixel of the region? Without squares: does it?
+/// Whether the sum may exceed the expression's width in two's complement at a pixel of the region; exact without
+/// squares.
 bool can_overflow(const Expression& expression, const isa::Region& region);
 
-/// Enabled pixels of the region at which the sum does not fit the expression's width in two's complement.
-/// Enable bits as in PixelState, but `row_words` words a row; none outside the region.
+/// Number of enabled pixels of the region at which the sum exceeds the expression's width in two's complement. Enable
+/// bits are as in PixelState, but with `row_words` words per row, and are 0 outside the region.
 std::uint64_t count_overflows(const Expression& expression, const isa::Region& region,
                               std::span<const std::uint64_t> enable, std::size_t row_words);
 

@@ -11,7 +11,7 @@ namespace csgsim::cycle {
 namespace {
 
 bool next_can_overflow(const isa::Segment& segment, std::uint32_t index) {
-  const std::optional<Expression> next = expression_of(segment, index + 1);
+  const std::optional<Expression> next = find_expression(segment, index + 1);
   return next && can_overflow(*next, segment.region);
 }
 
@@ -45,10 +45,10 @@ std::vector<machines::Skip> Relay::skips() const {
   return sorted;
 }
 
-/// No pixel is enabled when a segment begins, nor where instructions are skipped.
+/// No pixel is enabled at the start of a segment, nor where instructions are skipped.
 void Relay::count_overflows_of_next(const systemc::Retired& retired, const systemc::PixelView& pixels) {
   const isa::Segment& segment = program_.segments[retired.segment];
-  const std::optional<Expression> next = expression_of(segment, retired.index + 1);
+  const std::optional<Expression> next = find_expression(segment, retired.index + 1);
   if (retired.skipped > 0 || !next || !can_overflow(*next, segment.region)) return;
   const std::size_t row_words = (segment.region.width + 63U) / 64U;
   enable_.resize(row_words * segment.region.height);

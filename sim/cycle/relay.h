@@ -1,3 +1,5 @@
+// Forwards the events of a clocked machine to the observers.
+// Used by the cycle engine and tests.
 #pragma once
 
 #include <cstdint>
@@ -10,11 +12,11 @@
 
 namespace csgsim::cycle {
 
-/// Passes what a machine tells on to the observers in program order, and counts the overflows, which the machine does
-/// not notice.
+/// Forwards the machine's events to the observers in program order, and counts overflows, which the machine does not
+/// detect.
 class Relay final : public systemc::RunListener {
  public:
-  /// Both have to live until the run is done.
+  /// Both arguments must outlive the run.
   Relay(const isa::Program& program, std::span<engine::Observer* const> observers)
       : program_(program), in_order_(program, observers) {}
 
@@ -23,7 +25,7 @@ class Relay final : public systemc::RunListener {
   void after_segment(std::uint32_t segment, const systemc::PixelView& pixels) override;
 
   [[nodiscard]] std::uint64_t overflows() const { return overflows_; }
-  /// What was skipped, in program order.
+  /// The skips, in program order.
   [[nodiscard]] std::vector<machines::Skip> skips() const;
 
  private:
@@ -33,7 +35,7 @@ class Relay final : public systemc::RunListener {
   InOrder in_order_;
   std::vector<std::uint64_t> enable_;
   std::uint64_t overflows_ = 0;
-  std::vector<machines::Skip> skips_;  ///< in the order in which the machine comes to them
+  std::vector<machines::Skip> skips_;  ///< in the order in which the machine reaches them
 };
 
 }  // namespace csgsim::cycle

@@ -1,3 +1,5 @@
+// The pixel state that observers of a clocked machine read.
+// Used by in_order.
 #pragma once
 
 #include <cstdint>
@@ -9,8 +11,8 @@
 
 namespace csgsim::cycle {
 
-/// What observers see of a machine's pixels: those of a segment's region. Of pixels that nobody has said to look at,
-/// null, reading throws std::logic_error.
+/// The pixels of a machine in a segment's region, as observers see them. Null pixels, which no observer has announced
+/// to read, throw std::logic_error when read.
 class SegmentState final : public engine::PixelState {
  public:
   SegmentState(const systemc::PixelView* pixels, isa::Region region) : pixels_(pixels), region_(region) {}
@@ -26,7 +28,8 @@ class SegmentState final : public engine::PixelState {
  private:
   [[nodiscard]] const systemc::PixelView& pixels() const {
     if (pixels_ != nullptr) return *pixels_;
-    throw std::logic_error("an observer reads the state after an instruction without having said so");
+    throw std::logic_error(
+        "an observer reads the state after an instruction without having announced it by reads_after");
   }
 
   const systemc::PixelView* pixels_;

@@ -1,3 +1,5 @@
+// Draws a sequence of Programs on the clocked machine.
+// Used by sim/shell and the lockstep tests.
 #pragma once
 
 #include <span>
@@ -8,9 +10,9 @@
 
 namespace csgsim::cycle {
 
-/// Draws the Programs one after the other on the clocked machine, each as soon as the one before it lets it: of each
-/// but the last the interval is counted from its beginning to the next one's. Observer i sees Program i. Throws
-/// InputError before it begins if the machine cannot run one of them, or as clocked_hardware does.
+/// Draws the Programs one after the other on the clocked machine, each as soon as the previous one allows it. The
+/// interval of each but the last is counted from its start to the start of the next. Observer i sees Program i. Throws
+/// InputError before the start if the machine cannot run one of the Programs, or as clocked_hardware does.
 std::vector<engine::RunResult> run_sequence(const machines::Machine& machine, std::span<const isa::Program> programs,
                                             std::span<engine::Observer* const> observers,
                                             systemc::EvaluatorForm form = systemc::EvaluatorForm::worked_out);

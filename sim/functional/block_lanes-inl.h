@@ -1,4 +1,4 @@
-// Included once for each instruction set, by Highway's rule: no plain include guard.
+// Included once per instruction set, as Highway requires, hence no plain include guard.
 #if defined(CSGSIM_BLOCK_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGSIM_BLOCK_LANES_INL_H
 #undef CSGSIM_BLOCK_LANES_INL_H
@@ -25,7 +25,7 @@ namespace {
 using NumberTag = hwy::HWY_NAMESPACE::CappedTag<std::uint32_t, block_pixels>;
 using Numbers = hwy::HWY_NAMESPACE::Vec<NumberTag>;
 
-/// A block's values, a vector at a time, whether it is constant or not.
+/// The values of a block as vectors, whether it is constant or not.
 class BlockNumbers {
  public:
   HWY_INLINE BlockNumbers(const Lanes& lanes, unsigned block)
@@ -40,7 +40,7 @@ class BlockNumbers {
   std::uint32_t constant_;
 };
 
-/// Where the bits are 1: values := value(first value of the vector, the vector before).
+/// values := value(index of the vector's first value, old vector) where the bits are 1.
 template <class Value>
 HWY_INLINE void write_block(std::uint32_t* values, std::uint64_t bits, const Value& value) {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -51,7 +51,7 @@ HWY_INLINE void write_block(std::uint32_t* values, std::uint64_t bits, const Val
   }
 }
 
-/// A bit for each value of a block: holds(first value of the vector) says which of a vector.
+/// A bit for each value of a block; holds(index of the vector's first value) returns the mask of a vector.
 template <class Holds>
 HWY_INLINE std::uint64_t test_block(const Holds& holds) {
   namespace hn = hwy::HWY_NAMESPACE;
@@ -62,7 +62,7 @@ HWY_INLINE std::uint64_t test_block(const Holds& holds) {
   return word;
 }
 
-/// Of the pixels of a tile, with the instruction set's own counting of bits.
+/// Number of ones at the pixels of a tile, with the instruction set's own bit count.
 HWY_INLINE std::uint32_t count(const TileBits& bits, const TileShape& shape) {
   auto ones = static_cast<std::uint32_t>(std::popcount(bits.full() & shape.whole())) * block_pixels;
   const auto add = [&](unsigned block) { ones += static_cast<std::uint32_t>(std::popcount(bits.word(block, shape))); };
@@ -70,7 +70,7 @@ HWY_INLINE std::uint32_t count(const TileBits& bits, const TileShape& shape) {
   return ones;
 }
 
-using Bounds = std::array<std::uint32_t, blocks_a_tile>;
+using Bounds = std::array<std::uint32_t, blocks_per_tile>;
 
 /// A bit for each block: holds(left, right) of its bounds.
 template <class Holds>

@@ -1,4 +1,4 @@
-// Included once for each instruction set, by Highway's rule: no plain include guard.
+// Included once per instruction set, as Highway requires, hence no plain include guard.
 #if defined(CSGSIM_BYTES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGSIM_BYTES_INL_H
 #undef CSGSIM_BYTES_INL_H
@@ -20,26 +20,26 @@ namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
-// Numbers and words of their bits by bytes: a vector has a byte of each of several numbers, and a mask of it a bit of
-// each.
+// Transposition of numbers to words of their bits, by bytes: a vector holds one byte of each of several numbers, and a
+// mask of it one bit of each.
 
-constexpr unsigned bits_a_byte = 8;
+constexpr unsigned bits_per_byte = 8;
 
-/// A byte of each number of a block.
+/// One byte of each number of a block.
 class Bytes {
  public:
-  /// That byte of the numbers, the lowest being 0. The tag is of vectors of unsigned numbers.
+  /// Takes byte number `byte` of the numbers, where 0 is the lowest. The tag is of vectors of unsigned numbers.
   template <class Tag>
   HWY_INLINE void take(Tag tag, const hwy::HWY_NAMESPACE::TFromD<Tag>* numbers, unsigned byte) {
     namespace hn = hwy::HWY_NAMESPACE;
     constexpr hn::Rebind<std::uint8_t, Tag> byte_tag;
-    const int shift = static_cast<int>(byte * bits_a_byte);
+    const int shift = static_cast<int>(byte * bits_per_byte);
     for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag))
       hn::StoreU(hn::TruncateTo(byte_tag, hn::ShiftRightSame(hn::LoadU(tag, numbers + from), shift)), byte_tag,
                  bytes_ + from);
   }
 
-  /// A word a bit, the lowest first; at most 8.
+  /// Sets the bits of the bytes from at most 8 words, lowest bit first.
   HWY_INLINE void put(std::span<const std::uint64_t> words) {
     namespace hn = hwy::HWY_NAMESPACE;
     constexpr ByteTag tag;
@@ -52,7 +52,7 @@ class Bytes {
     }
   }
 
-  /// That bit of the bytes.
+  /// The word of that bit of all bytes.
   [[nodiscard]] HWY_INLINE std::uint64_t word(unsigned bit) const {
     namespace hn = hwy::HWY_NAMESPACE;
     constexpr ByteTag tag;
@@ -76,15 +76,15 @@ class Bytes {
   HWY_ALIGN std::uint8_t bytes_[block_pixels];
 };
 
-/// Of a block's numbers the bits from `first` on, a word each, 1 at least.
+/// Writes the bits from `first` on of a block's numbers, one word for each bit; at least one.
 template <class Tag>
-HWY_INLINE void words_of(Tag tag, const hwy::HWY_NAMESPACE::TFromD<Tag>* numbers, unsigned first,
-                         std::span<std::uint64_t> words) {
+HWY_INLINE void extract_words(Tag tag, const hwy::HWY_NAMESPACE::TFromD<Tag>* numbers, unsigned first,
+                              std::span<std::uint64_t> words) {
   Bytes bytes[sizeof(*numbers)];
   const auto count = static_cast<unsigned>(words.size());
-  const unsigned last_byte = (first + count - 1) / bits_a_byte;
-  for (unsigned byte = first / bits_a_byte; byte <= last_byte; ++byte) bytes[byte].take(tag, numbers, byte);
-  for (unsigned i = 0; i < count; ++i) words[i] = bytes[(first + i) / bits_a_byte].word((first + i) % bits_a_byte);
+  const unsigned last_byte = (first + count - 1) / bits_per_byte;
+  for (unsigned byte = first / bits_per_byte; byte <= last_byte; ++byte) bytes[byte].take(tag, numbers, byte);
+  for (unsigned i = 0; i < count; ++i) words[i] = bytes[(first + i) / bits_per_byte].word((first + i) % bits_per_byte);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Clocks of a Program that depend on a run of it.
+// Used by sessions, debug, story and studies.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +11,16 @@
 
 namespace csgsim::functional {
 
-/// Whether any instruction may leave out others.
+/// Whether any instruction may skip others.
 bool may_skip(const isa::Program& program);
 
-/// Whether only a run of the Program on the machine tells its clocks.
+/// Whether the clocks on that machine can only be found by running the Program.
 bool asks_for_run(const isa::Program& program, const machines::Machine& machine);
 
-/// What a run of the whole Program tells; it is run where that is asked for only.
+/// The record of a run of the whole Program, which is only run if its clocks depend on it.
 machines::RunRecord record_of_run(const isa::Program& program, const machines::Machine& machine);
 
-/// Clocks that the Program takes on the machine, for which it is run where only a run tells them.
+/// The number of clocks that the Program takes on the machine. It is only run if the clocks depend on it.
 std::uint64_t clocks_of_run(const isa::Program& program, const machines::Machine& machine);
 
 }  // namespace csgsim::functional

@@ -4,13 +4,13 @@ namespace csgsim::functional {
 
 namespace {
 
-/// Looks so often whether the value is still the old one before it sleeps: a run has the next jobs some microseconds
-/// after the last, and to wake a thread takes longer.
-constexpr int looks = 2000;
+/// Number of polls of the value before the thread sleeps: a run usually has the next jobs within microseconds, and
+/// waking a thread takes longer.
+constexpr int polls = 2000;
 
 template <class Number>
 void wait_while(const std::atomic<Number>& value, Number old) {
-  for (int i = 0; i < looks; ++i) {
+  for (int i = 0; i < polls; ++i) {
     if (value.load(std::memory_order_acquire) != old) return;
 #if defined(__x86_64__)
     __builtin_ia32_pause();
@@ -23,7 +23,7 @@ void wait_while(const std::atomic<Number>& value, Number old) {
 
 Crew::Crew(unsigned threads) : shares_(threads) {
   for (unsigned thread = 1; thread < threads; ++thread)
-    others_.emplace_back([this, thread](const std::stop_token& stop) { stand_by(thread, stop); });
+    others_.emplace_back([this, thread](const std::stop_token& stop) { wait_for_jobs(thread, stop); });
 }
 
 Crew::~Crew() {
@@ -69,7 +69,7 @@ std::size_t Crew::take_from(unsigned share, unsigned thread) {
   return done;
 }
 
-void Crew::stand_by(unsigned thread, const std::stop_token& stop) {
+void Crew::wait_for_jobs(unsigned thread, const std::stop_token& stop) {
   std::uint64_t seen = 0;
   while (!stop.stop_requested()) {
     wait_while(calls_, seen);

@@ -1,3 +1,5 @@
+// A pool of threads for short jobs.
+// Used by tiles.
 #pragma once
 
 #include <atomic>
@@ -9,13 +11,13 @@
 
 namespace csgsim::functional {
 
-/// Threads that share out jobs of some microseconds, with the thread that has them.
+/// Threads that share jobs of some microseconds with the calling thread.
 class Crew {
  public:
-  /// Does the job of that number, on that thread of the crew.
+  /// Executes job number `job` on thread number `thread` of the crew.
   using Work = std::function<void(std::size_t job, unsigned thread)>;
 
-  /// So many threads, the caller's among them, of number 0.
+  /// `threads` includes the caller's thread, which has number 0.
   explicit Crew(unsigned threads);
   ~Crew();
   Crew(const Crew&) = delete;
@@ -25,21 +27,21 @@ class Crew {
 
   [[nodiscard]] unsigned threads() const { return static_cast<unsigned>(shares_.size()); }
 
-  /// Does jobs 0 to `jobs` - 1 in any order and returns when all are done. `work` must not throw.
+  /// Executes the jobs 0 to `jobs` - 1 in any order and returns when all are done. `work` must not throw.
   void run(std::size_t jobs, const Work& work);
 
  private:
-  void stand_by(unsigned thread, const std::stop_token& stop);
+  void wait_for_jobs(unsigned thread, const std::stop_token& stop);
   void take_jobs(unsigned thread);
 
-  /// Jobs that nobody has begun: of thread k of n, k, k + n and so on, so that a job has the same thread's caches call
-  /// after call. Who is done with its own takes others'.
+  /// Number of jobs that are not started: those of thread k of n are k, k + n and so on, so that a job runs on the same
+  /// thread, with the same caches, in each call. A thread that has finished its own jobs takes those of others.
   struct alignas(64) Share {
     std::atomic<std::size_t> open{0};
   };
   std::size_t take_from(unsigned share, unsigned thread);
 
-  // A thread that takes the count of a share down sees the work that was there before the count was raised.
+  // A thread that decrements the count of a share sees `work_` as it was set before the count was raised.
   const Work* work_ = nullptr;
   std::vector<Share> shares_;
   std::atomic<std::size_t> done_{0};

@@ -75,7 +75,7 @@ void add_all(const Enabled& pixels, Lanes& target, const Lanes& source, std::uin
   });
 }
 
-/// Blocks in which every value of one is less than every one of the other, by their bounds.
+/// Blocks in which, by their bounds, all values of one are less than all of the other.
 std::uint64_t all_less(const Bounds& greatest, const Bounds& least) {
   return each_bound(greatest, least, [](Numbers high, Numbers low) { return hn::Lt(high, low); });
 }
@@ -86,7 +86,7 @@ std::uint64_t same(const Bounds& left, const Bounds& right) {
   return each_bound(left, right, [](Numbers l, Numbers r) { return hn::Eq(l, r); });
 }
 
-/// Blocks for which a test comes out the same at every pixel.
+/// Blocks for which a test has the same result at every pixel.
 struct Decided {
   std::uint64_t all = 0;
   std::uint64_t none = 0;
@@ -139,7 +139,7 @@ std::uint32_t count_all(const TileBits& bits, const TileShape& shape) { return c
 void fill_one(Lanes& lanes, unsigned block) { fill(lanes, block); }
 void bound_one(Lanes& lanes, unsigned block) { bound(lanes, block); }
 
-/// A bit of each of 64 values.
+/// One bit of each of 64 values.
 std::uint64_t gather_bit(const std::uint32_t* values, unsigned bit) {
   const Numbers one = hn::Set(NumberTag(), std::uint32_t{1} << bit);
   return test_block([&](std::size_t from) { return hn::TestBit(hn::LoadU(NumberTag(), values + from), one); });
@@ -158,7 +158,7 @@ void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks
   for (unsigned i = 0; i < count; ++i) any[i] = full[i] = constant & gather_bit(lanes.least.data(), first + i);
   each_bit(there & ~constant, [&](unsigned block) {
     const std::uint64_t pixels = shape.pixels(block);
-    words_of(NumberTag(), lanes.block(block), first, std::span(words).first(count));
+    extract_words(NumberTag(), lanes.block(block), first, std::span(words).first(count));
     for (unsigned i = 0; i < count; ++i) {
       const std::uint64_t word = words[i] & pixels;
       planes[i]->write_word(block, word);
@@ -169,36 +169,36 @@ void gather_all(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks
   for (unsigned i = 0; i < count; ++i) planes[i]->set_blocks(there, any[i], full[i]);
 }
 
-/// Planes of which some may not be there.
+/// Bit planes; null for missing ones.
 using SomePlanes = std::span<const TileBits* const>;
 
-/// Numbers of 64 blocks or pixels, of which bit i is bit(i).
+/// Writes the numbers of 64 blocks or pixels; bit i of the numbers is the word bit(i).
 template <class Bit>
 HWY_INLINE void put_numbers(unsigned width, std::uint32_t* numbers, const Bit& bit) {
   constexpr NumberTag tag;
-  Bytes bytes[isa::max_field_width / bits_a_byte];
+  Bytes bytes[isa::max_field_width / bits_per_byte];
   std::size_t count = 0;
-  for (unsigned low = 0; low < width; low += bits_a_byte) {
-    std::array<std::uint64_t, bits_a_byte> words{};
-    const unsigned bits = std::min(width - low, bits_a_byte);
+  for (unsigned low = 0; low < width; low += bits_per_byte) {
+    std::array<std::uint64_t, bits_per_byte> words{};
+    const unsigned bits = std::min(width - low, bits_per_byte);
     for (unsigned i = 0; i < bits; ++i) words[i] = bit(low + i);
     bytes[count++].put(std::span(words).first(bits));
   }
   for (std::size_t from = 0; from < block_pixels; from += hn::Lanes(tag)) {
     Numbers all = bytes[0].at(tag, from);
     for (std::size_t i = 1; i < count; ++i)
-      all = hn::Or(all, hn::ShiftLeftSame(bytes[i].at(tag, from), static_cast<int>(i * bits_a_byte)));
+      all = hn::Or(all, hn::ShiftLeftSame(bytes[i].at(tag, from), static_cast<int>(i * bits_per_byte)));
     hn::StoreU(all, tag, numbers + from);
   }
 }
 
-/// Of blocks without a mixed bit.
+/// Sets the blocks that are constant in every plane.
 void set_even_blocks(SomePlanes planes, std::uint64_t blocks, Lanes& lanes) {
   constexpr NumberTag tag;
-  HWY_ALIGN std::uint32_t numbers[blocks_a_tile];
+  HWY_ALIGN std::uint32_t numbers[blocks_per_tile];
   put_numbers(static_cast<unsigned>(planes.size()), numbers,
               [&](unsigned bit) { return planes[bit] == nullptr ? 0 : planes[bit]->full(); });
-  for (std::size_t from = 0; from < blocks_a_tile; from += hn::Lanes(tag)) {
+  for (std::size_t from = 0; from < blocks_per_tile; from += hn::Lanes(tag)) {
     const auto there = mask_of_bits(tag, blocks >> from);
     const Numbers number = hn::Load(tag, numbers + from);
     for (Bounds* const bounds : {&lanes.least, &lanes.greatest})

@@ -1,3 +1,5 @@
+// Vectorized operations on lanes, the numeric form of a tile's fields.
+// Used by tile and memory.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +9,12 @@
 #include "sim/functional/lanes.h"
 #include "sim/functional/tile_bits.h"
 
-// Loops over lanes, each compiled for several instruction sets and chosen at run time. Bounds are kept up to date.
+// Loops over lanes, compiled for several instruction sets and dispatched at run time. They update the bounds of blocks.
 
 namespace csgsim::functional {
 
-/// Whether a block's bounds, or F's at its corners, may decide for all its pixels. Where they may not, every lane is
-/// looked at, for a test to hold the decisions against.
+/// Whether a block's bounds, or F at its corners, may decide for all its pixels. by_pixel examines every lane; tests
+/// compare both.
 enum class Decide : std::uint8_t { by_block, by_pixel };
 
 /// The pixels of a tile that a kernel works on.
@@ -23,39 +25,39 @@ struct Enabled {
   engine::Work& work;
 };
 
-/// How many pixels have a one.
+/// Number of pixels whose bit is 1.
 std::uint32_t count_ones(const TileBits& bits, const TileShape& shape);
 
-/// Where enabled: lanes := value.
+/// lanes := value where enabled.
 void set_lanes(const Enabled& pixels, Lanes& lanes, std::uint32_t value);
 
-/// Where enabled: target := source.
+/// target := source where enabled.
 void copy_lanes(const Enabled& pixels, Lanes& target, const Lanes& source);
 
-/// Where enabled: target := the low bits of target + source.
+/// target := the low bits of target + source where enabled.
 void add_lanes(const Enabled& pixels, Lanes& target, const Lanes& source, std::uint32_t low_bits);
 
 enum class Comparison : std::uint8_t { less, less_or_equal, equal };
 
-/// enable := enable and left ? right. Returns how many pixels are enabled then.
+/// enable := enable and left ? right. Returns the number of pixels enabled afterwards.
 std::uint32_t compare_lanes(const Enabled& pixels, Comparison comparison, const Lanes& left, const Lanes& right);
 
-/// Writes the values of a block that is constant; until its bounds are changed it stays so.
+/// Writes the values of a constant block; it remains constant until its bounds are changed.
 void fill_block(Lanes& lanes, unsigned block);
 
-/// Makes the block's bounds those of its values.
+/// Recomputes the block's bounds from its values.
 void find_bounds(Lanes& lanes, unsigned block);
 
-/// In those blocks: planes := bits of the values, from bit `first` on.
+/// planes := bits of the values, from bit `first` on, in the given blocks.
 void gather_planes(const Lanes& lanes, const TileShape& shape, std::uint64_t blocks, unsigned first,
                    std::span<TileBits* const> planes);
 
-/// In those blocks: values := the planes' bits, the lowest first; one that there is none of is 0.
+/// values := the planes' bits, lowest first, in the given blocks; a missing plane counts as 0.
 void scatter_planes(std::span<const TileBits* const> planes, const TileShape& shape, std::uint64_t blocks,
                     Lanes& lanes);
 
-/// In those blocks: the bits of the target's field that are the source's too, `part`, become what they are there. They
-/// are 0 before.
+/// Copies the bits `part`, which are in both fields, from the source to the target in the given blocks. They must be 0
+/// in the target before.
 void merge_lanes(const Lanes& source, isa::Field part, std::uint64_t blocks, Lanes& target);
 
 }  // namespace csgsim::functional

@@ -1,3 +1,5 @@
+// A field of a tile as one number per pixel.
+// Used by memory and the kernels.
 #pragma once
 
 #include <array>
@@ -8,13 +10,12 @@
 
 namespace csgsim::functional {
 
-/// A field's value at every pixel of a tile, block after block and in a block as its bits are, with bounds of the
-/// values of each block. Where both bounds of a block are equal it is constant, and what `values` holds there is
-/// nothing.
+/// The value of a field at every pixel of a tile, block by block and within a block in the order of its bits, with
+/// bounds of the values of each block. A block with equal bounds is constant, and its `values` are undefined.
 struct Lanes {
   alignas(64) std::array<std::uint32_t, tile_pixels> values;
-  alignas(64) std::array<std::uint32_t, blocks_a_tile> least;
-  alignas(64) std::array<std::uint32_t, blocks_a_tile> greatest;
+  alignas(64) std::array<std::uint32_t, blocks_per_tile> least;
+  alignas(64) std::array<std::uint32_t, blocks_per_tile> greatest;
   isa::Field field;
 
   [[nodiscard]] bool is_constant(unsigned block) const { return least[block] == greatest[block]; }

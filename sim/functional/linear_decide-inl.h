@@ -1,4 +1,4 @@
-// Included once for each instruction set, by Highway's rule: no plain include guard.
+// Included once per instruction set, as Highway requires, hence no plain include guard.
 #if defined(CSGSIM_LINEAR_DECIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGSIM_LINEAR_DECIDE_INL_H
 #undef CSGSIM_LINEAR_DECIDE_INL_H
@@ -21,21 +21,21 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// What is decided for whole blocks: F's least and greatest value against z's.
+// Decisions for whole blocks: F's minimum and maximum against those of z.
 
-using SumTag = hn::CappedTag<std::int64_t, blocks_a_side>;
+using SumTag = hn::CappedTag<std::int64_t, blocks_per_side>;
 using Sums = hn::Vec<SumTag>;
 using SumMask = hn::Mask<SumTag>;
 
-/// Blocks of which all pixels are alike. Those at which the sum may wrap are in the last set only.
+/// Blocks whose pixels all have the same result. Blocks at which the sum may wrap are only in the last set.
 struct Decided {
   std::uint64_t all = 0;   ///< the test holds
-  std::uint64_t none = 0;  ///< it does not
-  std::uint64_t fits = 0;  ///< F is a value of the field; where the kind writes
+  std::uint64_t none = 0;  ///< the test does not hold
+  std::uint64_t fits = 0;  ///< F fits the field; only for kinds that write
   std::uint64_t may_wrap = 0;
 };
 
-/// Bounds of F and of z, of several blocks.
+/// Bounds of F and of z for several blocks.
 struct Range {
   Sums f_least;
   Sums f_greatest;
@@ -76,18 +76,18 @@ template <LinearKind kind>
 Decided decide_exactly(std::uint64_t enabled, const PlaneSum& sum, const LinearTask& task) {
   constexpr SumTag tag;
   const int shift = task.linear.shift;
-  HWY_ALIGN std::int64_t ramp[blocks_a_side];
-  for (std::size_t i = 0; i < blocks_a_side; ++i) ramp[i] = sum.column_step() * static_cast<std::int64_t>(i);
+  HWY_ALIGN std::int64_t ramp[blocks_per_side];
+  for (std::size_t i = 0; i < blocks_per_side; ++i) ramp[i] = sum.column_step() * static_cast<std::int64_t>(i);
   const Sums spread = hn::Set(tag, sum.spread());
   const Sums beyond = hn::Set(tag, writes(kind) ? std::int64_t{1} << task.lanes->field.width : 0);
   const Sums limit = hn::Set(tag, std::int64_t{1} << (task.linear.width - 1));
 
   Decided decided;
-  for (unsigned row = 0; row < blocks_a_side; ++row) {
-    if ((enabled >> (row * blocks_a_side) & 0xffU) == 0) continue;
-    const Sums first = hn::Set(tag, sum.least_of(row * blocks_a_side));
-    for (std::size_t from = 0; from < blocks_a_side; from += hn::Lanes(tag)) {
-      const std::size_t block = row * blocks_a_side + from;
+  for (unsigned row = 0; row < blocks_per_side; ++row) {
+    if ((enabled >> (row * blocks_per_side) & 0xffU) == 0) continue;
+    const Sums first = hn::Set(tag, sum.min_sum(row * blocks_per_side));
+    for (std::size_t from = 0; from < blocks_per_side; from += hn::Lanes(tag)) {
+      const std::size_t block = row * blocks_per_side + from;
       const Sums low = hn::Add(first, hn::LoadU(tag, ramp + from));
       const Sums high = hn::Add(low, spread);
       Range range{low, high, hn::Zero(tag), hn::Zero(tag)};
@@ -118,25 +118,25 @@ Decided decide_exactly(std::uint64_t enabled, const PlaneSum& sum, const LinearT
   return decided;
 }
 
-// The same in half the bits: bounds of the sum rounded outwards, which leaves open some blocks that are decided
-// exactly.
+// The same with half the bits: bounds of the sum rounded outwards, which leaves some blocks open that decide_exactly
+// decides.
 
 using CoarseTag = hn::CappedTag<std::int32_t, 16>;
 using Coarse = hn::Vec<CoarseTag>;
 
-/// A sum over 2^dropped, with z and 1 over as much.
+/// A sum divided by 2^dropped, with z and 1 scaled to match.
 struct Scale {
-  int dropped = 0;          ///< bits of the sum
-  int kept = 0;             ///< of its fraction
-  std::int32_t excess = 0;  ///< what rounding may add up to
+  int dropped = 0;          ///< dropped bits of the sum
+  int kept = 0;             ///< remaining bits of its fraction
+  std::int32_t excess = 0;  ///< maximum accumulated rounding
 };
 
 constexpr int coarse_bits = 30;
 
-/// Whether numbers of the tile fit so few bits, and how.
+/// Whether the numbers of the tile fit coarse_bits bits; if so, sets the scale.
 template <LinearKind kind>
 bool find_scale(const PlaneSum& sum, const LinearTask& task, Scale& scale) {
-  constexpr int roundings = 2 * (blocks_a_side - 1) + 2;
+  constexpr int roundings = 2 * (blocks_per_side - 1) + 2;
   if (sum.may_wrap()) return false;
   scale.dropped = std::max(0, sum.bits() - coarse_bits);
   if constexpr (!is_sign(kind)) {
@@ -205,11 +205,11 @@ Decided decide_coarsely(std::uint64_t enabled, const PlaneSum& sum, const Linear
   constexpr CoarseTag tag;
   const std::size_t count = hn::Lanes(tag);
   const auto coarse = [&](std::int64_t value) { return static_cast<std::int32_t>(value >> scale.dropped); };
-  const std::int32_t first = coarse(sum.least_of(0));
+  const std::int32_t first = coarse(sum.min_sum(0));
   const std::int32_t column_step = coarse(sum.column_step());
   const std::int32_t row_step = coarse(sum.row_step());
   const Coarse number = hn::Iota(tag, 0);
-  const Coarse ramp = hn::Add(hn::Mul(hn::And(number, hn::Set(tag, blocks_a_side - 1)), hn::Set(tag, column_step)),
+  const Coarse ramp = hn::Add(hn::Mul(hn::And(number, hn::Set(tag, blocks_per_side - 1)), hn::Set(tag, column_step)),
                               hn::Mul(hn::ShiftRight<3>(number), hn::Set(tag, row_step)));
   const Coarse spread = hn::Set(tag, coarse(sum.spread()) + scale.excess);
   const Coarse one = hn::Set(tag, std::int32_t{1} << scale.kept);
@@ -217,10 +217,10 @@ Decided decide_coarsely(std::uint64_t enabled, const PlaneSum& sum, const Linear
   const std::uint64_t group = (std::uint64_t{1} << count) - 1;
 
   Decided decided;
-  for (std::size_t block = 0; block < blocks_a_tile; block += count) {
+  for (std::size_t block = 0; block < blocks_per_tile; block += count) {
     if ((enabled >> block & group) == 0) continue;
-    const auto column = static_cast<std::int32_t>(block % blocks_a_side);
-    const auto row = static_cast<std::int32_t>(block / blocks_a_side);
+    const auto column = static_cast<std::int32_t>(block % blocks_per_side);
+    const auto row = static_cast<std::int32_t>(block / blocks_per_side);
     const Coarse low = hn::Add(ramp, hn::Set(tag, first + column * column_step + row * row_step));
     CoarseRange range{low, hn::Add(low, spread), hn::Zero(tag), hn::Zero(tag), one};
     if constexpr (!is_sign(kind)) {

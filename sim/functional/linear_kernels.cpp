@@ -21,7 +21,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Blocks pixel by pixel, where F less F at the block's first pixel takes 32 bits.
+// Blocks pixel by pixel, if F minus F at the block's first pixel fits 32 bits.
 
 using NarrowTag = hn::RebindToSigned<NumberTag>;
 using Narrow = hn::Vec<NarrowTag>;
@@ -39,7 +39,7 @@ class NarrowF {
       hn::Store(hn::Add(hn::Mul(a, x), hn::Mul(b, hn::ShiftRight<3>(number))), tag, ramp_ + from);
     }
   }
-  /// The block's sum at its first pixel.
+  /// Sets the block's sum at its first pixel.
   HWY_INLINE void begin(std::int64_t sum) {
     whole_ = static_cast<std::int32_t>(sum >> shift_);
     fraction_ = static_cast<std::int32_t>(sum & ((std::int64_t{1} << shift_) - 1));
@@ -71,7 +71,7 @@ HWY_INLINE std::uint64_t narrow_test(const NarrowF& f, const Lanes* lanes, unsig
   }
 }
 
-/// Every F is a value of the field. `all`: it is written wherever the pixel is enabled.
+/// Writes F, which must fit the field. `all`: F is written wherever the pixel is enabled.
 template <LinearKind kind>
 HWY_INLINE void narrow_write(const NarrowF& f, Lanes& lanes, unsigned block, std::uint64_t enabled, bool all) {
   constexpr NarrowTag tag;
@@ -95,7 +95,7 @@ HWY_INLINE void narrow_write(const NarrowF& f, Lanes& lanes, unsigned block, std
   }
 }
 
-/// The bounds after narrow_write.
+/// Updates the bounds after narrow_write.
 template <LinearKind kind>
 HWY_INLINE void narrow_bounds(Lanes& lanes, unsigned block, bool full, bool all, std::uint32_t low,
                               std::uint32_t high) {
@@ -115,12 +115,12 @@ HWY_INLINE void narrow_bounds(Lanes& lanes, unsigned block, bool full, bool all,
   }
 }
 
-// Blocks pixel by pixel, whatever F is.
+// Blocks pixel by pixel, for any F.
 
 using WideTag = hn::ScalableTag<std::int64_t>;
 using Wide = hn::Vec<WideTag>;
 
-/// Sums modulo 2^64 at the pixels of a block, less that at its first pixel.
+/// Sums modulo 2^64 at the pixels of a block, minus that at its first pixel.
 struct WideRamp {
   HWY_ALIGN std::int64_t values[block_pixels];
 
@@ -184,7 +184,7 @@ std::uint64_t wide_blocks(const Enabled& pixels, const LinearTask& task, const P
   std::uint64_t overflows = 0;
   each_bit(blocks, [&](unsigned block) {
     const Outcome outcome =
-        wide_block<kind>(task, ramp, sum.first_of(block), block, pixels.enable.word(block, pixels.shape));
+        wide_block<kind>(task, ramp, sum.first_sum(block), block, pixels.enable.word(block, pixels.shape));
     pixels.enable.set_word(block, outcome.enable, pixels.shape);
     overflows += outcome.overflows;
   });
@@ -198,13 +198,13 @@ void narrow_blocks(const Enabled& pixels, const LinearTask& task, const PlaneSum
   NarrowF f(task.linear);
   each_bit(blocks, [&](unsigned block) {
     const std::uint64_t enabled = pixels.enable.word(block, pixels.shape);
-    f.begin(sum.first_of(block));
+    f.begin(sum.first_sum(block));
     if constexpr (writes(kind)) {
       const bool everywhere = kind == LinearKind::load || (all >> block & 1U) != 0;
       const bool full = (pixels.enable.full() >> block & 1U) != 0;
       narrow_write<kind>(f, *task.lanes, block, full ? ~std::uint64_t{0} : enabled, everywhere);
-      const std::int64_t low = sum.least_of(block) >> task.linear.shift;
-      const std::int64_t high = (sum.least_of(block) + sum.spread()) >> task.linear.shift;
+      const std::int64_t low = sum.min_sum(block) >> task.linear.shift;
+      const std::int64_t high = (sum.min_sum(block) + sum.spread()) >> task.linear.shift;
       narrow_bounds<kind>(*task.lanes, block, full, everywhere, static_cast<std::uint32_t>(low),
                           static_cast<std::uint32_t>(high));
     } else {
@@ -229,9 +229,9 @@ LinearResult run(const Enabled& pixels, const LinearTask& task, std::uint32_t en
     const bool is_narrow = is_sign(kind) || task.lanes->field.width <= PlaneSum::narrow_bits;
     if (may_decide && sum.narrow() && is_narrow) narrow = open & ~decided.may_wrap;
   }
-  const auto looked_at = static_cast<std::uint64_t>(std::popcount(open));
-  pixels.work.words += looked_at;
-  pixels.work.lanes += looked_at * block_pixels;
+  const auto examined = static_cast<std::uint64_t>(std::popcount(open));
+  pixels.work.words += examined;
+  pixels.work.lanes += examined * block_pixels;
   narrow_blocks<kind>(pixels, task, sum, narrow, decided.all);
   LinearResult result{0, enabled};
   result.overflows = wide_blocks<kind>(pixels, task, sum, open & ~narrow);
@@ -254,7 +254,7 @@ LinearResult run_any(const Enabled& pixels, const LinearTask& task, std::uint32_
     case keep_max: return run<keep_max>(pixels, task, enabled);
     case keep_min: return run<keep_min>(pixels, task, enabled);
     case plus:
-    case minus: break;  // run_quadratic's
+    case minus: break;  // only in run_quadratic
   }
   return {};
 }

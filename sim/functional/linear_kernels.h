@@ -1,3 +1,5 @@
+// Kernels of instructions with linear expressions.
+// Used by tile.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +9,7 @@
 
 namespace csgsim::functional {
 
-/// What a linear instruction does with F and the number z that it meets.
+/// The operation of a linear instruction on F and the number z of its field.
 enum class LinearKind : std::uint8_t {
   not_negative,      ///< E := E and F >= 0
   negative,          ///< E := E and F < 0
@@ -19,14 +21,14 @@ enum class LinearKind : std::uint8_t {
   load,              ///< z := F
   keep_max,          ///< where F > z: z := F
   keep_min,          ///< where F < z: z := F
-  plus,              ///< z := the low bits of F + z; only of run_quadratic
-  minus,             ///< z := the low bits of F - z; only of run_quadratic
+  plus,              ///< z := the low bits of F + z; only for run_quadratic
+  minus,             ///< z := the low bits of F - z; only for run_quadratic
 };
 
 struct LinearTask {
   LinearKind kind = LinearKind::not_negative;
-  isa::Linear linear;      ///< its c at the tile's first pixel
-  Lanes* lanes = nullptr;  ///< of z; width - shift of F is greater than z's width
+  isa::Linear linear;      ///< with c at the tile's first pixel
+  Lanes* lanes = nullptr;  ///< lanes of z; width - shift of F must exceed z's width
 };
 
 struct LinearResult {
@@ -34,8 +36,8 @@ struct LinearResult {
   std::uint32_t enabled = 0;    ///< pixels enabled afterwards
 };
 
-/// Does it at every enabled pixel of a tile, of which there are `enabled`; where z is written and F does not fit it,
-/// E := 0.
+/// Executes the task at every enabled pixel of a tile; `enabled` is their number. If z is written and F does not fit
+/// it, E := 0.
 LinearResult run_linear(const Enabled& pixels, const LinearTask& task, std::uint32_t enabled);
 
 }  // namespace csgsim::functional

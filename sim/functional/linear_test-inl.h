@@ -1,4 +1,4 @@
-// Included once for each instruction set, by Highway's rule: no plain include guard.
+// Included once per instruction set, as Highway requires, hence no plain include guard.
 #if defined(CSGSIM_LINEAR_TEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGSIM_LINEAR_TEST_INL_H
 #undef CSGSIM_LINEAR_TEST_INL_H
@@ -20,7 +20,7 @@ constexpr bool writes(LinearKind kind) {
   return kind == LinearKind::load || kind == LinearKind::keep_max || kind == LinearKind::keep_min;
 }
 
-/// Where the test of the kind holds; a load writes everywhere. z is 0 for signs.
+/// The mask of where the test of the kind holds; a load writes everywhere. z is 0 for signs.
 template <LinearKind kind, class Vector>
 HWY_INLINE auto test(Vector f, Vector z) {
   namespace hn = hwy::HWY_NAMESPACE;

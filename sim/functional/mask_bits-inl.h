@@ -1,4 +1,4 @@
-// Included once for each instruction set, by Highway's rule: no plain include guard.
+// Included once per instruction set, as Highway requires, hence no plain include guard.
 #if defined(CSGSIM_MASK_BITS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef CSGSIM_MASK_BITS_INL_H
 #undef CSGSIM_MASK_BITS_INL_H
@@ -16,7 +16,7 @@ namespace csgsim::functional {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Lane i of the mask is bit i of the word; bits past the lanes are ignored.
+/// The mask whose lane i is bit i of the word; bits beyond the lanes are ignored.
 template <class Tag>
 HWY_INLINE hwy::HWY_NAMESPACE::Mask<Tag> mask_of_bits(Tag tag, std::uint64_t bits) {
   std::uint8_t bytes[sizeof bits];
@@ -24,7 +24,7 @@ HWY_INLINE hwy::HWY_NAMESPACE::Mask<Tag> mask_of_bits(Tag tag, std::uint64_t bit
   return hwy::HWY_NAMESPACE::LoadMaskBits(tag, bytes);
 }
 
-/// The other way; bits past the lanes are 0.
+/// The inverse; bits beyond the lanes are 0.
 template <class Tag>
 HWY_INLINE std::uint64_t bits_of_mask(Tag tag, hwy::HWY_NAMESPACE::Mask<Tag> mask) {
   std::uint64_t bits = 0;

@@ -16,7 +16,7 @@ constexpr Field one_bit(unsigned bit) { return {static_cast<std::uint16_t>(bit),
 
 constexpr bool is_within(Field inner, Field outer) { return inner.base >= outer.base && inner.end() <= outer.end(); }
 
-/// Bits from one to before the other, of width 0 if there is none.
+/// The field of the bits in [first, end); width 0 if that is empty.
 constexpr Field bits_between(unsigned first, unsigned end) {
   return {static_cast<std::uint16_t>(first), static_cast<std::uint16_t>(end > first ? end - first : 0)};
 }
@@ -25,7 +25,7 @@ constexpr Field common(Field left, Field right) {
   return bits_between(std::max(left.base, right.base), std::min(left.end(), right.end()));
 }
 
-/// A plane that is not there is 0.
+/// Copies a plane; a missing plane is 0.
 void copy_plane(const TileBits* plane, TileBits& copy) {
   if (plane == nullptr) {
     copy.clear();
@@ -34,8 +34,8 @@ void copy_plane(const TileBits* plane, TileBits& copy) {
   }
 }
 
-/// Fields whose lanes a tile keeps: a Program that draws curved surfaces asks for some 20.
-constexpr std::size_t most_holders = 24;
+/// Maximum number of fields that a tile holds as lanes; a Program that draws curved surfaces needs about 20.
+constexpr std::size_t max_holders = 24;
 
 void write_values(const Lanes& lanes, const TileShape& shape, std::uint32_t* out, std::size_t stride) {
   for (std::uint32_t y = 0; y < shape.height(); ++y) {
@@ -120,7 +120,7 @@ Memory::Holder& Memory::holder_for(Field field) {
   const auto known = std::ranges::find(holders_, field, &Holder::field);
   if (known != holders_.end()) return *known;
   const auto unused = std::ranges::find(holders_, std::uint64_t{0}, &Holder::blocks);
-  Holder& holder = unused != holders_.end() ? *unused : holders_.size() < most_holders ? add_holder() : reused_holder();
+  Holder& holder = unused != holders_.end() ? *unused : holders_.size() < max_holders ? add_holder() : reused_holder();
   set_field(holder, field);
   return holder;
 }
@@ -139,13 +139,13 @@ Memory::Holder& Memory::add_holder() {
 }
 
 Memory::Holder& Memory::reused_holder() {
-  if (++next_reused_ == most_holders) next_reused_ = 0;
+  if (++next_reused_ == max_holders) next_reused_ = 0;
   if (holders_[next_reused_].lanes.get() == last_) return reused_holder();
   spill(holders_[next_reused_], all_blocks);
   return holders_[next_reused_];
 }
 
-std::uint64_t Memory::even_blocks(Field field) const {
+std::uint64_t Memory::uniform_blocks(Field field) const {
   std::uint64_t blocks = all_blocks;
   for (const Holder& holder : holders_)
     if (holder.field.overlaps(field)) blocks &= ~holder.blocks;
@@ -165,7 +165,7 @@ void Memory::move(Holder& from, Holder& to, std::uint64_t blocks, std::uint64_t 
 
 void Memory::take(Holder& holder, const Worked& worked) {
   const Field field = holder.field;
-  const std::uint64_t taken = (worked.blocks & ~holder.blocks) | even_blocks(field);
+  const std::uint64_t taken = (worked.blocks & ~holder.blocks) | uniform_blocks(field);
   const std::uint64_t kept = taken & ~worked.overwritten;
   std::array<const TileBits*, isa::max_field_width> planes{};
   for (unsigned bit = 0; bit < field.width; ++bit) planes[bit] = planes_[field.base + bit].get();

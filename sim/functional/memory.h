@@ -1,3 +1,5 @@
+// The pixel memory of a tile, as bit planes or lanes.
+// Used by tile.
 #pragma once
 
 #include <cstddef>
@@ -12,91 +14,91 @@
 
 namespace csgsim::functional {
 
-/// Blocks of a tile that an instruction works on, and those of them at all of whose pixels it writes the field,
-/// whatever was there.
+/// The blocks of a tile that an instruction works on, and those of them in which it overwrites the field at all pixels.
 struct Worked {
   std::uint64_t blocks = ~std::uint64_t{0};
   std::uint64_t overwritten = 0;
 };
 
-/// The pixel memory of a tile. In each block a bit is held in a plane or, while its field is used as a number, in
-/// lanes; the form changes when an instruction needs the other, in the blocks that it works on alone. Compiled Programs
-/// mostly use a field one way, so that it seldom changes; where they write a field now as a whole and now in parts, as
-/// colours and their channels, it stays in parts.
+/// The pixel memory of a tile. In each block, a bit is stored in a plane or, while its field is used as a number, in
+/// lanes; the form changes when an instruction needs the other one, and only in the blocks that it works on. Compiled
+/// Programs mostly use a field in one way, so that this is rare; fields that are written as a whole and in parts, such
+/// as colours and their channels, stay in parts.
 class Memory {
  public:
   static constexpr std::uint64_t all_blocks = ~std::uint64_t{0};
 
   Memory(TileShape shape, std::uint32_t bits);
 
-  /// Every bit 0, keeping the storage.
+  /// Clears every bit, keeping the storage.
   void clear();
 
-  /// The plane that holds the bit in those blocks, to read and write there.
+  /// The plane that stores the bit in those blocks, for reading and writing there.
   TileBits& plane(unsigned bit, std::uint64_t blocks = all_blocks);
 
-  /// The planes that hold a field in the blocks that are worked on, the lowest bit first. `planes` has room for them.
+  /// The planes that store a field in the blocks worked on, lowest bit first. `planes` must have room for them.
   void planes(isa::Field field, const Worked& worked, std::span<TileBits*> planes);
 
-  /// The bit to read in those blocks, its form unchanged: the plane that holds it, or `copy` filled from lanes.
+  /// Reads the bit in those blocks without changing its form: returns the plane that stores it, or `copy` filled from
+  /// lanes.
   const TileBits& read(unsigned bit, std::uint64_t blocks, TileBits& copy) const;
 
-  /// Is the bit 0 everywhere, as far as that is known without a look at pixels?
+  /// Whether the bit is known to be 0 everywhere without examining pixels.
   [[nodiscard]] bool is_zero(unsigned bit) const {
-    return (!planes_[bit] || planes_[bit]->any() == 0) && (holders_of_[bit] == 0 || in_planes({base_of(bit), 1}));
+    return (!planes_[bit] || planes_[bit]->any() == 0) && (holders_of_[bit] == 0 || in_planes({to_base(bit), 1}));
   }
 
-  /// The lanes that hold exactly this field in those blocks, to read and write there; so do those that were asked for
-  /// before these, of a field apart.
+  /// The lanes that store exactly this field in those blocks, for reading and writing there. The lanes returned by the
+  /// previous call stay valid if its field is disjoint.
   Lanes& lanes(isa::Field field, const Worked& worked = {});
 
-  /// The fields, within that one and lowest first, whose lanes hold all of it in those blocks; none unless there are
+  /// The fields within the given one, lowest first, whose lanes store all of it in those blocks; empty unless there are
   /// several.
   [[nodiscard]] std::vector<isa::Field> parts(isa::Field field, std::uint64_t blocks = all_blocks) const;
 
-  /// Do lanes hold exactly this field in those blocks?
+  /// Whether lanes store exactly this field in those blocks.
   [[nodiscard]] bool in_lanes(isa::Field field, std::uint64_t blocks = all_blocks) const;
-  /// Is every bit of the field held in a plane in those blocks?
+  /// Whether planes store every bit of the field in those blocks.
   [[nodiscard]] bool in_planes(isa::Field field, std::uint64_t blocks = all_blocks) const;
 
-  /// The field's value at every pixel, row after row, `stride` values from one to the next.
+  /// Writes the field's value at every pixel, row by row, with `stride` values per row.
   void values(isa::Field field, std::uint32_t* out, std::size_t stride) const;
 
   /// The field's value at one pixel.
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const;
 
  private:
-  /// Lanes, and the blocks in which they hold their field's bits.
+  /// Lanes, and the blocks in which they store their field's bits.
   struct Holder {
     isa::Field field;
     std::uint64_t blocks = 0;
     std::unique_ptr<Lanes> lanes;
   };
 
-  static std::uint16_t base_of(unsigned bit) { return static_cast<std::uint16_t>(bit); }
+  static std::uint16_t to_base(unsigned bit) { return static_cast<std::uint16_t>(bit); }
   TileBits& stored_plane(unsigned bit);
   Holder& holder_for(isa::Field field);
   Holder& add_holder();
   void set_field(Holder& holder, isa::Field field);
-  /// One that is in use, but not the last that was asked for.
+  /// A holder in use that can be replaced, other than the last one requested.
   Holder& reused_holder();
-  /// Into lanes, in the blocks that are worked on at least.
+  /// Converts the field to lanes, at least in the blocks worked on.
   void take(Holder& holder, const Worked& worked);
-  /// What lanes hold of others' field in those blocks goes over to them, in `kept` with its value.
+  /// Moves the bits of `to`'s field from the lanes of `from` in those blocks; in `kept` the values are preserved.
   void move(Holder& from, Holder& to, std::uint64_t blocks, std::uint64_t kept);
-  /// Blocks that lanes of the field can take for nothing, since it is the same at all their pixels.
-  [[nodiscard]] std::uint64_t even_blocks(isa::Field field) const;
-  /// Hands the lanes' bits in those blocks to their planes.
+  /// Blocks in which the field is the same at all pixels, so that conversion to lanes is free.
+  [[nodiscard]] std::uint64_t uniform_blocks(isa::Field field) const;
+  /// Writes the lanes' bits in those blocks to their planes.
   void spill(Holder& holder, std::uint64_t blocks);
-  /// Writes those of a field that the lanes hold to their planes.
+  /// Writes the bits of a field that the lanes store to their planes.
   void write_planes(const Holder& holder, isa::Field field, std::uint64_t blocks);
 
   TileShape shape_;
-  std::vector<std::unique_ptr<TileBits>> planes_;  ///< none yet: 0; 0 too where lanes hold the bit
-  std::vector<Holder> holders_;                    ///< no two hold a bit in the same block
-  std::vector<std::uint8_t> holders_of_;           ///< for each bit, how many have it in their field
-  std::size_t next_reused_ = 0;                    ///< of holders_, where all are in use
-  Lanes* last_ = nullptr;                          ///< asked for
+  std::vector<std::unique_ptr<TileBits>> planes_;  ///< null or cleared: 0; also 0 where lanes store the bit
+  std::vector<Holder> holders_;                    ///< no two store a bit in the same block
+  std::vector<std::uint8_t> holders_of_;           ///< for each bit, the number of holders whose field contains it
+  std::size_t next_reused_ = 0;                    ///< index into holders_, once all are in use
+  Lanes* last_ = nullptr;                          ///< last lanes requested
 };
 
 }  // namespace csgsim::functional

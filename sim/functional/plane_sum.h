@@ -1,3 +1,5 @@
+// A linear expression over a tile, with its bounds at the corners of blocks.
+// Used by the linear kernels.
 #pragma once
 
 #include <bit>
@@ -8,10 +10,10 @@
 
 namespace csgsim::functional {
 
-/// The sum a*x + b*y + c over a tile: what it is at the corners of its blocks.
+/// The sum a*x + b*y + c over a tile, with its values at the corners of its blocks.
 class PlaneSum {
  public:
-  /// Numbers met by a narrow sum have that many bits at most.
+  /// Maximum number of bits of the numbers that a narrow sum is compared with.
   static constexpr unsigned narrow_bits = 29;
 
   /// c is the sum at the tile's first pixel.
@@ -33,18 +35,18 @@ class PlaneSum {
     narrow_ = linear.shift <= narrow_bits && spread_ + (std::int64_t{1} << linear.shift) < std::int64_t{1} << 30U;
   }
 
-  /// Whether the coefficients are so great that corners outside the picture may exceed 64 bits: then nothing below but
-  /// first_of may be asked.
+  /// Whether the coefficients are so great that corners outside the picture may exceed 64 bits; then only first_sum may
+  /// be called.
   [[nodiscard]] bool huge() const { return huge_; }
-  /// Whether the sum may not fit its width at some pixel of the tile.
+  /// Whether the sum may exceed its width at some pixel of the tile.
   [[nodiscard]] bool may_wrap() const { return may_wrap_; }
-  /// Whether sums of a block less that at its first pixel, and a fraction more, have less than 31 bits.
+  /// Whether the sums of a block minus that at its first pixel, plus a fraction, have fewer than 31 bits.
   [[nodiscard]] bool narrow() const { return narrow_; }
 
-  /// Over the pixels of the tile.
+  /// Minimum and maximum over the pixels of the tile.
   [[nodiscard]] std::int64_t least() const { return least_; }
   [[nodiscard]] std::int64_t greatest() const { return greatest_; }
-  /// Over all 64 x 64 that a tile may have no number of it has more bits than this, its sign left out.
+  /// Maximum number of bits, without sign, of the sums at all 64 x 64 pixels that a tile may have.
   [[nodiscard]] int bits() const {
     constexpr std::int64_t steps = tile_side - 1;
     const std::int64_t low = c_ + steps * (below(a_) + below(b_));
@@ -52,22 +54,22 @@ class PlaneSum {
     return std::bit_width(static_cast<std::uint64_t>(high < 0 ? ~high : high) |
                           static_cast<std::uint64_t>(low < 0 ? ~low : low));
   }
-  /// Whether it is the same everywhere.
+  /// Whether the sum is constant.
   [[nodiscard]] bool flat() const { return a_ == 0 && b_ == 0; }
 
-  /// At the block's first pixel, modulo 2^64.
-  [[nodiscard]] std::int64_t first_of(unsigned block) const {
-    const std::uint64_t x = block % blocks_a_side * block_side;
-    const std::uint64_t y = block / blocks_a_side * block_side;
+  /// The sum at the block's first pixel, modulo 2^64.
+  [[nodiscard]] std::int64_t first_sum(unsigned block) const {
+    const std::uint64_t x = block % blocks_per_side * block_side;
+    const std::uint64_t y = block / blocks_per_side * block_side;
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(c_) + static_cast<std::uint64_t>(a_) * x +
                                      static_cast<std::uint64_t>(b_) * y);
   }
-  /// The least at the block's corners; the greatest is `spread` more.
-  [[nodiscard]] std::int64_t least_of(unsigned block) const { return first_of(block) + low_; }
+  /// The minimum at the block's corners; the maximum is `spread` more.
+  [[nodiscard]] std::int64_t min_sum(unsigned block) const { return first_sum(block) + low_; }
   [[nodiscard]] std::int64_t spread() const { return spread_; }
-  /// From one block to the next in its row.
+  /// Difference from one block to the next in its row.
   [[nodiscard]] std::int64_t column_step() const { return a_ * block_side; }
-  /// From a row of blocks to the next.
+  /// Difference from one row of blocks to the next.
   [[nodiscard]] std::int64_t row_step() const { return b_ * block_side; }
 
  private:

@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr bool adds(LinearKind kind) { return kind == LinearKind::plus || kind == LinearKind::minus; }
 constexpr bool tests(LinearKind kind) { return !writes(kind) && !adds(kind); }
 
-// What is decided for whole blocks.
+// Decisions for whole blocks.
 
 enum class Alike : std::uint8_t { no, all, none };
 
@@ -50,7 +50,7 @@ Alike decide(const QuadraticSum::Range& f, std::int64_t z_least, std::int64_t z_
                   f.least > z_greatest || f.greatest < z_least);
 }
 
-/// Of so many pixels from the first of `sum` on. The sums of those have to fit the width.
+/// Decides for `width` x `height` pixels from the first of `sum` on. Their sums must fit the width.
 template <LinearKind kind>
 Alike decide(const QuadraticTask& task, const QuadraticSum& sum, std::uint32_t width, std::uint32_t height,
              std::int64_t z_least, std::int64_t z_greatest) {
@@ -80,7 +80,7 @@ class BlockF {
     }
   }
 
-  /// `sum` from the block's first pixel on.
+  /// `sum` starts at the block's first pixel.
   HWY_INLINE void evaluate(const QuadraticSum& sum) {
     constexpr SumTag tag;
     HWY_ALIGN std::int64_t columns[block_side];
@@ -98,7 +98,7 @@ class BlockF {
     }
   }
 
-  /// Of F, in two's complement.
+  /// The bits of F, in two's complement.
   [[nodiscard]] const std::uint64_t* bits() const { return reinterpret_cast<const std::uint64_t*>(values_); }
   [[nodiscard]] HWY_INLINE Sums at(std::size_t from) const { return hn::Load(SumTag(), values_ + from); }
   /// Pixels whose sum does not fit the width.
@@ -120,7 +120,7 @@ std::uint64_t pixels_where_negative(const BlockF& f) {
   return holds;
 }
 
-/// What is written where E is 1 and the test holds: F or, of the kinds that add, F and z.
+/// The value written where E is 1 and the test holds: F or, for the kinds that add, F and z combined.
 template <LinearKind kind>
 HWY_INLINE Sums written(Sums f, Sums z) {
   if constexpr (kind == LinearKind::plus)
@@ -131,7 +131,7 @@ HWY_INLINE Sums written(Sums f, Sums z) {
     return f;
 }
 
-/// Returns the pixels that stay enabled.
+/// Operates on a block of lanes. Returns the pixels that stay enabled.
 template <LinearKind kind>
 std::uint64_t meet_lanes(const BlockF& f, Lanes& lanes, unsigned block, std::uint64_t enabled) {
   constexpr SumTag tag;
@@ -158,7 +158,7 @@ std::uint64_t meet_lanes(const BlockF& f, Lanes& lanes, unsigned block, std::uin
   return tests(kind) ? enabled & holds : enabled & ~misfits;
 }
 
-/// Pixels at which F has a one from that bit on.
+/// Pixels at which F has a 1 at bit `bit` or above.
 std::uint64_t pixels_past(const BlockF& f, std::size_t bit) {
   constexpr hn::RebindToUnsigned<SumTag> tag;
   std::uint64_t past = 0;
@@ -169,12 +169,12 @@ std::uint64_t pixels_past(const BlockF& f, std::size_t bit) {
   return past;
 }
 
-/// The same of a field in planes: F's bits as words of the block's pixels, added bit by bit.
+/// The same for a field in planes: F's bits as words of the block's pixels, added bit by bit.
 template <LinearKind kind>
 std::uint64_t meet_planes(const BlockF& f, std::span<TileBits* const> planes, const TileShape& shape, unsigned block,
                           std::uint64_t enabled) {
   std::array<std::uint64_t, isa::max_wide_field_width> f_bits;
-  words_of(hn::RebindToUnsigned<SumTag>(), f.bits(), 0, std::span(f_bits).first(planes.size()));
+  extract_words(hn::RebindToUnsigned<SumTag>(), f.bits(), 0, std::span(f_bits).first(planes.size()));
   std::uint64_t carry = kind == LinearKind::minus ? ~std::uint64_t{0} : 0;
   for (std::size_t bit = 0; bit < planes.size(); ++bit) {
     const std::uint64_t old = planes[bit]->word(block, shape);
@@ -201,7 +201,7 @@ std::uint64_t meet(const BlockF& f, const QuadraticTask& task, const TileShape& 
   if constexpr (!is_sign(kind)) return meet_lanes<kind>(f, *task.lanes, block, enabled);
 }
 
-/// The blocks left open by what is decided for all pixels of the tile, and of each block, alike.
+/// The blocks that remain undecided after tests for the whole tile and for each block.
 template <LinearKind kind>
 std::uint64_t decide_blocks(const Enabled& pixels, const QuadraticTask& task) {
   TileBits& enable = pixels.enable;
@@ -216,7 +216,7 @@ std::uint64_t decide_blocks(const Enabled& pixels, const QuadraticTask& task) {
     std::uint64_t open = 0;
     each_bit(enable.any(), [&](unsigned block) {
       const std::uint64_t one = std::uint64_t{1} << block;
-      const auto [x, y] = std::pair(block % blocks_a_side * block_side, block / blocks_a_side * block_side);
+      const auto [x, y] = std::pair(block % blocks_per_side * block_side, block / blocks_per_side * block_side);
       const std::int64_t z_least = is_sign(kind) ? 0 : task.lanes->least[block];
       const std::int64_t z_greatest = is_sign(kind) ? 0 : task.lanes->greatest[block];
       const Alike alike = decide<kind>(task, task.sum.from(x, y), std::min(block_side, pixels.shape.width() - x),
@@ -232,15 +232,15 @@ template <LinearKind kind>
 LinearResult run(const Enabled& pixels, const QuadraticTask& task) {
   const std::uint64_t open =
       pixels.decide == Decide::by_block ? decide_blocks<kind>(pixels, task) : pixels.enable.any();
-  const auto looked_at = static_cast<std::uint64_t>(std::popcount(open));
-  pixels.work.words += looked_at;
-  pixels.work.lanes += looked_at * block_pixels;
+  const auto examined = static_cast<std::uint64_t>(std::popcount(open));
+  pixels.work.words += examined;
+  pixels.work.lanes += examined * block_pixels;
   LinearResult result;
   if (open != 0) {
     BlockF f(task);
     each_bit(open, [&](unsigned block) {
       const std::uint64_t enabled = pixels.enable.word(block, pixels.shape);
-      f.evaluate(task.sum.from(block % blocks_a_side * block_side, block / blocks_a_side * block_side));
+      f.evaluate(task.sum.from(block % blocks_per_side * block_side, block / blocks_per_side * block_side));
       result.overflows += static_cast<std::uint64_t>(std::popcount(f.wrapped() & enabled));
       pixels.enable.set_word(block, meet<kind>(f, task, pixels.shape, block, enabled), pixels.shape);
     });

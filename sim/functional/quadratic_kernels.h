@@ -1,3 +1,5 @@
+// Kernels of instructions with quadratic expressions, additions to F, or wide fields.
+// Used by tile.
 #pragma once
 
 #include <span>
@@ -7,18 +9,18 @@
 
 namespace csgsim::functional {
 
-/// What LinearTask is, for all that goes beyond a linear expression that meets lanes: squares, numbers that are added
-/// to F, fields that are too wide for lanes.
+/// The counterpart of LinearTask for everything beyond a linear expression on lanes: squares, numbers that are added to
+/// F, and fields that are too wide for lanes.
 struct QuadraticTask {
   LinearKind kind = LinearKind::not_negative;
-  QuadraticSum sum;                   ///< from the tile's first pixel on
+  QuadraticSum sum;                   ///< with its origin at the tile's first pixel
   unsigned width = 0;                 ///< bits of the sum that are streamed
-  unsigned shift = 0;                 ///< of them, those that are no part of F
-  Lanes* lanes = nullptr;             ///< of z, if lanes hold it
-  std::span<TileBits* const> planes;  ///< of z, the lowest first, if they hold it: to load and to add only
+  unsigned shift = 0;                 ///< low bits of the sum that are not part of F
+  Lanes* lanes = nullptr;             ///< lanes of z, if they store it
+  std::span<TileBits* const> planes;  ///< planes of z, lowest first, if they store it: only for loads and additions
 };
 
-/// Does it at every enabled pixel of a tile; where z is loaded or kept and F does not fit it, E := 0.
+/// Executes the task at every enabled pixel of a tile. If z is loaded or kept and F does not fit it, E := 0.
 LinearResult run_quadratic(const Enabled& pixels, const QuadraticTask& task);
 
 }  // namespace csgsim::functional

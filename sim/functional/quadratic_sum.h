@@ -1,3 +1,5 @@
+// A quadratic expression over pixels.
+// Used by the quadratic kernels.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +10,9 @@
 
 namespace csgsim::functional {
 
-/// The sum A*x*x + B*x*y + C*y*y + a*x + b*y + c from a pixel on, of which x and y are counted: as seen from another
-/// pixel A, B and C are the same. Numbers are modulo 2^64, as whose two's complement they are read; at pixels of a
-/// valid segment the sum and its first differences are exact so.
+/// The sum A*x*x + B*x*y + C*y*y + a*x + b*y + c, with x and y relative to a first pixel; A, B and C do not depend on
+/// that pixel. Numbers are modulo 2^64 and read as two's complement; at pixels of a valid segment, the sum and its
+/// first differences are exact.
 class QuadraticSum {
  public:
   QuadraticSum(const isa::Linear& squares, const isa::Linear& linear)
@@ -21,7 +23,7 @@ class QuadraticSum {
         b_(bits(linear.b)),
         c_(bits(linear.c)) {}
 
-  /// The same, x and y counted from there.
+  /// The same sum with pixel (x, y) as its first pixel.
   [[nodiscard]] QuadraticSum from(std::uint32_t x, std::uint32_t y) const {
     QuadraticSum moved = *this;
     moved.a_ += 2 * xx_ * x + xy_ * y;
@@ -37,7 +39,7 @@ class QuadraticSum {
   [[nodiscard]] std::uint64_t b() const { return b_; }
   [[nodiscard]] std::uint64_t c() const { return c_; }
 
-  /// Whether no number of range(), up to a tile's side each way, leaves 64 bits.
+  /// Whether no number in range(), for up to a tile's side each way, exceeds 64 bits.
   [[nodiscard]] bool may_bound() const {
     return is_below(xx_, 46) && is_below(xy_, 46) && is_below(yy_, 46) && is_below(a_, 52) && is_below(b_, 52) &&
            is_below(c_, 61);
@@ -48,7 +50,7 @@ class QuadraticSum {
     std::int64_t greatest = 0;
   };
 
-  /// Bounds of the sum over so many pixels each way: the sum of those of its parts in x, in y and in both.
+  /// Bounds of the sum over `width` x `height` pixels: the sum of the bounds of its parts in x, in y and in both.
   [[nodiscard]] Range range(std::uint32_t width, std::uint32_t height) const {
     const Range along_x = parabola(number(xx_), number(a_), width - 1);
     const Range along_y = parabola(number(yy_), number(b_), height - 1);
@@ -64,7 +66,7 @@ class QuadraticSum {
     return value + (std::uint64_t{1} << exponent) < std::uint64_t{2} << exponent;
   }
 
-  /// Of square*i*i + slope*i for i = 0 to last.
+  /// Range of square*i*i + slope*i for i = 0 to `last`.
   static Range parabola(std::int64_t square, std::int64_t slope, std::int64_t last) {
     const std::int64_t end = (square * last + slope) * last;
     Range range{std::min<std::int64_t>(end, 0), std::max<std::int64_t>(end, 0)};

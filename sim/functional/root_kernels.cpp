@@ -18,7 +18,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A word of each of several blocks.
+/// One word for each of several blocks.
 using WordTag = hn::CappedTag<std::uint64_t, 8>;
 using Words = hn::Vec<WordTag>;
 
@@ -42,17 +42,17 @@ HWY_INLINE void add_bit(Group& field, std::size_t number, Words added, Words& ca
   carry = hn::Or(hn::And(old, added), hn::And(half, carry));
 }
 
-/// Non-restoring, in place: a step works on the remainder with two more bits, k + 3 in all, and leaves the next bit of
-/// the root in place of their top bit.
+/// Non-restoring square root in place: a step processes the remainder with two more bits, k + 3 in all, and replaces
+/// their top bit by the next bit of the root.
 void root(Group& field, std::size_t w) {
   constexpr WordTag tag;
   const Words ones = hn::Set(tag, ~std::uint64_t{0});
   field.set_bit(2 * w, hn::Zero(tag));
-  Words subtracts = ones;  // where the remainder is not negative
+  Words subtracts = ones;  // 1 where the remainder is not negative
   for (std::size_t k = 0; k < w; ++k) {
     const std::size_t low = 2 * (w - 1 - k);
     const std::size_t top = 2 * w - k;
-    Words carry = subtracts;  // of adding 4q + 3, or the complement of 4q + 1, and 1
+    Words carry = subtracts;  // carry of adding 4q + 3, or the complement of 4q + 1, and 1
     add_bit(field, low, hn::Not(subtracts), carry);
     add_bit(field, low + 1, ones, carry);
     for (std::size_t i = 0; i < k; ++i) add_bit(field, low + 2 + i, hn::Xor(field.bit(top + 1 + i), subtracts), carry);

@@ -1,3 +1,5 @@
+// The kernel of the instruction `root`.
+// Used by tile.
 #pragma once
 
 #include <span>
@@ -7,8 +9,8 @@
 
 namespace csgsim::functional {
 
-/// Where enabled: takes the root (hw/isa/opcodes.h) of the field that these planes hold, the lowest bit first; they are
-/// of an odd number, 3 to 61.
+/// Executes `root` (hw/isa/opcodes.h) where enabled, on the field stored in the planes, lowest bit first. Their number
+/// must be odd, from 3 to 61.
 void take_root(const Enabled& pixels, std::span<TileBits* const> planes);
 
 }  // namespace csgsim::functional

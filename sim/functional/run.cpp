@@ -28,13 +28,13 @@ FunctionalRun::FunctionalRun(const isa::Program& program, const machines::Machin
 Instructions FunctionalRun::instructions() const { return program_.segments[place_.segment].instructions; }
 
 bool FunctionalRun::finished() const {
-  return program_.segments.empty() || (told_end_ && place_.segment + 1 == program_.segments.size());
+  return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
-void FunctionalRun::tell_end(Observers observers) {
-  if (told_end_) return;
+void FunctionalRun::notify_end(Observers observers) {
+  if (end_notified_) return;
   for (engine::Observer* const observer : observers) observer->after_segment(place_.segment, tiles_);
-  told_end_ = true;
+  end_notified_ = true;
 }
 
 void FunctionalRun::advance(std::uint64_t number, Observers observers) {
@@ -45,10 +45,10 @@ void FunctionalRun::advance(std::uint64_t number, Observers observers) {
       execute_stretch(number - next, observers);
       continue;
     }
-    tell_end(observers);
+    notify_end(observers);
     if (finished() || next >= number) return;
     place_ = {place_.segment + 1, 0};
-    told_end_ = false;
+    end_notified_ = false;
     tiles_.begin(program_.segments[place_.segment].region);
   }
 }
@@ -70,7 +70,7 @@ void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
                             tally.enabled[i], at_pixels()};
     if (step.instruction.opcode == isa::Opcode::global_or) answers_.push_back(step.enabled_pixels != 0);
     for (engine::Observer* const observer : observers)
-      if (!stretch.is_looked_at(i) || !observer->reads_enable_alone(step.instruction))
+      if (!stretch.is_observed(i) || !observer->reads_enable_alone(step.instruction))
         observer->after_instruction(step, tiles_);
   }
   place_.index += static_cast<std::uint32_t>(executed.size());
@@ -82,7 +82,7 @@ void FunctionalRun::execute_stretch(std::uint64_t most, Observers observers) {
 }
 
 engine::RunState FunctionalRun::save() const {
-  engine::RunState state{place_, told_end_, overflows_, skipped_, answers_, skips_, {}};
+  engine::RunState state{place_, end_notified_, overflows_, skipped_, answers_, skips_, {}};
   if (!program_.segments.empty()) state.planes = tiles_.planes();
   return state;
 }
@@ -90,7 +90,7 @@ engine::RunState FunctionalRun::save() const {
 void FunctionalRun::restore(const engine::RunState& state) {
   met_.jump();
   place_ = state.place;
-  told_end_ = state.told_end;
+  end_notified_ = state.told_end;
   overflows_ = state.overflows;
   skipped_ = state.skipped;
   answers_ = state.answers;
@@ -102,14 +102,14 @@ void FunctionalRun::restore(const engine::RunState& state) {
     tiles_.execute(Stretch({squares, 1}, {}));
 }
 
-/// Of the instruction at hand.
+/// The clocks of the current instruction that depend on pixels.
 std::optional<machines::PixelClocks> FunctionalRun::at_pixels() const {
   if (!met_.asks()) return std::nullopt;
   const isa::Segment& segment = program_.segments[place_.segment];
   return machine_.kind->clocks_at_pixels(segment, place_.index, machine_, &met_.met(place_.segment));
 }
 
-/// A run that went on from elsewhere does not know what it has not seen.
+/// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
 std::vector<machines::MetPixels> FunctionalRun::met_pixels() const {
   if (const std::vector<machines::MetPixels>* const met = met_.met()) return *met;
   FunctionalRun whole(program_, machine_, 1);

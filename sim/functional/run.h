@@ -1,3 +1,5 @@
+// Runs of the functional engine.
+// Used by the functional engine.
 #pragma once
 
 #include <optional>
@@ -9,10 +11,10 @@
 
 namespace csgsim::functional {
 
-/// A run in bit planes. The Program has to outlive it.
+/// A run on tiles of bit planes and lanes. The Program must outlive it.
 class FunctionalRun final : public engine::Run {
  public:
-  /// Throws InputError if the machine lacks what the Program needs.
+  /// Throws InputError if the machine lacks a feature that the Program needs.
   FunctionalRun(const isa::Program& program, const machines::Machine& machine, unsigned threads);
 
   [[nodiscard]] engine::Place place() const override { return place_; }
@@ -34,9 +36,9 @@ class FunctionalRun final : public engine::Run {
 
  private:
   [[nodiscard]] std::span<const isa::Instruction> instructions() const;
-  /// Carries out instructions, `most` at most, until one after which an observer looks at the pixels.
+  /// Executes instructions, at most `most`, until one after which an observer reads the pixels.
   void execute_stretch(std::uint64_t most, std::span<engine::Observer* const> observers);
-  void tell_end(std::span<engine::Observer* const> observers);
+  void notify_end(std::span<engine::Observer* const> observers);
   [[nodiscard]] std::optional<machines::PixelClocks> at_pixels() const;
   [[nodiscard]] std::vector<machines::MetPixels> met_pixels() const;
 
@@ -45,7 +47,7 @@ class FunctionalRun final : public engine::Run {
   engine::Numbers numbers_;
   Tiles tiles_;
   engine::Place place_;
-  bool told_end_ = false;
+  bool end_notified_ = false;
   std::uint64_t overflows_ = 0;
   std::uint64_t skipped_ = 0;
   std::vector<bool> answers_;

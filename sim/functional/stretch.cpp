@@ -15,32 +15,32 @@ constexpr std::size_t most_instructions = 1024;
 Stretch::Stretch(std::span<const isa::Instruction> instructions, std::span<engine::Observer* const> observers)
     : observers_(observers) {
   find_end(instructions.first(std::min(instructions.size(), most_instructions)));
-  find_wakes();
+  find_first_acting();
 }
 
 void Stretch::find_end(std::span<const isa::Instruction> instructions) {
-  looked_at_.reserve(instructions.size());
+  observed_.reserve(instructions.size());
   bool ends = false;
-  while (!ends && looked_at_.size() < instructions.size()) {
-    const isa::Instruction& instruction = instructions[looked_at_.size()];
+  while (!ends && observed_.size() < instructions.size()) {
+    const isa::Instruction& instruction = instructions[observed_.size()];
     ends = instruction.opcode == isa::Opcode::skip_if_none;
-    bool looked_at = false;
+    bool reads_enable = false;
     for (const engine::Observer* const one : observers_) {
       if (!one->reads_after(instruction)) continue;
-      (one->reads_enable_alone(instruction) ? looked_at : ends) = true;
+      (one->reads_enable_alone(instruction) ? reads_enable : ends) = true;
     }
-    looked_at_.push_back(looked_at ? 1 : 0);
+    observed_.push_back(reads_enable ? 1 : 0);
   }
-  instructions_ = instructions.first(looked_at_.size());
+  instructions_ = instructions.first(observed_.size());
 }
 
-void Stretch::find_wakes() {
-  wakes_.resize(size() + 1);
+void Stretch::find_first_acting() {
+  first_acting_.resize(size() + 1);
   auto next = static_cast<std::uint32_t>(size());
-  wakes_.back() = next;
+  first_acting_.back() = next;
   for (std::uint32_t i = next; i-- > 0;) {
     if (isa::acts_on_disabled(instructions_[i].opcode)) next = i;
-    wakes_[i] = next;
+    first_acting_[i] = next;
   }
 }
 

@@ -1,3 +1,5 @@
+// A sequence of instructions that each tile can execute without interruption.
+// Used by tiles and the functional run.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +11,32 @@
 
 namespace csgsim::functional {
 
-/// Instructions that tiles carry out one tile after the other.
+/// Instructions that are executed one tile after the other.
 class Stretch {
  public:
-  /// The first of `instructions`, one at least: until one, inclusive, after which some may be skipped, or an observer
-  /// looks at more of the pixels than which are enabled; few enough to show progress.
+  /// The first of `instructions` (at least one), up to and including one after which others may be skipped or an
+  /// observer reads pixels beyond their enable bits. The number is limited so that progress is shown.
   Stretch(std::span<const isa::Instruction> instructions, std::span<engine::Observer* const> observers);
 
   [[nodiscard]] std::span<const isa::Instruction> instructions() const { return instructions_; }
   [[nodiscard]] std::size_t size() const { return instructions_.size(); }
 
-  /// The first from this one on that does anything where no pixel is enabled; size() if none does.
-  [[nodiscard]] std::size_t wakes_from(std::size_t index) const { return wakes_[index]; }
+  /// Index of the first instruction from `index` on that acts where no pixel is enabled; size() if there is none.
+  [[nodiscard]] std::size_t first_acting_from(std::size_t index) const { return first_acting_[index]; }
 
-  /// Does an observer look at the enable bits after that instruction, and at nothing else?
-  [[nodiscard]] bool is_looked_at(std::size_t index) const { return looked_at_[index] != 0; }
-  /// Shows those observers the enable bits of a part of the picture after that instruction.
+  /// Whether an observer reads the enable bits, and nothing else, after that instruction.
+  [[nodiscard]] bool is_observed(std::size_t index) const { return observed_[index] != 0; }
+  /// Passes the enable bits of a part of the picture after that instruction to those observers.
   void show(std::size_t index, const isa::Region& part, std::span<const std::uint64_t> words) const;
 
  private:
   void find_end(std::span<const isa::Instruction> instructions);
-  void find_wakes();
+  void find_first_acting();
 
   std::span<const isa::Instruction> instructions_;
   std::span<engine::Observer* const> observers_;
-  std::vector<std::uint32_t> wakes_;
-  std::vector<std::uint8_t> looked_at_;
+  std::vector<std::uint32_t> first_acting_;
+  std::vector<std::uint8_t> observed_;
 };
 
 }  // namespace csgsim::functional

@@ -21,7 +21,7 @@ using isa::Field;
 using isa::Instruction;
 using isa::Opcode;
 
-/// Fields no wider than this stay in bit planes as long as only bits of theirs are moved and compared.
+/// Fields up to this width stay in bit planes as long as only their bits are moved and compared.
 constexpr unsigned max_width_as_bits = 8;
 
 using WidePlanes = std::array<TileBits*, isa::max_wide_field_width>;
@@ -179,7 +179,7 @@ void Tile::root(Field target) {
   take_root(pixels(), std::span(planes).first(target.width));
 }
 
-bool Tile::as_bits(Field first, Field second) const {
+bool Tile::use_bits(Field first, Field second) const {
   if (first.width == 1) return true;
   return first.width <= max_width_as_bits && memory_.in_planes(first, enable_.any()) &&
          (second.width == 0 || memory_.in_planes(second, enable_.any()));
@@ -187,7 +187,7 @@ bool Tile::as_bits(Field first, Field second) const {
 
 void Tile::set_constant(Field target, std::uint64_t constant) {
   if (enabled_ == 0) return;
-  if (as_bits(target, {})) {
+  if (use_bits(target, {})) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& plane = memory_.plane(target.base + bit, enable_.any());
       const std::uint64_t value = (constant >> bit & 1U) != 0 ? ~std::uint64_t{0} : 0;
@@ -216,8 +216,8 @@ void Tile::set_constant(Field target, std::uint64_t constant) {
   set_lanes(pixels(), memory_.lanes(target, written()), static_cast<std::uint32_t>(constant));
 }
 
-/// Whether the source is held in parts as those of the target.
-bool Tile::has_parts_of(Field source, Field target, const std::vector<Field>& parts) const {
+/// Whether the source is stored in the same parts as the target.
+bool Tile::has_same_parts(Field source, Field target, const std::vector<Field>& parts) const {
   const std::vector<Field> others = memory_.parts(source, enable_.any());
   return std::equal(parts.begin(), parts.end(), others.begin(), others.end(),
                     [&](const Field& one, const Field& other) {
@@ -227,7 +227,7 @@ bool Tile::has_parts_of(Field source, Field target, const std::vector<Field>& pa
 
 void Tile::copy(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (as_bits(target, source)) {
+  if (use_bits(target, source)) {
     for (unsigned bit = 0; bit < target.width; ++bit) {
       TileBits& to = memory_.plane(target.base + bit, enable_.any());
       const TileBits& from = memory_.read(source.base + bit, enable_.any(), first_copy_);
@@ -238,7 +238,7 @@ void Tile::copy(Field target, Field source) {
   }
   if (!memory_.in_lanes(target, enable_.any())) {
     if (const std::vector<Field> parts = memory_.parts(target, enable_.any());
-        !parts.empty() && has_parts_of(source, target, parts)) {
+        !parts.empty() && has_same_parts(source, target, parts)) {
       for (const Field& part : parts)
         copy(part, {static_cast<std::uint16_t>(source.base + part.base - target.base), part.width});
       return;
@@ -250,14 +250,14 @@ void Tile::copy(Field target, Field source) {
 
 void Tile::compare(Comparison comparison, Field left, Field right) {
   if (enabled_ == 0) return;
-  if (as_bits(left, right)) return compare_bits(comparison, left, right);
+  if (use_bits(left, right)) return compare_bits(comparison, left, right);
   Lanes& s = memory_.lanes(left, read());
   enabled_ = compare_lanes(pixels(), comparison, s, memory_.lanes(right, read()));
 }
 
 void Tile::compare_bits(Comparison comparison, Field left, Field right) {
-  std::array<std::uint64_t, blocks_a_tile> less{};
-  std::array<std::uint64_t, blocks_a_tile> differ{};
+  std::array<std::uint64_t, blocks_per_tile> less{};
+  std::array<std::uint64_t, blocks_per_tile> differ{};
   const std::uint64_t blocks = enable_.any();
   work_.words += static_cast<std::uint64_t>(std::popcount(blocks)) * left.width;
   for (unsigned bit = 0; bit < left.width; ++bit) {
@@ -299,15 +299,15 @@ void Tile::combine_bits(Combine combine, Field target, Field left, Field right) 
 
 void Tile::add(Field target, Field source) {
   if (enabled_ == 0) return;
-  if (as_bits(target, source)) return add_bits(target, source);
+  if (use_bits(target, source)) return add_bits(target, source);
   Lanes& to = memory_.lanes(target, read());
   const std::uint32_t low_bits = ~std::uint32_t{0} >> (isa::max_field_width - target.width);
   add_lanes(pixels(), to, memory_.lanes(source, read()), low_bits);
 }
 
-/// A full adder a word of pixels at a time, its carry rippling from bit to bit.
+/// A full adder on words of pixels, with the carry rippling from bit to bit.
 void Tile::add_bits(Field target, Field source) {
-  std::array<std::uint64_t, blocks_a_tile> carries{};
+  std::array<std::uint64_t, blocks_per_tile> carries{};
   work_.words += static_cast<std::uint64_t>(std::popcount(enable_.any())) * target.width;
   for (unsigned bit = 0; bit < target.width; ++bit) {
     TileBits& t = memory_.plane(target.base + bit, enable_.any());

@@ -1,3 +1,5 @@
+// A tile of pixels: memory, enable and the execution of instructions.
+// Used by tiles.
 #pragma once
 
 #include <cstdint>
@@ -13,18 +15,17 @@
 
 namespace csgsim::functional {
 
-/// Up to 64 x 64 pixels of a segment: memory and enable. An instruction costs time for the blocks of 8 x 8 pixels that
-/// it does not treat alike only. Tiles of one segment share nothing.
+/// Up to 64 x 64 pixels of a segment: memory and enable. The time of an instruction is proportional to the number of
+/// blocks of 8 x 8 pixels that are not uniform. Tiles of a segment share nothing.
 class alignas(64) Tile {
  public:
-  /// Its first pixel is (x, y) of the segment.
+  /// (x, y) is the position of its first pixel in the segment.
   Tile(std::uint32_t x, std::uint32_t y, TileShape shape, std::uint32_t memory_bits, Decide decide);
 
-  /// Memory and enable 0, as a segment begins.
+  /// Clears memory and enable, as at the start of a segment.
   void clear();
 
-  /// Carries out one valid instruction. Returns the number of enabled pixels at which the sum did not fit its width,
-  /// but had to.
+  /// Executes one valid instruction. Returns the number of enabled pixels at which the sum exceeded its width.
   std::uint64_t execute(const isa::Instruction& instruction);
 
   [[nodiscard]] std::uint32_t x() const { return x_; }
@@ -32,20 +33,20 @@ class alignas(64) Tile {
   [[nodiscard]] const TileShape& shape() const { return shape_; }
   [[nodiscard]] const engine::Work& work() const { return work_; }
 
-  /// Pixels whose E is 1.
+  /// Number of pixels whose E is 1.
   [[nodiscard]] std::uint32_t enabled() const { return enabled_; }
 
   [[nodiscard]] const Memory& memory() const { return memory_; }
   [[nodiscard]] const TileBits& enable() const { return enable_; }
-  /// A bit of memory, to look at.
+  /// A bit of memory, for reading.
   [[nodiscard]] const TileBits& bit(unsigned number, TileBits& copy) const {
     return memory_.read(number, shape_.blocks(), copy);
   }
-  /// Rows of 64 pixels, as read_rows reads them.
+  /// Sets E, or a bit of memory, from rows of 64 pixels in the format of read_rows.
   void write_enable(const std::uint64_t* rows, std::size_t stride);
   void write_bit(unsigned bit, const std::uint64_t* rows, std::size_t stride);
 
-  /// Of one pixel of the tile.
+  /// The field's value at one pixel of the tile.
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
     return memory_.value(field, x, y);
   }
@@ -54,7 +55,7 @@ class alignas(64) Tile {
   }
 
  private:
-  /// Of an instruction that looks at what is there where a pixel is enabled, and of one that does not.
+  /// The blocks of an instruction that reads the old values where a pixel is enabled, and of one that does not.
   [[nodiscard]] Worked read() const { return {enable_.any(), 0}; }
   [[nodiscard]] Worked written() const { return {enable_.any(), enable_.full()}; }
   [[nodiscard]] Enabled pixels() { return {enable_, shape_, decide_, work_}; }
@@ -67,16 +68,16 @@ class alignas(64) Tile {
 
   void set_constant(isa::Field target, std::uint64_t constant);
   void copy(isa::Field target, isa::Field source);
-  [[nodiscard]] bool has_parts_of(isa::Field source, isa::Field target, const std::vector<isa::Field>& parts) const;
+  [[nodiscard]] bool has_same_parts(isa::Field source, isa::Field target, const std::vector<isa::Field>& parts) const;
   void compare(Comparison comparison, isa::Field left, isa::Field right);
   void compare_bits(Comparison comparison, isa::Field left, isa::Field right);
-  /// Of each bit of one field, or of two.
+  /// Combines each bit of one field or of two with the target.
   template <class Combine>
   void combine_bits(Combine combine, isa::Field target, isa::Field left, isa::Field right);
   void add(isa::Field target, isa::Field source);
   void add_bits(isa::Field target, isa::Field source);
   void xor_constant(isa::Field target, std::uint64_t constant);
-  [[nodiscard]] bool as_bits(isa::Field first, isa::Field second) const;
+  [[nodiscard]] bool use_bits(isa::Field first, isa::Field second) const;
 
   std::uint32_t x_;
   std::uint32_t y_;
@@ -85,7 +86,7 @@ class alignas(64) Tile {
   Memory memory_;
   TileBits enable_;
   std::uint32_t enabled_ = 0;
-  isa::Linear squares_;  ///< that the next instruction's sum has besides
+  isa::Linear squares_;  ///< coefficients added to the next instruction's sum
   engine::Work work_;
   TileBits first_copy_;   ///< bits read from lanes
   TileBits second_copy_;  ///< bits read from lanes

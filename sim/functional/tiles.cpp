@@ -20,11 +20,11 @@ void run_tile(Tile& tile, const isa::Region& region, const Stretch& stretch, Til
   const std::span enabled(tally.enabled);
   std::uint64_t overflows = 0;
   for (std::size_t i = 0;; ++i) {
-    if (tile.enabled() == 0) i = stretch.wakes_from(i);
+    if (tile.enabled() == 0) i = stretch.first_acting_from(i);
     if (i == stretch.size()) break;
     enabled[i] += tile.enabled();
     overflows += tile.execute(stretch.instructions()[i]);
-    if (tile.enabled() != 0 && stretch.is_looked_at(i)) show(tile, region, stretch, i);
+    if (tile.enabled() != 0 && stretch.is_observed(i)) show(tile, region, stretch, i);
   }
   tally.overflows += overflows;
 }
@@ -80,24 +80,24 @@ void Tiles::read_field(isa::Field field, std::span<std::uint32_t> values) const 
 
 void Tiles::read_enable(std::span<std::uint64_t> words) const {
   for (const Tile& tile : tiles_)
-    write_rows(tile.enable(), tile.shape(), words.data() + first_word(tile), tiles_a_row());
+    write_rows(tile.enable(), tile.shape(), words.data() + first_word(tile), tiles_per_row());
 }
 
-const Tile& Tiles::tile_of(std::uint32_t x, std::uint32_t y) const {
-  return tiles_[y / tile_side * tiles_a_row() + x / tile_side];
+const Tile& Tiles::tile_at(std::uint32_t x, std::uint32_t y) const {
+  return tiles_[y / tile_side * tiles_per_row() + x / tile_side];
 }
 
 std::uint32_t Tiles::value(isa::Field field, std::uint32_t x, std::uint32_t y) const {
-  return tile_of(x, y).value(field, x % tile_side, y % tile_side);
+  return tile_at(x, y).value(field, x % tile_side, y % tile_side);
 }
 
 bool Tiles::enabled(std::uint32_t x, std::uint32_t y) const {
-  return tile_of(x, y).enabled(x % tile_side, y % tile_side);
+  return tile_at(x, y).enabled(x % tile_side, y % tile_side);
 }
 
 std::vector<std::vector<std::uint64_t>> Tiles::planes() const {
   std::vector<std::vector<std::uint64_t>> planes;
-  std::vector<std::uint64_t> words(tiles_a_row() * region_.height);
+  std::vector<std::uint64_t> words(tiles_per_row() * region_.height);
   const auto keep = [&] {
     const bool is_zero = std::all_of(words.begin(), words.end(), [](std::uint64_t word) { return word == 0; });
     planes.push_back(is_zero ? std::vector<std::uint64_t>{} : words);
@@ -107,7 +107,7 @@ std::vector<std::vector<std::uint64_t>> Tiles::planes() const {
   TileBits copy;
   for (unsigned bit = 0; bit < program_.shape.memory_bits; ++bit) {
     for (const Tile& tile : tiles_)
-      write_rows(tile.bit(bit, copy), tile.shape(), words.data() + first_word(tile), tiles_a_row());
+      write_rows(tile.bit(bit, copy), tile.shape(), words.data() + first_word(tile), tiles_per_row());
     keep();
   }
   return planes;
@@ -119,9 +119,9 @@ void Tiles::load(std::span<const std::vector<std::uint64_t>> planes) {
       if (planes[plane].empty()) continue;
       const std::uint64_t* const rows = planes[plane].data() + first_word(tile);
       if (plane == 0) {
-        tile.write_enable(rows, tiles_a_row());
+        tile.write_enable(rows, tiles_per_row());
       } else {
-        tile.write_bit(static_cast<unsigned>(plane - 1), rows, tiles_a_row());
+        tile.write_bit(static_cast<unsigned>(plane - 1), rows, tiles_per_row());
       }
     }
   }

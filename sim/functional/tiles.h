@@ -1,3 +1,5 @@
+// The pixels of a segment as tiles that several threads process.
+// Used by the functional run.
 #pragma once
 
 #include <cstdint>
@@ -13,53 +15,53 @@
 
 namespace csgsim::functional {
 
-/// The pixels of one segment after another, as tiles that any thread can work on, since instructions look at no pixel
-/// but their own.
+/// The pixels of one segment after another, as tiles that any thread can process, since instructions only access their
+/// own pixel.
 class Tiles final : public engine::PixelState {
  public:
   Tiles(const isa::Program& program, unsigned threads, Decide decide = Decide::by_block);
 
-  /// Memory and enable 0, as a segment begins.
+  /// Clears memory and enable, as at the start of a segment.
   void begin(const isa::Region& region);
 
   struct Tally {
-    std::vector<std::uint64_t> enabled;  ///< pixels whose E was 1 when each instruction began
-    std::uint64_t overflows = 0;         ///< enabled pixels at which the sum did not fit its width
+    std::vector<std::uint64_t> enabled;  ///< number of pixels whose E was 1 when each instruction began
+    std::uint64_t overflows = 0;         ///< number of enabled pixels at which the sum exceeded its width
   };
 
-  /// Carries out the instructions at one tile after the other, on all threads, and shows observers the enable bits.
+  /// Executes the instructions tile by tile on all threads, and passes the enable bits to observers.
   Tally execute(const Stretch& stretch);
 
   [[nodiscard]] isa::Region region() const override { return region_; }
   void read_field(isa::Field field, std::span<std::uint32_t> values) const override;
   void read_enable(std::span<std::uint64_t> words) const override;
 
-  /// Of one pixel, counted from the region's top left.
+  /// Value and enable of one pixel, relative to the region's top left.
   [[nodiscard]] std::uint32_t value(isa::Field field, std::uint32_t x, std::uint32_t y) const;
   [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const;
 
-  /// E and every memory bit, as RunState::planes.
+  /// E and every memory bit, in the format of RunState::planes.
   [[nodiscard]] std::vector<std::vector<std::uint64_t>> planes() const;
-  /// Memory and enable are 0 before, as begin leaves them.
+  /// Memory and enable must be 0, as after begin.
   void load(std::span<const std::vector<std::uint64_t>> planes);
 
-  /// Of all segments so far.
+  /// The work of all segments executed.
   [[nodiscard]] engine::Work work() const;
 
  private:
-  [[nodiscard]] std::size_t tiles_a_row() const { return (region_.width + tile_side - 1) / tile_side; }
-  /// Of a plane, the first of the tile's words, which are a row of words apart.
+  [[nodiscard]] std::size_t tiles_per_row() const { return (region_.width + tile_side - 1) / tile_side; }
+  /// Index of the tile's first word in a plane; its further words are one row of words apart each.
   [[nodiscard]] std::size_t first_word(const Tile& tile) const {
-    return tile.y() * tiles_a_row() + tile.x() / tile_side;
+    return tile.y() * tiles_per_row() + tile.x() / tile_side;
   }
-  [[nodiscard]] const Tile& tile_of(std::uint32_t x, std::uint32_t y) const;
+  [[nodiscard]] const Tile& tile_at(std::uint32_t x, std::uint32_t y) const;
 
   const isa::Program& program_;
   std::unique_ptr<Crew> crew_;
   Decide decide_;
   isa::Region region_;
   std::vector<Tile> tiles_;  ///< row by row
-  engine::Work earlier_;     ///< of tiles that are no more
+  engine::Work earlier_;     ///< work of former tiles
 };
 
 }  // namespace csgsim::functional

@@ -17,17 +17,17 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Depths closer than this part of the distance are the same depth. Has to be more than planes may be apart that the
-/// host takes as one (facet::coincidence_tolerance, of the model's diagonal), a hundred times more for planes that are
-/// seen nearly edge-on: else coinciding faces have another owner here than in the faceted picture.
-constexpr long double same_part = 1e-9L;
+/// Depths closer than this fraction of the distance are considered equal. It must exceed the distance of planes that
+/// the host unifies (facet::coincidence_tolerance, relative to the model's diagonal), with a factor of a hundred for
+/// planes seen nearly edge-on: otherwise coinciding faces would have another owner here than in the faceted picture.
+constexpr long double same_depth_tolerance = 1e-9L;
 
-/// What moves rays off edge-on faces, pixels.
+/// Offset that moves rays off edge-on faces, pixels.
 constexpr long double nudge_right = 1e-9L;
 constexpr long double nudge_down = 1e-10L;
 
-/// Sine of the angle to the camera's upward direction below which +y is upwards.
-constexpr long double least_sine_to_up = 1e-12L;
+/// Minimum sine of the angle between the view and the camera's upward direction; below it, +y is up.
+constexpr long double min_sine_to_up = 1e-12L;
 
 class LongCamera {
  public:
@@ -39,12 +39,12 @@ class LongCamera {
     const LongVector view = LongVector(camera.centre) - eye_;
     forward_ = glm::normalize(view);
     const LongVector across = glm::cross(forward_, LongVector(camera.up));
-    const bool is_along = glm::length(across) <= least_sine_to_up;
+    const bool is_along = glm::length(across) <= min_sine_to_up;
     right_ = glm::normalize(is_along ? glm::cross(forward_, LongVector(0, 1, 0)) : across);
     up_ = glm::cross(right_, forward_);
     const long double tangent = std::tan(std::numbers::pi_v<long double> / 16);
     pixel_ = 2 * tangent / height * (perspective_ ? 1 : glm::length(view));
-    least_unit_ = perspective_ ? 0 : glm::length(view);
+    min_unit_ = perspective_ ? 0 : glm::length(view);
   }
 
   /// The ray of a pixel centre; t counts model units along the axis from the eye.
@@ -58,10 +58,10 @@ class LongCamera {
   [[nodiscard]] bool perspective() const { return perspective_; }
 
   [[nodiscard]] bool same_depth(long double a, long double b) const {
-    return std::abs(b - a) <= same_part * std::max({std::abs(a), std::abs(b), least_unit_});
+    return std::abs(b - a) <= same_depth_tolerance * std::max({std::abs(a), std::abs(b), min_unit_});
   }
 
-  /// Column and row that a point is seen at, and its distance.
+  /// Column and row at which a point is seen, and its distance.
   [[nodiscard]] LongVector see(const LongVector& point) const {
     const LongVector d = point - eye_;
     const long double distance = glm::dot(d, forward_);
@@ -78,24 +78,24 @@ class LongCamera {
   LongVector up_{};
   LongVector forward_{};
   long double pixel_ = 0;  ///< orthographic: model units; perspective: tangent
-  /// An orthographic view shows what is at the eye and behind it too: the size of the picture counts there.
-  long double least_unit_ = 0;
+  /// An orthographic view also shows what is at the eye and behind it; there the size of the picture is the unit.
+  long double min_unit_ = 0;
 };
 
-/// Pixels [x0, x1) x [y0, y1) that a solid may be seen at.
+/// The pixels [x0, x1) x [y0, y1) at which a solid may be seen.
 struct Window {
   std::uint32_t x0, y0, x1, y1;
 };
 
-Window window_of(const TrueSolid& solid, const LongCamera& camera, std::uint32_t width, std::uint32_t height,
-                 long double near) {
+Window pixel_window(const TrueSolid& solid, const LongCamera& camera, std::uint32_t width, std::uint32_t height,
+                    long double near) {
   long double x0 = width;
   long double y0 = height;
   long double x1 = 0;
   long double y1 = 0;
   for (const LongVector& corner : solid.corners()) {
     const LongVector seen = camera.see(corner);
-    // What reaches before the near plane may be anywhere.
+    // A solid that reaches in front of the near plane may be anywhere in the picture.
     if (camera.perspective() && seen.z < near) return {0, 0, width, height};
     x0 = std::min(x0, std::floor(seen.x));
     y0 = std::min(y0, std::floor(seen.y));
@@ -116,10 +116,10 @@ struct RayEvent {
   bool enters;
 };
 
-/// The pixels of one picture.
+/// Computes the pixels of one picture.
 class RayPainter {
  public:
-  /// `nearest`: where each pixel's ray first meets a solid, whatever the near plane; kept up to date.
+  /// `nearest`: the distance at which each pixel's ray first meets a solid, regardless of the near plane; updated.
   RayPainter(const model::Tree& tree, std::span<const TrueSolid> solids, const view::Camera& camera, long double near,
              Truth& truth, std::span<long double> nearest)
       : solids_(solids),
@@ -128,10 +128,11 @@ class RayPainter {
         truth_(truth),
         nearest_(nearest),
         on_ray_(tree) {
-    for (const TrueSolid& solid : solids) windows_.push_back(window_of(solid, view_, truth.width, truth.height, near));
+    for (const TrueSolid& solid : solids)
+      windows_.push_back(pixel_window(solid, view_, truth.width, truth.height, near));
   }
 
-  /// Those that something is met at before that distance.
+  /// Computes the pixels whose rays meet something nearer than `before`.
   void paint(long double before) {
     for (std::uint32_t row = 0; row < truth_.height; ++row) {
       enter_row(row);

@@ -1,3 +1,5 @@
+// The picture of a model's true, unfaceted solids.
+// Used by sim/studies/accuracy.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +17,24 @@
 namespace csgsim::judges {
 
 /// The picture of the model's true spheres, cylinders and cones (and boxes and polyhedra) under their transforms, by
-/// the rules of exact_truth: what faceting costs is the difference from it. It has no planes.
+/// the rules of exact_truth. A faceted picture's difference from it is the error of faceting. It has no planes.
 ///
-/// Worked out in long double, about the point of a ray that is nearest to the primitive's origin: depths are right to
-/// some 1e-15 of the distance, and to 1e-8 of a curved solid's size where its outline is grazed. Depths closer than
-/// 1e-9 of the distance (in an orthographic view of |centre - eye|, if that is more) are taken as equal. Rays are moved
-/// right by 1e-9 pixels and down by 1e-10, which decides what is seen edge-on as the tie rule does. `depth` is used for
-/// its near plane only.
+/// Computed in long double, relative to the point of a ray nearest to the primitive's origin: depths are accurate to
+/// about 1e-15 of the distance, and to 1e-8 of a curved solid's size at grazing rays. Depths closer than 1e-9 of the
+/// distance (in an orthographic view of |centre - eye|, if that is greater) are considered equal. Rays are moved right
+/// by 1e-9 pixels and down by 1e-10, which resolves edge-on views like the tie rule. Only the near plane of `depth` is
+/// used.
 ///
-/// `drawn_as` is how the picture that is judged was faceted: what stays the polygon that the model says (meant.h) is
-/// that here too.
+/// `drawn_as` is the faceting of the picture to be judged: primitives that the model defines as polygons (meant.h) are
+/// polygons here too.
 Truth analytic_truth(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
                      std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
-/// The same of one depth scale after the other. Another near plane changes only what is seen of rays that meet a solid
-/// before it or the one before: only these are followed again.
+/// The same for a sequence of depth scales. Another near plane only changes rays that meet a solid in front of it or of
+/// the previous one: only these are traced again.
 class AnalyticPictures {
  public:
-  /// The tree outlives this.
+  /// The tree must outlive this object.
   AnalyticPictures(const model::Tree& tree, const facet::Faceting& drawn_as, const view::Camera& camera,
                    std::uint32_t width, std::uint32_t height);
 
@@ -44,8 +46,8 @@ class AnalyticPictures {
   std::vector<model::Primitive> meant_;
   std::vector<TrueSolid> solids_;
   Truth truth_;                       ///< with the near plane of the last depth scale
-  std::optional<long double> near_;   ///< where that is
-  std::vector<long double> nearest_;  ///< a pixel: where its ray first meets a solid, before any near plane too
+  std::optional<long double> near_;   ///< the near plane of `truth_`
+  std::vector<long double> nearest_;  ///< by pixel: where its ray first meets a solid, regardless of the near plane
 };
 
 }  // namespace csgsim::judges

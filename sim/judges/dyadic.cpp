@@ -11,7 +11,7 @@ namespace {
 constexpr int double_digits = 53;
 constexpr unsigned word_bits = 64;
 
-/// More than the digits of a Real.
+/// More bits than a Real has.
 constexpr int real_digits = 360;
 
 }  // namespace

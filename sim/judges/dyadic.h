@@ -1,3 +1,5 @@
+// Exact arithmetic on dyadic rationals.
+// Used by the exact cameras and sights of the judges.
 #pragma once
 
 #include <array>
@@ -9,23 +11,23 @@ namespace csgsim::judges {
 
 using Integer = boost::multiprecision::cpp_int;
 
-/// 100 decimal digits: for square roots, once a picture.
+/// 100 decimal digits, for square roots, which are taken once per picture.
 using Real = boost::multiprecision::cpp_bin_float_100;
 
-/// An exact number m * 2^e. Every finite double is one, and sums and products of them are.
+/// An exact number m * 2^e. All finite doubles, and their sums and products, are such numbers.
 class Dyadic {
  public:
   Dyadic() = default;
 
-  /// `value` has to be finite.
+  /// `value` must be finite.
   explicit Dyadic(double value);
 
-  /// All digits of `value`, which has to be finite.
+  /// Converts all digits of `value`, which must be finite.
   explicit Dyadic(const Real& value);
 
   [[nodiscard]] int sign() const { return mantissa_.sign(); }
 
-  /// Off by at most 2^-52 of the value; 0 or infinite beyond the range of doubles.
+  /// Relative error at most 2^-52; 0 or infinite outside the range of doubles.
   [[nodiscard]] double approximately() const;
 
   [[nodiscard]] Real to_real() const;

@@ -26,8 +26,7 @@ DepthError summarise(std::vector<double> errors) {
   return {*std::max_element(at, errors.end()), *at};
 }
 
-/// What rounding may make of the depth of the plane that is seen in truth, and what may be seen at all. Pictures that
-/// are only compared have neither.
+/// Placeholder for the rounding bounds and the visibility test of judge(), which compare() does not use.
 struct NoBounds {};
 
 template <class Allowed, class MayShow>
@@ -100,13 +99,13 @@ Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program
 
 std::string to_text(const Errors& errors) {
   std::string text = fmt::format(
-      "{} of {} pixels wrong ({} silhouette, {} owner, {} depth; {} explained, {} not); depth off by {:.3g} at most, "
-      "{:.3g} at 99.9 %, in steps {:.4g} and {:.4g}",
+      "{} of {} pixels wrong ({} silhouette, {} owner, {} depth; {} explained, {} unexplained); depth error at most "
+      "{:.3g} ({:.3g} for 99.9 % of the pixels), in steps {:.4g} ({:.4g})",
       grouped(errors.wrong()), grouped(errors.pixels), grouped(errors.silhouette), grouped(errors.owner),
       grouped(errors.depth), grouped(errors.explained), grouped(errors.unexplained), errors.model_units.max,
       errors.model_units.p999, errors.steps.max, errors.steps.p999);
   if (errors.first_unexplained) {
-    text += fmt::format("; not explained at column {}, row {}", errors.first_unexplained->column,
+    text += fmt::format("; first unexplained pixel at column {}, row {}", errors.first_unexplained->column,
                         errors.first_unexplained->row);
   }
   return text;

@@ -1,3 +1,5 @@
+// Error counts of a picture compared with the true one.
+// Used by runs and by the studies accuracy and design.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +14,10 @@ namespace csgsim::judges {
 class Explainer;
 struct Truth;
 
-/// How far depths are off where the owner is right.
+/// Error of depths at pixels with the right owner.
 struct DepthError {
   double max = 0;
-  double p999 = 0;  ///< at most this at 99.9 % of those pixels
+  double p999 = 0;  ///< bound for 99.9 % of those pixels
 };
 
 struct PixelPlace {
@@ -23,32 +25,33 @@ struct PixelPlace {
   std::uint32_t row = 0;
 };
 
-/// How wrong a picture is. Counts are pixels.
+/// Errors of a picture. Counts are numbers of pixels.
 struct Errors {
   std::uint64_t pixels = 0;
-  std::uint64_t covered = 0;     ///< in the truth
-  std::uint64_t silhouette = 0;  ///< something seen in one of the pictures only
-  std::uint64_t owner = 0;       ///< covered in both, by different primitives
-  std::uint64_t depth = 0;       ///< right owner, but a depth step beyond what rounding allows its plane (judge() only)
-  std::uint64_t explained = 0;   ///< wrong pixels that the stated bounds allow (judge() only)
+  std::uint64_t covered = 0;     ///< covered in the true picture
+  std::uint64_t silhouette = 0;  ///< something visible in only one of the pictures
+  std::uint64_t owner = 0;       ///< covered in both, but by different primitives
+  std::uint64_t depth = 0;       ///< right owner, but a depth step outside the rounding bounds of its plane (only from
+                                 ///< judge())
+  std::uint64_t explained = 0;   ///< wrong pixels that the stated bounds allow (only from judge())
   std::uint64_t unexplained = 0;
   std::optional<PixelPlace> first_unexplained;
 
-  DepthError model_units;  ///< distance of the depth step (its near end) against the true distance
-  DepthError steps;        ///< the same in depth steps: floor alone makes up to 1
+  DepthError model_units;  ///< distance of the depth step (its near end) minus the true distance
+  DepthError steps;        ///< the same in depth steps: floor alone causes up to 1
 
   [[nodiscard]] std::uint64_t wrong() const { return silhouette + owner + depth; }
 };
 
-/// Counts wrong pixels, and measures depth. The Program tells what the frame's depth steps stand for; sizes of frame
-/// and truth have to agree.
+/// Counts wrong pixels and measures depth errors. The Program defines the frame's depth steps; frame and truth must
+/// have the same size.
 Errors compare(const Truth& truth, const observe::Frame& frame, const isa::Program& program);
 
-/// The same, and says whether the bounds that the design states explain each wrong pixel. `truth` has to be
-/// exact_truth's, of the same tree, geometry and camera.
+/// The same, and also determines whether the bounds stated by the design explain each wrong pixel. `truth` must be from
+/// exact_truth for the same tree, geometry and camera.
 Errors judge(const Truth& truth, const observe::Frame& frame, const isa::Program& program, const Explainer& explainer);
 
-/// One line for people.
+/// A summary in one line.
 std::string to_text(const Errors& errors);
 
 }  // namespace csgsim::judges

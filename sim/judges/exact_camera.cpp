@@ -12,7 +12,7 @@ Real tangent_of_half_field() {
   return sqrt(4 + 2 * root) - root - 1;
 }
 
-/// Nearer to the camera's upward direction than this (sine of the angle) a view has +y upwards.
+/// Sine of the angle to the camera's upward direction below which a view has +y up.
 constexpr double along_up = 1e-12;
 
 }  // namespace

@@ -1,3 +1,5 @@
+// Cameras and pixel centres in exact numbers.
+// Used by the sights of the judges.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +14,7 @@ namespace csgsim::judges {
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A pixel centre: twice its distance from the middle of the picture, in pixels, to the right and down. Integers.
+/// A pixel centre as integers: twice its distance from the middle of the picture, to the right and down, in pixels.
 struct Place {
   std::int32_t x = 0;
   std::int32_t y = 0;
@@ -24,16 +26,16 @@ constexpr Place place_of(std::uint32_t column, std::uint32_t row, std::uint32_t 
           2 * static_cast<std::int32_t>(row) - (static_cast<std::int32_t>(height) - 1)};
 }
 
-/// l0 + lx x + ly y, exact.
+/// The exact linear function l0 + lx x + ly y.
 struct ExactLinear {
   Dyadic l0, lx, ly;
 
   [[nodiscard]] Dyadic at(Place place) const;
 };
 
-/// A camera in exact numbers. Its direction v = centre - eye, r = v x up and u = r x v are exact, and not normalised,
-/// so that what is perpendicular or parallel to them is so exactly. Only two lengths are irrational, pixel / |r| and
-/// pixel / |u|; they are taken to 100 digits.
+/// A camera in exact numbers. Its direction v = centre - eye, r = v x up and u = r x v are exact and not normalised, so
+/// that perpendicular and parallel planes are recognized exactly. Only the two lengths pixel / |r| and pixel / |u| are
+/// irrational; they are computed to 100 digits.
 struct ExactCamera {
   ExactCamera(const view::Camera& camera, std::uint32_t width, std::uint32_t height, const isa::DepthScale& depth);
 
@@ -44,8 +46,8 @@ struct ExactCamera {
   Vector forward;      ///< v
   Vector right;        ///< r
   Vector up;           ///< u
-  Dyadic right_step;   ///< half a pixel in lengths of r
-  Dyadic up_step;      ///< half a pixel in lengths of u
+  Dyadic right_step;   ///< half a pixel in units of r
+  Dyadic up_step;      ///< half a pixel in units of u
   Dyadic axis_length;  ///< |v|
   Dyadic near;
 };

@@ -13,10 +13,10 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Pixels a side below which tiles are drawn pixel by pixel.
+/// Tiles of at most this side are drawn pixel by pixel.
 constexpr std::uint32_t small_tile = 4;
 
-/// A place along a ray where it enters or leaves a primitive.
+/// A point of a ray where it enters or leaves a primitive.
 struct Event {
   Sheet sheet;
   std::uint32_t primitive;
@@ -33,7 +33,7 @@ std::optional<Sheet> extreme(const Sight& sight, std::span<const facet::Halfspac
   return Sheet{best, Root::only};
 }
 
-/// The farther (sign 1) or nearer (sign -1) of two sheets on a ray, either of which may be none.
+/// The farther (sign 1) or nearer (sign -1) of two sheets on a ray, either of which may be missing.
 std::optional<Sheet> extreme(const Sight& sight, std::optional<Sheet> a, std::optional<Sheet> b, Place place,
                              int sign) {
   if (!a || !b) return a ? a : b;
@@ -44,7 +44,7 @@ class Painter {
  public:
   Painter(const model::Tree& tree, const Sight& sight, Truth& truth) : sight_(sight), truth_(truth), on_ray_(tree) {}
 
-  /// Quarters the tile until it is small, narrowing on the way.
+  /// Divides the tile into quarters until it is small, and narrows the pieces at each level.
   void paint(const Pieces& pieces, const Tile& tile) {
     if (pieces.pieces.empty()) return;
     if (std::max(tile.width(), tile.height()) <= small_tile) {
@@ -86,13 +86,13 @@ class Painter {
     }
     const Part between{extreme(sight_, pieces.of(piece.fronts), place, 1),
                        extreme(sight_, pieces.of(piece.backs), place, -1)};
-    const std::optional<Part> part = within(between, pieces.quadrics_of(piece), place);
+    const std::optional<Part> part = within(between, pieces.quadrics_in(piece), place);
     if (!part) return;
     events_.push_back({*part->front, piece.primitive, true});
     events_.push_back({*part->back, piece.primitive, false});
   }
 
-  /// What the quadrics leave of a part of a ray: one part, as solids are convex.
+  /// The part of a ray that the quadrics leave. It is a single part, as solids are convex.
   [[nodiscard]] std::optional<Part> within(const Part& part, std::span<const facet::QuadricSide> sides,
                                            Place place) const {
     if (sides.empty()) {

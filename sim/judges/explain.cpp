@@ -11,10 +11,10 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Fraction bits that edge tests have more than surfaces.
+/// Additional fraction bits of edge tests over surfaces.
 constexpr int edge_bits = 8;
 
-/// Pixels that a primitive's rectangle is wider than its vertices are apart, besides the width of edges.
+/// Margin of a primitive's rectangle around its vertices, pixels, in addition to the width of edges.
 constexpr double rectangle_margin = 1.0 / 64;
 
 DepthLine depth_line(const isa::Program& program, double unit) {
@@ -43,14 +43,14 @@ DepthLine depth_line(const isa::Program& program, double unit) {
 
 }  // namespace
 
-/// What a machine makes of a plane at a place.
+/// What a machine may draw for a plane at a place.
 struct Explainer::Nature {
   enum class Kind : std::uint8_t {
     surface,
-    holds,      ///< as an edge, which has the place on its positive side
-    excludes,   ///< as an edge, which has the place on its negative side
-    undecided,  ///< as an edge, which passes too close to tell
-    either,     ///< perhaps as an edge, perhaps as a surface
+    holds,      ///< an edge with the place on its positive side
+    excludes,   ///< an edge with the place on its negative side
+    undecided,  ///< an edge too close to decide
+    either,     ///< possibly an edge, possibly a surface
   };
   Kind kind = Kind::surface;
   Steps steps;
@@ -82,7 +82,7 @@ Explainer::Explainer(const model::Tree& tree, const facet::Geometry& geometry, c
       steepest_(std::ldexp(1.0, static_cast<int>(line_.z_bits)) / line_.edge_on_fraction) {}
 
 Steps Explainer::steps(std::uint32_t index, Place place) const {
-  // 0, or 1 if the near plane, which is fitted to the model, lies behind a face by the last bit of a double.
+  // 0, or 1 if the near plane, which is fitted to the model, is behind a face by the last bit of a double.
   if (index == sight_.near_plane()) return {0, 1};
   if (index > sight_.near_plane()) {
     const Sheet sheet = sight_.quadric_sheet(index);
@@ -96,7 +96,7 @@ Steps Explainer::steps(std::uint32_t index, Place place) const {
 Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   const SightPlane& plane = sight_.plane(index);
   if (!std::isfinite(plane.error)) return {Nature::Kind::either, {}};
-  // Per whole pixel; coefficients count half pixels.
+  // Slope per pixel; the coefficients are per half pixel.
   const double a = 2.0 * std::abs(plane.a);
   const double b = 2.0 * std::abs(plane.b);
   const double slope = std::hypot(a, b) * line_.z_per_q;
@@ -110,58 +110,58 @@ Explainer::Nature Explainer::nature(std::uint32_t index, Place place) const {
   const double zone = (exact_edge ? 0.0 : line_.q_half_range) + DepthLine::double_part * terms * plane.condition +
                       std::max(a, b) * DepthLine::rounding(place) * std::ldexp(line_.ulp(), -edge_bits);
   if (std::abs(value) <= zone) return {Nature::Kind::undecided, {}};
-  // A front's half-space lies behind it: it holds the depths if the plane is nearer than they are.
+  // A front's half-space is behind it: it contains the depths if the plane is nearer.
   const bool positive = plane.role == Role::back ? value > 0.0 : value < 0.0;
   return {positive ? Nature::Kind::holds : Nature::Kind::excludes, {}};
 }
 
-/// False if the primitive is not on the ray.
-bool Explainer::add_halfspace(Chance& chance, const facet::Halfspace& halfspace, Place place) const {
+/// Returns false if the primitive is not on the ray.
+bool Explainer::add_halfspace(Candidate& candidate, const facet::Halfspace& halfspace, Place place) const {
   const Nature is = nature(halfspace.plane, place);
   switch (is.kind) {
     case Nature::Kind::surface: {
       const bool front = (sight_.plane(halfspace.plane).role == Role::front) == halfspace.positive;
-      (front ? chance.fronts : chance.backs).push_back({halfspace.plane, is.steps});
+      (front ? candidate.fronts : candidate.backs).push_back({halfspace.plane, is.steps});
       return true;
     }
     case Nature::Kind::holds: return halfspace.positive;
     case Nature::Kind::excludes: return !halfspace.positive;
-    case Nature::Kind::undecided: chance.edges.push_back({halfspace.plane, halfspace.positive}); return true;
-    case Nature::Kind::either: chance.doubtful = true; return true;
+    case Nature::Kind::undecided: candidate.edges.push_back({halfspace.plane, halfspace.positive}); return true;
+    case Nature::Kind::either: candidate.doubtful = true; return true;
   }
   return true;
 }
 
-/// The same of a quadric. Where rays begin inside of it, it has a back only if it is met at all.
-bool Explainer::add_quadric(Chance& chance, const facet::QuadricSide& side, Place place) const {
+/// The same for a quadric. If rays begin inside it, it has a back only if it is met at all.
+bool Explainer::add_quadric(Candidate& candidate, const facet::QuadricSide& side, Place place) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(side.quadric);
   QuadricMet met = quadrics_.met(side.quadric, place);
   const std::uint32_t nearer = sight_.surface({side.quadric, Root::nearer});
   const std::uint32_t farther = sight_.surface({side.quadric, Root::farther});
   if (met.doubtful) {
-    chance.doubtful = true;
+    candidate.doubtful = true;
     return true;
   }
   const bool on_far_nappe = quadric.ahead != 0 && (quadric.ahead < 0) == side.along_axis;
   if (!met.edge && quadric.opening < 0 && !on_far_nappe) {
     if (met.is_met == Maybe::unknown) met.nearer.high = std::max(met.nearer.high, line_.farthest());
-    if (met.is_met != Maybe::no) chance.backs.push_back({nearer, met.nearer});
+    if (met.is_met != Maybe::no) candidate.backs.push_back({nearer, met.nearer});
     return true;
   }
   if (met.is_met == Maybe::no) return false;
-  if (met.is_met == Maybe::unknown) chance.edges.push_back({nearer, true});
+  if (met.is_met == Maybe::unknown) candidate.edges.push_back({nearer, true});
   if (met.edge) return true;
   const bool is_from = quadric.opening < 0;
-  chance.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
-  if (!is_from) chance.backs.push_back({farther, met.farther});
+  candidate.fronts.push_back(is_from ? Met{farther, met.farther} : Met{nearer, met.nearer});
+  if (!is_from) candidate.backs.push_back({farther, met.farther});
   return true;
 }
 
-/// Whether the pixel is one of those that the primitive may be at.
+/// Whether the pixel is one of those at which the primitive may be.
 Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
   const PlaceRect& reach = reaches_[primitive];
   if (reach.x0 > reach.x1) return Maybe::no;
-  // Places are half pixels.
+  // Places are in half pixels.
   const double beyond =
       std::max(std::max(reach.x0 - place.x, place.x - reach.x1), std::max(reach.y0 - place.y, place.y - reach.y1)) /
       2.0;
@@ -175,26 +175,27 @@ Maybe Explainer::in_rectangle(std::uint32_t primitive, Place place) const {
 
 Ray Explainer::make_ray(Place place) const {
   Ray ray;
-  // After all surfaces: one a primitive, for its rectangle.
+  // Indices after all surfaces: one per primitive, for its rectangle.
   const std::uint32_t rectangles = sight_.surface({sight_.quadrics().count(), Root::nearer});
   for (std::uint32_t primitive = 0; primitive < geometry_.solids.size(); ++primitive) {
-    Chance chance{
+    Candidate candidate{
         primitive, {}, {{sight_.near_plane(), {0, 0}}}, {{nothing, {line_.farthest(), line_.farthest()}}}, false};
     const Maybe in_rect = in_rectangle(primitive, place);
     if (in_rect == Maybe::no) continue;
-    if (in_rect == Maybe::unknown) chance.edges.push_back({rectangles + primitive, true});
+    if (in_rect == Maybe::unknown) candidate.edges.push_back({rectangles + primitive, true});
     const facet::Convex& solid = geometry_.solids[primitive];
-    const bool on_ray = std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
-                                    [&](const facet::Halfspace& one) { return add_halfspace(chance, one, place); }) &&
-                        std::all_of(solid.quadrics.begin(), solid.quadrics.end(),
-                                    [&](const facet::QuadricSide& one) { return add_quadric(chance, one, place); });
+    const bool on_ray =
+        std::all_of(solid.halfspaces.begin(), solid.halfspaces.end(),
+                    [&](const facet::Halfspace& one) { return add_halfspace(candidate, one, place); }) &&
+        std::all_of(solid.quadrics.begin(), solid.quadrics.end(),
+                    [&](const facet::QuadricSide& one) { return add_quadric(candidate, one, place); });
     if (!on_ray) continue;
-    for (const EdgeUse& edge : chance.edges) {
+    for (const EdgeUse& edge : candidate.edges) {
       if (std::find(ray.undecided_edges.begin(), ray.undecided_edges.end(), edge.plane) == ray.undecided_edges.end()) {
         ray.undecided_edges.push_back(edge.plane);
       }
     }
-    ray.chances.push_back(std::move(chance));
+    ray.candidates.push_back(std::move(candidate));
   }
   return ray;
 }

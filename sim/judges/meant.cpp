@@ -12,13 +12,13 @@ namespace csgsim::judges {
 
 namespace {
 
-/// A level circle of corners; of radius 0 a single one.
+/// A horizontal circle of corners; a single corner if the radius is 0.
 struct Ring {
   long double radius = 0;
   long double z = 0;
 };
 
-/// Rings of `count` corners, joined by quadrangles and closed at both ends.
+/// The polyhedron between rings of `count` corners, joined by quadrangles and closed at both ends.
 model::Polyhedron between(std::span<const Ring> rings, std::uint32_t count) {
   model::Polyhedron solid;
   std::vector<std::vector<std::uint32_t>> corners;
@@ -44,7 +44,7 @@ model::Polyhedron between(std::span<const Ring> rings, std::uint32_t count) {
   return solid;
 }
 
-/// Corners of its circles, if it is meant as a polygon.
+/// Number of corners of its circles, if it is meant as a polygon.
 std::optional<std::uint32_t> polygon(const model::FacetControl& own, const facet::Faceting& faceting) {
   if (!std::isfinite(own.fn) || own.fn <= 0 || own.fn >= fewest_round_of(faceting)) return std::nullopt;
   return std::max(3U, static_cast<std::uint32_t>(own.fn));

@@ -1,3 +1,5 @@
+// Distinguishes polygons that a model means from round solids that are faceted.
+// Used by the analytic truth and sim/studies/accuracy.
 #pragma once
 
 #include "host/facet/faceting.h"
@@ -5,12 +7,13 @@
 
 namespace csgsim::judges {
 
-/// The solid that a primitive stands for in a picture that is faceted so: the primitive itself, or the polyhedron of
-/// OpenSCAD's corners for a sphere or cylinder whose own $fn is above 0 and less than Faceting::fewest_round, as a nut
-/// has. Where a tolerance or a $fn for all takes the place of its own, it is round as the others.
+/// The solid that a primitive means in a picture with that faceting: the primitive itself or, for a sphere or cylinder
+/// whose own $fn is above 0 and below Faceting::fewest_round (such as a nut), the polyhedron with OpenSCAD's corners.
+/// If a tolerance or a global $fn replaces its own, it is round like the others.
 model::Primitive as_meant(const model::Primitive& primitive, const facet::Faceting& faceting);
 
-/// The least $fn of a model's own that is round if it is faceted so: as_meant asks no more of a faceting.
+/// Minimum $fn of a model that means a round solid with that faceting. as_meant depends on nothing else of the
+/// faceting.
 double fewest_round_of(const facet::Faceting& faceting);
 
 }  // namespace csgsim::judges

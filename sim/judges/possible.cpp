@@ -10,12 +10,12 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Undecided edges of which both sides are tried; more are left unknown.
+/// Maximum number of undecided edges whose sides are enumerated; the others stay unknown.
 constexpr std::size_t max_tried_edges = 6;
 
 Maybe least(Maybe a, Maybe b) { return std::min(a, b); }
 
-/// The depth of a surface: the greatest (or least) of the planes named, which are all that can be it.
+/// The depth of a surface: the greatest (or least) of the listed planes, which are the only candidates.
 struct Surface {
   bool greatest = true;
   std::vector<std::uint32_t> planes;  ///< sorted
@@ -56,51 +56,51 @@ class Branch {
  public:
   Branch(const model::Tree& tree, const Ray& ray, std::uint32_t sides)
       : tree_(tree), ray_(ray), sides_(sides), of_primitive_(tree.primitives.size(), nullptr) {
-    for (const Chance& chance : ray.chances) of_primitive_[chance.primitive] = &chance;
-    mark_taken_away();
+    for (const Candidate& candidate : ray.candidates) of_primitive_[candidate.primitive] = &candidate;
+    mark_subtracted();
   }
 
   [[nodiscard]] bool can_show(std::uint32_t owner, std::int64_t depth) const {
     if (owner == nothing) {
-      return std::none_of(ray_.chances.begin(), ray_.chances.end(),
-                          [&](const Chance& one) { return state(one, surface_of(one)) == Maybe::yes; });
+      return std::none_of(ray_.candidates.begin(), ray_.candidates.end(),
+                          [&](const Candidate& one) { return state(one, visible_surface(one)) == Maybe::yes; });
     }
     if (owner >= of_primitive_.size() || of_primitive_[owner] == nullptr) return false;
-    const Chance& shown = *of_primitive_[owner];
+    const Candidate& shown = *of_primitive_[owner];
     if (shown.doubtful) return true;
-    Surface surface = surface_of(shown);
+    Surface surface = visible_surface(shown);
     if (depth < surface.steps.low || depth > surface.steps.high) return false;
     surface.steps = {depth, depth};
     if (state(shown, surface) == Maybe::no) return false;
-    return std::none_of(ray_.chances.begin(), ray_.chances.end(),
-                        [&](const Chance& other) { return surely_before(other, owner, surface); });
+    return std::none_of(ray_.candidates.begin(), ray_.candidates.end(),
+                        [&](const Candidate& other) { return certainly_before(other, owner, surface); });
   }
 
  private:
-  /// Whether the other primitive's surface surely hides the one that is shown at that depth.
-  [[nodiscard]] bool surely_before(const Chance& other, std::uint32_t owner, const Surface& surface) const {
+  /// Whether the other primitive's surface certainly hides the one shown at that depth.
+  [[nodiscard]] bool certainly_before(const Candidate& other, std::uint32_t owner, const Surface& surface) const {
     if (other.primitive == owner || other.doubtful) return false;
-    const Surface hiding = surface_of(other);
+    const Surface hiding = visible_surface(other);
     const bool first = other.primitive < owner;
     const bool nearer = hiding.steps.high < surface.steps.low ||
                         (first && (hiding.steps.high <= surface.steps.low || hiding.same_as(surface)));
     return nearer && state(other, hiding) == Maybe::yes;
   }
 
-  [[nodiscard]] Surface surface_of(const Chance& chance) const {
-    const bool back = taken_away_[chance.primitive];
-    return make_surface(back ? chance.backs : chance.fronts, !back);
+  [[nodiscard]] Surface visible_surface(const Candidate& candidate) const {
+    const bool back = subtracted_[candidate.primitive];
+    return make_surface(back ? candidate.backs : candidate.fronts, !back);
   }
 
-  /// Whether the primitive's visible surface is there and no operator takes it away.
-  [[nodiscard]] Maybe state(const Chance& chance, const Surface& surface) const {
-    const Maybe there = least(on_ray(chance), not_empty(chance));
-    return there == Maybe::no ? there : least(there, shows(chance.primitive, surface));
+  /// Whether the primitive's visible surface is present and no operator removes it.
+  [[nodiscard]] Maybe state(const Candidate& candidate, const Surface& surface) const {
+    const Maybe there = least(on_ray(candidate), not_empty(candidate));
+    return there == Maybe::no ? there : least(there, shows(candidate.primitive, surface));
   }
 
-  [[nodiscard]] Maybe on_ray(const Chance& chance) const {
-    Maybe result = chance.doubtful ? Maybe::unknown : Maybe::yes;
-    for (const EdgeUse& edge : chance.edges) {
+  [[nodiscard]] Maybe on_ray(const Candidate& candidate) const {
+    Maybe result = candidate.doubtful ? Maybe::unknown : Maybe::yes;
+    for (const EdgeUse& edge : candidate.edges) {
       const auto at = std::find(ray_.undecided_edges.begin(), ray_.undecided_edges.end(), edge.plane);
       const auto bit = static_cast<std::size_t>(at - ray_.undecided_edges.begin());
       if (bit >= max_tried_edges) {
@@ -112,21 +112,21 @@ class Branch {
     return result;
   }
 
-  [[nodiscard]] static Maybe not_empty(const Chance& chance) {
-    const Surface front = make_surface(chance.fronts, true);
+  [[nodiscard]] static Maybe not_empty(const Candidate& candidate) {
+    const Surface front = make_surface(candidate.fronts, true);
     Maybe result = Maybe::yes;
-    for (const Met& back : chance.backs) result = least(result, opposite(not_behind(back, front)));
+    for (const Met& back : candidate.backs) result = least(result, opposite(not_behind(back, front)));
     return result;
   }
 
-  [[nodiscard]] Maybe holds(const Chance& chance, const Surface& surface) const {
-    Maybe result = on_ray(chance);
-    for (const Met& front : chance.fronts) result = least(result, not_behind(front, surface));
-    for (const Met& back : chance.backs) result = least(result, opposite(not_behind(back, surface)));
+  [[nodiscard]] Maybe holds(const Candidate& candidate, const Surface& surface) const {
+    Maybe result = on_ray(candidate);
+    for (const Met& front : candidate.fronts) result = least(result, not_behind(front, surface));
+    for (const Met& back : candidate.backs) result = least(result, opposite(not_behind(back, surface)));
     return result;
   }
 
-  /// Whether all operators above the primitive are in (out, where they are taken away) at the surface.
+  /// Whether all operators above the primitive are inside (outside, where they are subtracted) at the surface.
   [[nodiscard]] Maybe shows(std::uint32_t primitive, const Surface& surface) const {
     values_.assign(tree_.nodes.size(), Maybe::no);
     std::uint32_t on_path = model::no_index;
@@ -136,17 +136,17 @@ class Branch {
       bool through = false;
       if (node.is_leaf) {
         through = node.primitive == primitive;
-        const Chance* chance = of_primitive_[node.primitive];
-        if (chance != nullptr) values_[i] = holds(*chance, surface);
-        // At its own front a solid is in, at its back out, if there is any of it.
-        if (through) values_[i] = taken_away_[primitive] ? Maybe::no : Maybe::yes;
+        const Candidate* candidate = of_primitive_[node.primitive];
+        if (candidate != nullptr) values_[i] = holds(*candidate, surface);
+        // A solid that is present is inside at its own front and outside at its back.
+        if (through) values_[i] = subtracted_[primitive] ? Maybe::no : Maybe::yes;
       } else {
         values_[i] = combine(node);
         through = std::find(node.children.begin(), node.children.end(), on_path) != node.children.end();
       }
       if (!through) continue;
       on_path = i;
-      result = least(result, node_taken_away_[i] ? opposite(values_[i]) : values_[i]);
+      result = least(result, node_subtracted_[i] ? opposite(values_[i]) : values_[i]);
     }
     return result;
   }
@@ -164,14 +164,14 @@ class Branch {
     return result;
   }
 
-  void mark_taken_away() {
-    node_taken_away_.assign(tree_.nodes.size(), false);
-    taken_away_.assign(tree_.primitives.size(), false);
+  void mark_subtracted() {
+    node_subtracted_.assign(tree_.nodes.size(), false);
+    subtracted_.assign(tree_.primitives.size(), false);
     for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
       const model::Node& node = tree_.nodes[i];
-      if (node.is_leaf) taken_away_[node.primitive] = node_taken_away_[i];
+      if (node.is_leaf) subtracted_[node.primitive] = node_subtracted_[i];
       for (std::size_t c = 0; c < node.children.size(); ++c) {
-        node_taken_away_[node.children[c]] = node_taken_away_[i] != (node.op == model::Operator::subtract && c > 0);
+        node_subtracted_[node.children[c]] = node_subtracted_[i] != (node.op == model::Operator::subtract && c > 0);
       }
     }
   }
@@ -179,9 +179,9 @@ class Branch {
   const model::Tree& tree_;
   const Ray& ray_;
   std::uint32_t sides_;
-  std::vector<const Chance*> of_primitive_;
-  std::vector<bool> node_taken_away_;
-  std::vector<bool> taken_away_;
+  std::vector<const Candidate*> of_primitive_;
+  std::vector<bool> node_subtracted_;
+  std::vector<bool> subtracted_;
   mutable std::vector<Maybe> values_;
 };
 

@@ -1,3 +1,5 @@
+// Three-valued decisions about what a ray may show.
+// Used by the explainer and the quadric bounds.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +9,18 @@
 
 namespace csgsim::judges {
 
-/// The least and greatest depth step that something may have.
+/// Range of depth steps, inclusive.
 struct Steps {
   std::int64_t low = 0;
   std::int64_t high = 0;
 };
 
-/// Truth of a statement about uncertain planes, in Kleene's order: `and` is the least, `or` the greatest.
+/// The truth of a statement about uncertain planes, in Kleene's order: AND is the minimum, OR the maximum.
 enum class Maybe : std::uint8_t { no, unknown, yes };
 
 constexpr Maybe opposite(Maybe value) { return static_cast<Maybe>(2 - static_cast<int>(value)); }
 
-/// A surface, of a plane or a root of a quadric, as one ray meets it. Equal indices mean equal depth, whatever it is.
+/// The intersection of a ray with a surface, a plane or a root of a quadric. Equal indices mean equal depths.
 struct Met {
   std::uint32_t plane = 0;
   Steps steps;
@@ -26,26 +28,26 @@ struct Met {
 
 /// An edge-on plane that may be on either side of the ray, or a quadric that the ray may meet or miss.
 struct EdgeUse {
-  std::uint32_t plane = 0;  ///< of a quadric, its nearer root
-  bool positive = true;     ///< the primitive uses the positive half-space, or where the quadric is met
+  std::uint32_t plane = 0;  ///< for a quadric, the index of its nearer root
+  bool positive = true;     ///< the primitive uses the positive half-space, or the rays that meet the quadric
 };
 
 /// A primitive that may be on a ray.
-struct Chance {
+struct Candidate {
   std::uint32_t primitive = 0;
-  std::vector<EdgeUse> edges;  ///< undecided ones; the decided ones hold
+  std::vector<EdgeUse> edges;  ///< the undecided edges; the primitive is inside the decided ones
   std::vector<Met> fronts;
   std::vector<Met> backs;
-  bool doubtful = false;  ///< some of its planes may be edges or surfaces: it may be anything
+  bool doubtful = false;  ///< some of its planes may be edges or surfaces: nothing is known
 };
 
-/// All that may be on one ray, primitives in tree order.
+/// Everything that may be on one ray, primitives in tree order.
 struct Ray {
-  std::vector<Chance> chances;
-  std::vector<std::uint32_t> undecided_edges;  ///< planes, each once
+  std::vector<Candidate> candidates;
+  std::vector<std::uint32_t> undecided_edges;  ///< indices of planes, each once
 };
 
-/// Whether planes within their bounds can make a picture that shows `owner` (or `nothing`) at that depth step.
+/// Whether planes within their bounds can show `owner` (or `nothing`) at that depth step.
 bool can_show(const model::Tree& tree, const Ray& ray, std::uint32_t owner, std::int64_t depth);
 
 }  // namespace csgsim::judges

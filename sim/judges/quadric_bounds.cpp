@@ -8,10 +8,10 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Worse conditions leave nothing of a double's digits.
-constexpr double worst_condition = 0x1p45;
+/// Above this condition number, no digits of a double are significant.
+constexpr double max_condition = 0x1p45;
 
-/// Bits that a discriminant's rounding is above that of a linear function.
+/// Number of bits by which a discriminant's rounding exceeds that of a linear function.
 constexpr int discriminant_bits = 9;
 
 std::int64_t floor_step(double value) {
@@ -27,13 +27,13 @@ Maybe most(Maybe a, Maybe b) { return a == b ? a : Maybe::unknown; }
 
 Steps hull(const Steps& a, const Steps& b) { return {std::min(a.low, b.low), std::max(a.high, b.high)}; }
 
-/// Pixels that the section of a cylinder or cone moves in an orthographic view, and its radius changes by, from one
-/// depth to another; infinite if it is no ellipse.
+/// Movement of the section of a cylinder or cone in an orthographic view, plus the change of its radius, from one depth
+/// to another, in pixels; infinite if the section is not an ellipse.
 double section_drift(const SightQuadric& quadric, double from, double to) {
   const FilterQuadratic& q = quadric.value;
   const FilterQuadratic& l = quadric.slope;
   const double determinant = 4.0 * q.xx * q.yy - q.xy * q.xy;
-  // Where it is nearly a parabola or a pair of lines, rounding decides on the sign, and it is far longer than the
+  // If it is nearly a parabola or a pair of lines, rounding determines the sign, and it is much longer than the
   // picture.
   if (!(determinant > 0x1p-46 * std::abs(4.0 * q.xx * q.yy))) return infinity;
   struct Section {
@@ -52,7 +52,7 @@ double section_drift(const SightQuadric& quadric, double from, double to) {
   const double least = std::min(std::abs(q.xx), std::abs(q.yy));
   const double first_radius = std::sqrt(std::max(0.0, -first.value / least));
   const double last_radius = std::sqrt(std::max(0.0, -last.value / least));
-  // Whether the top of the parabola through three values, the apex of a cone, is between the ends.
+  // Whether the vertex of the parabola through three values, that is the apex of a cone, is between the ends.
   const bool has_apex =
       std::abs(last.value - first.value) < 2.0 * std::abs(first.value + last.value - 2.0 * middle.value);
   const double radii = has_apex ? first_radius + last_radius : std::abs(last_radius - first_radius);
@@ -78,7 +78,7 @@ QuadricBounds::QuadricBounds(const facet::Geometry& geometry, const Sight& sight
   for (std::uint32_t i = 0; i < reaches.size(); ++i) bounds_.push_back(make_bound(i, reaches[i]));
 }
 
-/// Pixels that the quadric moves sideways over the depth range; infinite where whole rays cannot be in it.
+/// Sideways movement of the quadric over the depth range, pixels; infinite if no whole ray can be inside.
 double QuadricBounds::drift(std::uint32_t index) const {
   const facet::QuadricKind kind = table_.quadrics()[index].kind;
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
@@ -90,9 +90,9 @@ double QuadricBounds::drift(std::uint32_t index) const {
   return section_drift(quadric, line_.q_middle - line_.q_half_range, line_.q_middle + line_.q_half_range);
 }
 
-/// The greatest unit that the design allows: of a cylinder whose root is some bits longer than depth is, in an
-/// orthographic view, as many steps as the surface passes in a part of a pixel: 0 where it has no slope.
-int QuadricBounds::most_unit(std::uint32_t index, double greatest_square) const {
+/// Maximum unit that the design allows: for a cylinder in an orthographic view whose root has some bits more than the
+/// depth, the number of steps that the surface changes within a fraction of a pixel; 0 without a slope.
+int QuadricBounds::max_unit(std::uint32_t index, double greatest_square) const {
   if (table_.quadrics()[index].kind != facet::QuadricKind::cylinder || sight_.perspective()) return 0;
   const FilterQuadratic& middle = sight_.quadrics().quadric(index).middle;
   const double slope = 2.0 * line_.z_per_q * std::hypot(middle.x, middle.y);
@@ -112,13 +112,13 @@ QuadricBounds::Bound QuadricBounds::make_bound(std::uint32_t index, const PlaceR
     bound.greatest = std::max(0.0, -least(section(index), reach));
     return bound;
   }
-  const bool is_clear = std::isfinite(quadric.square.error) && quadric.condition < worst_condition;
+  const bool is_clear = std::isfinite(quadric.square.error) && quadric.condition < max_condition;
   if (!is_clear || bound.drift < 2.0 * line_.edge_on_fraction) {
     bound.nature = Nature::doubtful;
     return bound;
   }
   bound.greatest = std::max(1.0, line_.z_per_q * line_.z_per_q * judges::greatest(quadric.square, reach));
-  bound.most_unit = most_unit(index, bound.greatest);
+  bound.max_unit = max_unit(index, bound.greatest);
   return bound;
 }
 
@@ -130,7 +130,7 @@ QuadricMet QuadricBounds::met(std::uint32_t index, Place place) const {
   if (met.edge) met.is_met = edge_holds(index, place);
   if (bound.nature != Nature::roots) return met;
   met = with_unit(index, place, 0);
-  for (int unit = 1; unit <= bound.most_unit; ++unit) {
+  for (int unit = 1; unit <= bound.max_unit; ++unit) {
     const QuadricMet other = with_unit(index, place, unit);
     met.is_met = most(met.is_met, other.is_met);
     met.nearer = hull(met.nearer, other.nearer);
@@ -165,7 +165,7 @@ QuadricMet QuadricBounds::with_unit(std::uint32_t index, Place place, int unit) 
   return met;
 }
 
-/// The section where half the depth range is passed: negative inside.
+/// The section in the middle of the depth range; negative inside.
 FilterQuadratic QuadricBounds::section(std::uint32_t index) const {
   const SightQuadric& quadric = sight_.quadrics().quadric(index);
   const FilterQuadratic& q = quadric.value;
@@ -182,7 +182,7 @@ Maybe QuadricBounds::edge_holds(std::uint32_t index, Place place) const {
   const double value = at.at(place);
   const double along_x = at.x + 2.0 * at.xx * place.x + at.xy * place.y;
   const double along_y = at.y + 2.0 * at.yy * place.y + at.xy * place.x;
-  // Twice what the rounding may be, as the rectangle is not the host's.
+  // Twice the maximum rounding, because the rectangle differs from the host's.
   const double rounding = 4.0 * bound.greatest / (1.0 + std::hypot(bound.across, bound.down)) * line_.edge_on_fraction;
   const double zone = 2.0 * std::hypot(along_x, along_y) * bound.drift + rounding + at.error;
   if (std::abs(value) <= zone) return Maybe::unknown;

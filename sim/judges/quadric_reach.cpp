@@ -33,7 +33,7 @@ class Projector {
         near_(camera.near.approximately() / camera.axis_length.approximately()),
         picture_{-1.0 * camera.width, -1.0 * camera.height, 1.0 * camera.width, 1.0 * camera.height} {}
 
-  /// With the margin, within the picture.
+  /// The places with the margin, clipped to the picture.
   [[nodiscard]] PlaceRect places_around(const facet::Convex& solid) const {
     const PlaceRect rect = places(solid);
     return {std::max(rect.x0 - margin, picture_.x0), std::max(rect.y0 - margin, picture_.y0),
@@ -51,7 +51,7 @@ class Projector {
     return rect;
   }
 
-  /// A direction in half pixels to the right and down, and in lengths of the view's direction.
+  /// A direction: right and down in half pixels, and forward in units of the view direction's length.
   [[nodiscard]] glm::dvec3 lengths(const glm::dvec3& d) const {
     return {glm::dot(d, right_), glm::dot(d, down_), glm::dot(d, forward_)};
   }
@@ -59,7 +59,7 @@ class Projector {
  private:
   static glm::dvec3 per_length(const glm::dvec3& v) { return v / glm::dot(v, v); }
 
-  /// In lengths of the view's direction.
+  /// Depth in units of the view direction's length.
   [[nodiscard]] double depth(const glm::dvec3& point) const { return glm::dot(point - eye_, forward_); }
 
   void add(PlaceRect& rect, const glm::dvec3& point) const {
@@ -85,7 +85,7 @@ class Projector {
   PlaceRect picture_;
 };
 
-/// Where a x^2 + b x has its peak, if it is between the ends.
+/// The position of the maximum of a x^2 + b x if it is between the ends, else `low`.
 double peak(double a, double b, double low, double high) {
   return a < 0.0 ? std::clamp(-b / (2.0 * a), low, high) : low;
 }
@@ -122,7 +122,7 @@ double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, cons
   const glm::dvec3 from_apex = approximately(from_centre - exactly(quadrics.quadrics()[index].origin));
   const Projector projector(camera);
   const glm::dvec3 places = projector.lengths(from_apex);
-  // Places are half pixels: the corners are as many of them away as the picture has pixels.
+  // The distance of a corner from the middle in places, which are half pixels, equals the picture's size in pixels.
   return (std::hypot(places.x, places.y) + std::abs(places.z) * std::hypot(camera.width, camera.height)) / 2.0;
 }
 

@@ -1,3 +1,5 @@
+// Rectangles of the picture that quadrics and solids can touch.
+// Used by the explainer and the quadric bounds.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::judges {
 
-/// Places of a picture, [x0, x1] x [y0, y1].
+/// The places [x0, x1] x [y0, y1] of a picture.
 struct PlaceRect {
   double x0 = 0;
   double y0 = 0;
@@ -17,20 +19,20 @@ struct PlaceRect {
   double y1 = 0;
 };
 
-/// The places of the picture that the solids of each canonical quadric can touch, by their corners and where the near
-/// plane cuts their edges, with two pixels around them.
+/// The places that the solids of each canonical quadric can touch, from their corners and the near plane's cuts of
+/// their edges, with a margin of two pixels.
 std::vector<PlaceRect> quadric_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
-/// The places that each solid's vertices take, and where the near plane cuts its edges: least and greatest. None if it
-/// is before the near plane.
+/// The bounding places of each solid's vertices and of the near plane's cuts of its edges. Empty if the solid is in
+/// front of the near plane.
 std::vector<PlaceRect> solid_reaches(const facet::Geometry& geometry, const ExactCamera& camera);
 
-/// The greatest and least value over a rectangle of places; 0 if that is empty.
+/// Maximum and minimum over a rectangle of places; 0 if that is empty.
 double greatest(const FilterQuadratic& of, const PlaceRect& over);
 double least(const FilterQuadratic& of, const PlaceRect& over);
 
-/// The most pixels that a cone whose apex is near the eye moves sideways in the picture, at its corners, for each unit
-/// of depth q (Sight).
+/// Maximum sideways movement in the picture, pixels, of a cone whose apex is near the eye, for each unit of depth q
+/// (Sight), over the picture's corners.
 double apex_shift(const facet::QuadricTable& quadrics, std::uint32_t index, const ExactCamera& camera);
 
 }  // namespace csgsim::judges

@@ -7,14 +7,14 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Rounding of six coefficients, each a quotient, and of their sum stays below this part of the sum of their sizes.
+/// Bound of the rounding error of six coefficients, each a quotient, and their sum, relative to the sum of magnitudes.
 constexpr double quadric_filter_part = 0x1p-48;
 
 using Rows = std::array<Vector, 3>;
 using Form = std::array<Dyadic, 6>;
 
 /// The sum of the squares of the rows, with the quadric's signs.
-Form form_of(const Rows& rows, const std::array<double, 3>& signs) {
+Form make_form(const Rows& rows, const std::array<double, 3>& signs) {
   Form form;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const auto& [x, y, z] = rows[i];
@@ -32,7 +32,7 @@ Vector operator*(const Form& form, const Vector& v) {
 
 Dyadic twice(const Dyadic& value) { return value + value; }
 
-/// How far doubles may be off in v^T form v if they work out u = rows v first, in units of their rounding.
+/// Error bound of v^T form v in units of the rounding of doubles, if u = rows v is computed first.
 double sizes(const Rows& rows, const Vector& v) {
   double sum = 0;
   for (const Vector& row : rows) {
@@ -60,12 +60,12 @@ QuadricSight::QuadricSight(const facet::QuadricTable& quadrics, const ExactCamer
   for (std::uint32_t i = 0; i < count; ++i) quadrics_.push_back(make_filter(i));
 }
 
-/// Points of a ray are p = base + q along in an orthographic view. In perspective they are p / t, q = -1 / t, which
+/// Points of a ray are p = base + q along in an orthographic view. In perspective they are p / t with q = -1 / t, which
 /// divides the quadric's equation by t^2.
 QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
   const facet::Quadric& quadric = table_.quadrics()[index];
   const Rows rows{exactly(quadric.to_unit[0]), exactly(quadric.to_unit[1]), exactly(quadric.to_unit[2])};
-  const Form form = form_of(rows, quadric.signs());
+  const Form form = make_form(rows, quadric.signs());
   const Vector from_origin = eye_ - exactly(quadric.origin);
   const Vector& base = camera_.perspective ? camera_.forward : from_origin;
   const Vector& along = camera_.perspective ? Vector{} - from_origin : camera_.forward;
@@ -93,7 +93,7 @@ QuadricSight::Exact QuadricSight::make_exact(std::uint32_t index) const {
                         twice(l.l0 * l.ly) - exact.a * q.y,  l.lx * l.lx - exact.a * q.xx,
                         twice(l.lx * l.ly) - exact.a * q.xy, l.ly * l.ly - exact.a * q.yy};
   if (quadric.kind != facet::QuadricKind::cone) return exact;
-  // Points p and p' about the apex are in the same nappe if p^T form p' is negative. The point of the ray in the middle
+  // Points p and p' relative to the apex are in the same nappe if p^T form p' is negative. The point of the ray midway
   // between its depths is base - L / a along.
   const Vector form_axis = form * exactly(quadric.axis);
   const Dyadic ahead = dot(along, form_axis);
@@ -184,12 +184,12 @@ Parts QuadricSight::parts(const facet::QuadricSide& side, Place place) const {
   return one((quadric.ahead < 0) == side.along_axis ? from : until);
 }
 
-/// Parts of rays that all meet the quadric once, if at all: a = 0.
+/// The parts if all rays meet the quadric once or not at all: a = 0.
 Parts QuadricSight::tangent_parts(const facet::QuadricSide& side, Place place) const {
   const Exact& numbers = exact(side.quadric);
   const int l = numbers.l.at(place).sign();
   if (l == 0) return numbers.q.at(place).sign() < 0 ? one({}) : Parts{};
-  // L > 0: from where rays come. A cone has only one of its nappes there.
+  // L > 0: towards the start of the rays. A cone has only one of its nappes there.
   if (numbers.ahead != 0 && (numbers.ahead == l) != side.along_axis) return {};
   return one(l > 0 ? Part{std::nullopt, Sheet{side.quadric, Root::nearer}}
                    : Part{Sheet{side.quadric, Root::farther}, std::nullopt});
@@ -201,7 +201,7 @@ Estimate QuadricSight::estimate(Sheet sheet, Place place) const {
   const double error = quadric.square.error;
   const double side = static_cast<double>(sheet.root);
   const double middle = quadric.middle.at(place);
-  // sqrt(s) - sqrt(s - e) <= e / sqrt(s).
+  // The error bound follows from sqrt(s) - sqrt(s - e) <= e / sqrt(s).
   if (square > 2.0 * error) {
     const double root = std::sqrt(square);
     return {middle + side * root, 2.0 * (quadric.middle.error + error / root + quadric_filter_part * root)};

@@ -1,3 +1,5 @@
+// Quadrics along the rays of a picture, with exact decisions.
+// Used by the sight and the quadric bounds.
 #pragma once
 
 #include <array>
@@ -12,10 +14,10 @@
 
 namespace csgsim::judges {
 
-/// Which depth of a surface: planes have one, quadrics two.
+/// The depth of a surface: planes have one, quadrics two.
 enum class Root : std::int8_t { nearer = -1, only = 0, farther = 1 };
 
-/// What a ray meets at one depth: a canonical plane, or one root of a canonical quadric.
+/// A depth of a ray: that of a canonical plane, or of one root of a canonical quadric.
 struct Sheet {
   std::uint32_t index = 0;
   Root root = Root::only;
@@ -23,13 +25,13 @@ struct Sheet {
   bool operator==(const Sheet&) const = default;
 };
 
-/// Part of a ray: [front, back), without end where there is none.
+/// A part of a ray: [front, back), unlimited at a missing end.
 struct Part {
   std::optional<Sheet> front;
   std::optional<Sheet> back;
 };
 
-/// At most two parts of a ray, from the nearest.
+/// Up to two parts of a ray, nearest first.
 struct Parts {
   std::array<Part, 2> all;
   std::size_t count = 0;
@@ -38,13 +40,14 @@ struct Parts {
   [[nodiscard]] const Part* end() const { return all.data() + count; }
 };
 
-/// A number and how far it may be off.
+/// A number with an error bound.
 struct Estimate {
   double value = 0;
   double error = 0;
 };
 
-/// Approximately c + x x + y y + xx x^2 + xy x y + yy y^2, off by `error` at most at any place of the picture.
+/// Approximately c + x x + y y + xx x^2 + xy x y + yy y^2, with an error of at most `error` at any place of the
+/// picture.
 struct FilterQuadratic {
   double c = 0;
   double x = 0;
@@ -61,23 +64,23 @@ struct FilterQuadratic {
 
 /// A quadric along the rays of the picture, a q^2 + 2 L q + Q <= 0, approximately.
 struct SightQuadric {
-  int opening = 0;         ///< sign of a: 1 if a ray is in it between its depths, -1 if outside of them
-  bool edge = false;       ///< a = 0 and L = 0 everywhere: whole rays are in it or are not
-  int ahead = 0;           ///< of a cone: -1 if rays end on the nappe that the axis points into, 1 if they begin there
-  double condition = 1;    ///< how often the rounding of doubles is magnified in a
-  FilterQuadratic middle;  ///< -L / a, linear: its depths are middle -+ sqrt(square). Not where a = 0
-  FilterQuadratic square;  ///< (L^2 - a Q) / a^2; of an edge -Q
-  FilterQuadratic nappe;   ///< of a cone, linear: negative where a ray is in the nappe that the axis points into
+  int opening = 0;         ///< sign of a: 1 if a ray is inside between its depths, -1 if outside between them
+  bool edge = false;       ///< a = 0 and L = 0 everywhere: whole rays are inside or outside
+  int ahead = 0;           ///< for a cone: -1 if rays end on the nappe that the axis points into, 1 if they begin there
+  double condition = 1;    ///< amplification of the rounding of doubles in a
+  FilterQuadratic middle;  ///< -L / a, linear: the depths are middle -+ sqrt(square). Unused if a = 0
+  FilterQuadratic square;  ///< (L^2 - a Q) / a^2; for an edge -Q
+  FilterQuadratic nappe;   ///< for a cone, linear: negative where a ray is in the nappe that the axis points into
   double a = 0;
   FilterQuadratic slope;    ///< L, linear
   FilterQuadratic value;    ///< Q
-  double square_terms = 0;  ///< at most the sum of the sizes of all terms of L^2 / a^2 and Q / a, over the picture
+  double square_terms = 0;  ///< bound over the picture of the sum of the magnitudes of all terms of L^2 / a^2 and Q / a
 };
 
-/// The canonical quadrics of a model as a camera sees them: the doubles of `to_unit` and `origin` are taken as they
-/// are, depth is that of Sight (sight.h).
+/// The canonical quadrics of a model as a camera sees them: the doubles of `to_unit` and `origin` are taken as exact;
+/// depth is that of Sight (sight.h).
 ///
-/// Not to be used by several threads at a time: exact numbers are worked out when first asked for, and kept.
+/// Not thread-safe: exact numbers are computed on first use and cached.
 class QuadricSight {
  public:
   QuadricSight(const facet::QuadricTable& quadrics, const ExactCamera& camera);
@@ -85,21 +88,21 @@ class QuadricSight {
   [[nodiscard]] const SightQuadric& quadric(std::uint32_t index) const { return quadrics_[index]; }
   [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(quadrics_.size()); }
 
-  /// The parts of a ray that are in the quadric (of a cone, in that nappe), exact:
+  /// The parts of a ray inside the quadric (for a cone, inside that nappe), exact:
   ///
-  /// - a > 0: between its depths; nothing where they are the same, on the outline.
-  /// - a < 0: before the nearer depth and from the farther one, of a cone that of the two which is on the nappe;
-  ///   everything where there are no depths.
-  /// - a = 0: to or from the only depth, which both roots are then. Where L = 0 too, everything or nothing by the sign
-  ///   of Q; Q = 0 is inside if the quadric is an edge, seen along its axis or from its apex, and else outside.
+  /// - a > 0: between its depths; nothing if they are equal, on the outline.
+  /// - a < 0: before the nearer depth and from the farther one, for a cone only at the depth that is on the nappe;
+  /// everything if there are no depths.
+  /// - a = 0: to or from the only depth, which both roots denote. If also L = 0, everything or nothing by the sign of
+  /// Q; Q = 0 is inside if the quadric is an edge, seen along its axis or from its apex, and otherwise outside.
   ///
-  /// Parts behind the eye are not left out.
+  /// Parts behind the eye are included.
   [[nodiscard]] Parts parts(const facet::QuadricSide& side, Place place) const;
 
-  /// A depth that the quadric has there, approximately.
+  /// Approximate depth of the quadric at the place, which it must have there.
   [[nodiscard]] Estimate estimate(Sheet sheet, Place place) const;
 
-  /// The same exactly.
+  /// The same, exact.
   [[nodiscard]] Surd exactly_at(Sheet sheet, Place place) const;
 
  private:
@@ -131,7 +134,7 @@ class QuadricSight {
 
   const facet::QuadricTable& table_;
   const ExactCamera& camera_;
-  Vector eye_;  ///< from QuadricTable::centre()
+  Vector eye_;  ///< relative to QuadricTable::centre()
   std::vector<SightQuadric> quadrics_;
   mutable std::unordered_map<std::uint32_t, Exact> kept_;
 };

@@ -9,7 +9,7 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Rounding of three coefficients, two products and two sums stays below this part of the sum of their sizes.
+/// Bound of the rounding error of three coefficients, two products and two sums, relative to the sum of magnitudes.
 constexpr double filter_part = 0x1p-49;
 
 }  // namespace
@@ -34,7 +34,7 @@ Sight::Exact Sight::make_exact(std::uint32_t index) const {
   const Vector normal = exactly(plane.normal);
   const Dyadic at_eye = dot(normal, from_middle_) + Dyadic(plane.offset);
   const Dyadic along = dot(normal, camera_.forward);
-  // On the ray eye + t v, moved or turned by the pixel's place, the plane's equation is at_eye + t * along <= 0.
+  // The plane's equation on the ray eye + t v, shifted or rotated by the pixel's place, is at_eye + t * along <= 0.
   Exact exact{{at_eye, dot(normal, camera_.right) * camera_.right_step, -(dot(normal, camera_.up) * camera_.up_step)},
               -along};
   if (perspective()) {
@@ -50,7 +50,7 @@ const Sight::Exact& Sight::exact(std::uint32_t index) const {
   return kept->second;
 }
 
-/// The sizes of the terms of a plane's denominator k, added up.
+/// Sum of the magnitudes of the terms of a plane's denominator k.
 double Sight::denominator_size(std::uint32_t index) const {
   if (index >= near_plane()) return std::abs(make_exact(index).k.approximately());
   const facet::Plane& plane = table_.planes()[index];
@@ -126,7 +126,7 @@ int Sight::compare_with_roots(Sheet first, Sheet second, Place place) const {
 }
 
 double Sight::distance(Sheet sheet, Place place) const {
-  // The coefficients of what is steep cancel: its depth is worked out from the exact numbers then.
+  // The coefficients of steep surfaces cancel; their depth is then computed from the exact numbers.
   Estimate depth = estimate(sheet, place);
   const bool fine = depth.error <= 0x1p-45 * std::abs(depth.value);
   if (!fine) depth.value = static_cast<double>(exactly_at(sheet, place).to_real());

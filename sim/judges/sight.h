@@ -1,3 +1,5 @@
+// The planes and quadrics of a model along a camera's rays, with exact comparisons.
+// Used by the judges and sim/studies/accuracy.
 #pragma once
 
 #include <cmath>
@@ -14,23 +16,23 @@
 
 namespace csgsim::judges {
 
-/// What the positive half-space of a plane is along the rays of the picture.
+/// The relation of a plane's positive half-space to the rays of the picture.
 enum class Role : std::uint8_t {
-  front,  ///< all that lies behind the plane
-  back,   ///< all that lies before it
-  edge,   ///< whole rays: the plane is seen edge-on exactly
+  front,  ///< everything behind the plane
+  back,   ///< everything in front of the plane
+  edge,   ///< whole rays: the plane is seen exactly edge-on
 };
 
-/// A plane's depth along the rays, approximately: c + a x + b y, off by `error` at most at any place of the picture.
-/// For an edge it is a multiple of the value of the plane's equation instead, which is negative in the positive
-/// half-space.
+/// A plane's approximate depth along the rays: c + a x + b y, with an error of at most `error` at any place of the
+/// picture. For an edge, it is instead a multiple of the value of the plane's equation, which is negative in the
+/// positive half-space.
 struct SightPlane {
   double c = 0;
   double a = 0;
   double b = 0;
   double error = 0;
-  /// How often the rounding of doubles is magnified in these coefficients if they are worked out in doubles: the sizes
-  /// of the terms of their common denominator over the denominator.
+  /// Amplification of the rounding of doubles in these coefficients, if they are computed in doubles: the magnitudes of
+  /// the terms of their common denominator divided by the denominator.
   double condition = 1;
   Role role = Role::edge;
 
@@ -38,12 +40,12 @@ struct SightPlane {
 };
 
 /// The canonical planes and quadrics of a model as a camera (host/view/camera.h) sees them, in exact numbers
-/// (exact_camera.h). The planes' doubles are taken as they are.
+/// (exact_camera.h). The planes' doubles are taken as exact.
 ///
 /// The depth of planes is linear over the picture: q = t in an orthographic view and q = -1/t in perspective, where t
 /// counts lengths of v along the axis from the eye. Greater q is farther.
 ///
-/// Not to be used by several threads at a time: exact numbers are worked out when first asked for, and kept.
+/// Not thread-safe: exact numbers are computed on first use and cached.
 class Sight {
  public:
   Sight(const facet::Geometry& geometry, const view::Camera& camera, std::uint32_t width, std::uint32_t height,
@@ -53,22 +55,22 @@ class Sight {
 
   [[nodiscard]] const SightPlane& plane(std::uint32_t index) const { return planes_[index]; }
 
-  /// Stands for the near plane of a perspective view, as a plane that faces forward; after all canonical planes.
+  /// Index of the near plane of a perspective view, as a plane that faces forward; after all canonical planes.
   [[nodiscard]] std::uint32_t near_plane() const { return static_cast<std::uint32_t>(planes_.size()) - 2; }
 
-  /// Stands for what is infinitely far in a perspective view, as a plane that faces away. Behind it lies, turned round,
-  /// what is behind the eye: bounded solids without planes need it.
+  /// Index of the plane at infinity in a perspective view, which faces away. What is behind the eye is, reversed,
+  /// behind it; bounded solids without planes need it.
   [[nodiscard]] std::uint32_t horizon() const { return near_plane() + 1; }
 
   [[nodiscard]] const QuadricSight& quadrics() const { return quadrics_; }
 
-  /// The index that it has in a Truth.
+  /// The sheet's index in a Truth.
   [[nodiscard]] std::uint32_t surface(Sheet sheet) const {
     if (sheet.root == Root::only) return sheet.index;
     return near_plane() + 1 + 2 * sheet.index + (sheet.root == Root::farther ? 1 : 0);
   }
 
-  /// The quadric's sheet of that index, which is above the near plane's.
+  /// The sheet of the quadric with that index, which is above the near plane's.
   [[nodiscard]] Sheet quadric_sheet(std::uint32_t surface) const {
     const std::uint32_t after = surface - near_plane() - 1;
     return {after / 2, after % 2 == 0 ? Root::nearer : Root::farther};
@@ -81,8 +83,8 @@ class Sight {
   /// |centre - eye|, model units.
   [[nodiscard]] double axis_length() const { return unit_; }
 
-  /// Sign of the depth of plane `first` minus that of `second`, exact. Neither may be an edge.
-  /// A face in the near plane lies behind it: it is not cut.
+  /// Exact sign of the depth of plane `first` minus that of `second`. Neither may be an edge. A face in the near plane
+  /// is behind it: it is not cut.
   [[nodiscard]] int compare(std::uint32_t first, std::uint32_t second, Place place) const {
     if (first == second) return 0;
     const SightPlane& a = planes_[first];
@@ -92,17 +94,17 @@ class Sight {
     return compare_exactly(first, second, place);
   }
 
-  /// The same of any two sheets; the quadrics have to have those depths there.
+  /// The same for any two sheets; the quadrics must have those depths there.
   [[nodiscard]] int compare(Sheet first, Sheet second, Place place) const {
     if (first.root == Root::only && second.root == Root::only) return compare(first.index, second.index, place);
     return compare_with_roots(first, second, place);
   }
 
-  /// Whether the positive half-space of an edge holds the ray, exact. A ray in the plane belongs where it goes when it
-  /// is moved right, and down by less, by less than anything.
+  /// Whether the positive half-space of an edge contains the ray, exact. A ray in the plane belongs to the side that it
+  /// reaches when moved infinitesimally to the right, and infinitesimally less downwards.
   [[nodiscard]] bool edge_holds(std::uint32_t index, Place place) const;
 
-  /// Distance from the eye along the axis, model units, of the sheet; off by some 2^-45 of it.
+  /// Distance of the sheet from the eye along the axis, model units; relative error about 2^-45.
   [[nodiscard]] double distance(Sheet sheet, Place place) const;
 
  private:

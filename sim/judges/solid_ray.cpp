@@ -17,7 +17,7 @@ constexpr Interval nowhere{endless, -endless};
 
 Interval common(const Interval& a, const Interval& b) { return {std::max(a.low, b.low), std::min(a.high, b.high)}; }
 
-/// Where slope t + value <= 0.
+/// The interval of t with slope t + value <= 0.
 Interval below_zero(long double slope, long double value) {
   if (slope == 0) return value < 0 ? everywhere : nowhere;
   const long double root = -value / slope;
@@ -28,13 +28,12 @@ Interval slab(long double low, long double high, long double origin, long double
   return common(below_zero(-direction, low - origin), below_zero(direction, origin - high));
 }
 
-/// Where a t^2 + 2 b t + c <= 0, as far as that is one interval within `within`: of the two that a < 0 leaves, the
-/// longer one.
+/// The interval of t in `within` with a t^2 + 2 b t + c <= 0. If a < 0 leaves two intervals, the longer one.
 Interval below_zero(long double a, long double b, long double c, const Interval& within) {
   const long double discriminant = b * b - a * c;
   if (a == 0) return common(below_zero(2 * b, c), within);
   if (discriminant < 0) return a > 0 ? nowhere : within;
-  // The root that does not cancel first, the other from the product of both.
+  // Computes the root without cancellation first, and the other from the product of both.
   const long double sum = -(b + std::copysign(std::sqrt(discriminant), b));
   const auto [low, high] = std::minmax({sum / a, sum != 0 ? c / sum : 0.0L});
   if (a > 0) return common({low, high}, within);
@@ -69,7 +68,7 @@ struct MeasureExtent {
   }
 };
 
-/// Twice a polygon's area along its normal (Newell), about its first corner.
+/// The polygon's normal with twice its area as length (Newell), relative to its first corner.
 LongVector newell(const model::Polyhedron& shape, const std::vector<std::uint32_t>& face) {
   LongVector normal(0);
   const LongVector first(shape.points[face.front()]);
@@ -90,7 +89,7 @@ TrueSolid::TrueSolid(const model::Primitive& primitive)
   high_ = extent.high;
   const auto* shape = std::get_if<model::Polyhedron>(&primitive.shape);
   if (shape == nullptr) return;
-  // Surely inside, which the middle of the box around the solid need not be.
+  // A point that is certainly inside, unlike the centre of the bounding box.
   LongVector inside(0);
   for (const glm::dvec3& point : shape->points) inside += LongVector(point);
   inside /= static_cast<long double>(shape->points.size());
@@ -100,7 +99,7 @@ TrueSolid::TrueSolid(const model::Primitive& primitive)
     for (const std::uint32_t corner : face) centroid += LongVector(shape->points[corner]);
     centroid /= static_cast<long double>(face.size());
     side.offset = -glm::dot(side.normal, centroid);
-    // Outwards, whichever way round the corners are.
+    // Orients the normal outwards, for either order of the corners.
     if (glm::dot(side.normal, inside) + side.offset > 0) side = {-side.normal, -side.offset};
     sides_.push_back(side);
   }
@@ -109,7 +108,7 @@ TrueSolid::TrueSolid(const model::Primitive& primitive)
 Interval TrueSolid::on(const Line& line) const {
   Line local{LongVector(to_object_ * glm::vec<4, long double>(line.origin, 1.0L)),
              LongVector(to_object_ * glm::vec<4, long double>(line.direction, 0.0L))};
-  // Count from the point nearest to the middle of the solid: nothing cancels there.
+  // Shifts the origin to the point nearest to the middle of the solid, which avoids cancellation.
   const LongVector middle = (low_ + high_) / 2.0L;
   const long double shift =
       glm::dot(middle - local.origin, local.direction) / glm::dot(local.direction, local.direction);

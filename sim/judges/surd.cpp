@@ -4,7 +4,7 @@ namespace csgsim::judges {
 
 namespace {
 
-/// Sign of a sum of two numbers: their own signs, and the sign of |first| - |second|, which counts where they differ.
+/// Sign of a sum of two numbers, from their signs and, where they differ, the sign of |first| - |second|.
 template <typename CompareSizes>
 int sign_of_sum(int first, int second, const CompareSizes& compare_sizes) {
   if (first == 0 || first == second) return second;

@@ -1,3 +1,5 @@
+// Exact numbers with one square root.
+// Used by the sights of the judges.
 #pragma once
 
 #include "sim/judges/dyadic.h"
@@ -11,11 +13,11 @@ struct Surd {
   Dyadic square{};  ///< not negative
   Dyadic over;      ///< not 0
 
-  /// To some 100 digits of the larger of its two terms.
+  /// The value to about 100 digits of the larger of its two terms.
   [[nodiscard]] Real to_real() const;
 };
 
-/// Sign of a - b, by squaring: exact.
+/// Exact sign of a - b, computed by squaring.
 int compare(const Surd& a, const Surd& b);
 
 }  // namespace csgsim::judges

@@ -21,7 +21,7 @@ struct Range {
   double high;
 };
 
-Middle middle_of(const Tile& tile, std::uint32_t width, std::uint32_t height) {
+Middle tile_middle(const Tile& tile, std::uint32_t width, std::uint32_t height) {
   const Place first = place_of(tile.x0, tile.y0, width, height);
   const Place last = place_of(tile.x1 - 1, tile.y1 - 1, width, height);
   return {(first.x + last.x) / 2.0, (first.y + last.y) / 2.0, (last.x - first.x) / 2.0, (last.y - first.y) / 2.0};
@@ -46,7 +46,7 @@ Range range_over(const FilterQuadratic& of, const Middle& tile) {
   return {value - reach + std::min(xx, 0.0) + std::min(yy, 0.0), value + reach + std::max(xx, 0.0) + std::max(yy, 0.0)};
 }
 
-/// Where the parts of rays that are in a quadric may begin and end over the tile; empty where there are none.
+/// Bounds over the tile of the ends of the ray parts inside a quadric; empty if there are none.
 Range range_over(const SightQuadric& quadric, const Middle& tile) {
   const Range square = range_over(quadric.square, tile);
   if (quadric.opening < 0) return {-infinity, infinity};
@@ -57,13 +57,13 @@ Range range_over(const SightQuadric& quadric, const Middle& tile) {
   return {middle.low - root, middle.high + root};
 }
 
-enum class Held : std::uint8_t { all, none, part };
+enum class Containment : std::uint8_t { all, none, part };
 
-Held held(facet::Halfspace edge, const Sight& sight, const Middle& tile) {
+Containment containment(facet::Halfspace edge, const Sight& sight, const Middle& tile) {
   const Range range = range_over(sight.plane(edge.plane), tile);
-  if (range.high < 0.0) return edge.positive ? Held::all : Held::none;
-  if (range.low > 0.0) return edge.positive ? Held::none : Held::all;
-  return Held::part;
+  if (range.high < 0.0) return edge.positive ? Containment::all : Containment::none;
+  if (range.low > 0.0) return edge.positive ? Containment::none : Containment::all;
+  return Containment::part;
 }
 
 /// Narrows one primitive after the other.
@@ -82,17 +82,17 @@ class Narrowing {
  private:
   [[nodiscard]] std::uint32_t size() const { return static_cast<std::uint32_t>(into_.halfspaces.size()); }
 
-  /// False if the primitive is nowhere in the tile.
+  /// Returns false if the primitive is nowhere in the tile.
   bool add(const Piece& piece) {
     Piece kept{piece.primitive, {size(), 0}, {}, {}, {}};
     for (const facet::Halfspace& edge : from_.of(piece.edges)) {
-      const Held part = held(edge, sight_, tile_);
-      if (part == Held::none) return false;
-      if (part == Held::part) into_.halfspaces.push_back(edge);
+      const Containment part = containment(edge, sight_, tile_);
+      if (part == Containment::none) return false;
+      if (part == Containment::part) into_.halfspaces.push_back(edge);
     }
     kept.edges.end = kept.fronts.begin = size();
     Range all{-infinity, infinity};
-    for (const facet::QuadricSide& side : from_.quadrics_of(piece)) {
+    for (const facet::QuadricSide& side : from_.quadrics_in(piece)) {
       const Range range = range_over(sight_.quadrics().quadric(side.quadric), tile_);
       all = {std::max(all.low, range.low), std::min(all.high, range.high)};
     }
@@ -110,7 +110,7 @@ class Narrowing {
     }
     kept.backs.end = size();
     kept.quadrics.begin = static_cast<std::uint32_t>(into_.quadrics.size());
-    const auto quadrics = from_.quadrics_of(piece);
+    const auto quadrics = from_.quadrics_in(piece);
     into_.quadrics.insert(into_.quadrics.end(), quadrics.begin(), quadrics.end());
     kept.quadrics.end = static_cast<std::uint32_t>(into_.quadrics.size());
     into_.pieces.push_back(kept);
@@ -151,7 +151,7 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
     const auto begin = static_cast<std::uint32_t>(all.quadrics.size());
     all.quadrics.insert(all.quadrics.end(), solid.quadrics.begin(), solid.quadrics.end());
     const Run quadrics{begin, static_cast<std::uint32_t>(all.quadrics.size())};
-    // A bounded solid is bounded along every ray.
+    // A solid must be bounded along every ray.
     const bool bounded = fronts.begin < fronts.end && backs.begin < backs.end;
     if (bounded || !solid.quadrics.empty()) all.pieces.push_back({primitive, edges, fronts, backs, quadrics});
   }
@@ -159,7 +159,7 @@ Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight) {
 }
 
 Pieces narrow(const Pieces& from, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height) {
-  return Narrowing(from, sight, middle_of(tile, width, height)).run();
+  return Narrowing(from, sight, tile_middle(tile, width, height)).run();
 }
 
 }  // namespace csgsim::judges

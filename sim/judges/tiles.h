@@ -1,3 +1,5 @@
+// Tiles of a picture and the primitives that matter in them.
+// Used by exact_truth.
 #pragma once
 
 #include <cstdint>
@@ -9,7 +11,7 @@
 
 namespace csgsim::judges {
 
-/// Pixels [x0, x1) x [y0, y1).
+/// The pixels [x0, x1) x [y0, y1).
 struct Tile {
   std::uint32_t x0 = 0;
   std::uint32_t y0 = 0;
@@ -44,17 +46,17 @@ struct Pieces {
   [[nodiscard]] std::span<const facet::Halfspace> of(Run run) const {
     return std::span(halfspaces).subspan(run.begin, run.end - run.begin);
   }
-  [[nodiscard]] std::span<const facet::QuadricSide> quadrics_of(const Piece& piece) const {
+  [[nodiscard]] std::span<const facet::QuadricSide> quadrics_in(const Piece& piece) const {
     return std::span(quadrics).subspan(piece.quadrics.begin, piece.quadrics.end - piece.quadrics.begin);
   }
 };
 
-/// All half-spaces and quadrics of all primitives, and in perspective the near plane as a front of each and the horizon
-/// as a back of those with quadrics.
+/// All half-spaces and quadrics of all primitives. In perspective, the near plane is added as a front of each, and the
+/// horizon as a back of those with quadrics.
 Pieces all_pieces(const facet::Geometry& geometry, const Sight& sight);
 
-/// Leaves out half-spaces that hold the tile or lie behind (before) another front (back) all over it, and primitives
-/// that are nowhere in it, with the bounds of the filter: never one that matters. Quadrics stay.
+/// Drops half-spaces that contain the tile, fronts (backs) behind (before) another one all over it, and primitives
+/// outside it. It uses the bounds of the filter and never drops anything that matters. Quadrics are kept.
 Pieces narrow(const Pieces& from, const Sight& sight, const Tile& tile, std::uint32_t width, std::uint32_t height);
 
 }  // namespace csgsim::judges

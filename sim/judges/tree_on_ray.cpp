@@ -21,8 +21,8 @@ TreeOnRay::TreeOnRay(const model::Tree& tree)
   }
   for (std::size_t i = nodes_.size(); i-- > 0;) {
     Node& node = nodes_[i];
-    const bool above = node.parent != model::no_index && nodes_[node.parent].taken_away;
-    node.taken_away = above != node.inverted;
+    const bool above = node.parent != model::no_index && nodes_[node.parent].subtracted;
+    node.subtracted = above != node.inverted;
   }
 }
 
@@ -43,7 +43,7 @@ void TreeOnRay::set(std::uint32_t primitive, bool in) {
 
 bool TreeOnRay::shows(std::uint32_t primitive) const {
   for (std::uint32_t at = leaf_of_[primitive]; at != model::no_index; at = nodes_[at].parent) {
-    if (nodes_[at].value() == nodes_[at].taken_away) return false;
+    if (nodes_[at].value() == nodes_[at].subtracted) return false;
   }
   return true;
 }

@@ -1,3 +1,5 @@
+// A CSG tree's value at a point that moves along a ray.
+// Used by the truths.
 #pragma once
 
 #include <cstdint>
@@ -8,32 +10,32 @@
 
 namespace csgsim::judges {
 
-/// A tree's value at a point that moves along a ray: primitives are switched in and out, and the operators above them
-/// follow as far as anything changes. No recursion.
+/// A tree's value at a point that moves along a ray: primitives are switched inside and outside, and only the affected
+/// operators above them are updated. No recursion.
 class TreeOnRay {
  public:
-  /// The point is in no primitive.
+  /// Starts with the point outside all primitives.
   explicit TreeOnRay(const model::Tree& tree);
 
   void set(std::uint32_t primitive, bool in);
 
   [[nodiscard]] bool in_model() const { return root_ != model::no_index && nodes_[root_].value(); }
 
-  /// Whether the primitive is subtracted, on the right of an odd number of differences: then it is its back that can be
-  /// seen, and the point has to be out of it.
-  [[nodiscard]] bool taken_away(std::uint32_t primitive) const { return nodes_[leaf_of_[primitive]].taken_away; }
+  /// Whether the primitive is subtracted, that is, on the right of an odd number of differences: then its back can be
+  /// visible, and the point must be outside it.
+  [[nodiscard]] bool subtracted(std::uint32_t primitive) const { return nodes_[leaf_of_[primitive]].subtracted; }
 
-  /// Whether no operator on the way to the root takes away what the primitive's surface leaves here: every operator is
-  /// in there (or out, where it is subtracted itself).
+  /// Whether no operator on the way to the root hides the primitive's surface here: every operator is inside there (or
+  /// outside, where it is itself subtracted).
   [[nodiscard]] bool shows(std::uint32_t primitive) const;
 
  private:
   struct Node {
     std::uint32_t parent = model::no_index;
-    bool inverted = false;     ///< the parent takes it from its first child
-    bool taken_away = false;   ///< on the right of an odd number of differences
-    std::uint32_t right = 0;   ///< children that are as the operator would have them; leaf: 1 if in
-    std::uint32_t needed = 1;  ///< how many of them make the node in
+    bool inverted = false;     ///< the parent subtracts it from its first child
+    bool subtracted = false;   ///< on the right of an odd number of differences
+    std::uint32_t right = 0;   ///< number of children that have the value the operator needs; leaf: 1 if inside
+    std::uint32_t needed = 1;  ///< number of them that make the node inside
 
     [[nodiscard]] bool value() const { return right >= needed; }
   };
@@ -43,9 +45,9 @@ class TreeOnRay {
   std::uint32_t root_;
 };
 
-/// The event at the first depth that is in the model just behind, of the first primitive in tree order whose surface
-/// shows there; null if the ray meets nothing. Events have members `primitive` and `enters`, and are sorted by depth;
-/// those of the same depth have to stand together. The tree has to be out of all primitives, and is again afterwards.
+/// The event at the first depth behind which the point is in the model, of the first primitive in tree order whose
+/// surface shows there; null if the ray meets nothing. Events have members `primitive` and `enters` and are sorted by
+/// depth; those of the same depth are consecutive. The tree must be outside all primitives, and is so again on return.
 template <typename Event, typename SameDepth>
 const Event* first_seen(TreeOnRay& on_ray, std::span<const Event> events, const SameDepth& same_depth) {
   const Event* seen = nullptr;
@@ -58,7 +60,7 @@ const Event* first_seen(TreeOnRay& on_ray, std::span<const Event> events, const 
     } while (next < events.size() && same_depth(events[next - 1], events[next]));
     if (!on_ray.in_model()) continue;
     for (const Event& event : events.subspan(first, next - first)) {
-      const bool visible_side = event.enters != on_ray.taken_away(event.primitive);
+      const bool visible_side = event.enters != on_ray.subtracted(event.primitive);
       const bool before = seen == nullptr || event.primitive < seen->primitive;
       if (visible_side && before && on_ray.shows(event.primitive)) seen = &event;
     }

@@ -9,14 +9,14 @@ namespace csgsim::lockstep {
 
 namespace {
 
-/// Instructions from one comparison of all memory to the next, where that takes longer than an instruction.
-constexpr std::uint64_t usual_stride = 512;
+/// Number of instructions between comparisons of all memory, if such a comparison is slow.
+constexpr std::uint64_t default_stride = 512;
 
 bool same_operation(const isa::Instruction& a, const isa::Instruction& b) {
   return a.opcode == b.opcode && a.fields == b.fields && a.linear == b.linear && a.constant == b.constant;
 }
 
-/// As many instructions for each region.
+/// Whether the Programs have the same regions with the same numbers of instructions.
 bool same_layout(const isa::Program& a, const isa::Program& b) {
   return std::equal(a.segments.begin(), a.segments.end(), b.segments.begin(), b.segments.end(),
                     [](const isa::Segment& one, const isa::Segment& other) {
@@ -40,8 +40,8 @@ Comparison run_both(const Side& a, const Side& b, LockstepSettings settings) {
   comparison.b = {b_run->result(), std::move(b_frame).frame(), b_stats.stats()};
   comparison.divergence = lockstep.divergence();
   comparison.compared = lockstep.compared();
-  // What was found late may have been there before: the instructions since the last look at everything are gone
-  // through again, with all of memory compared after each.
+  // A difference may be found later than it occurred: the instructions since the last full comparison are run again,
+  // with all of memory compared after each.
   const bool may_be_late = comparison.divergence && comparison.divergence->pixel && settings.whole_every > 1;
   if (!may_be_late) return comparison;
   settings.whole_every = 1;
@@ -78,7 +78,7 @@ std::optional<PictureDifference> first_difference(const observe::Frame& a, const
 
 Comparison compare(const Side& a, const Side& b) {
   LockstepSettings settings;
-  settings.whole_every = usual_stride;
+  settings.whole_every = default_stride;
   settings.clocks = machines::same_hardware(a.machine, b.machine);
   const std::optional<std::uint64_t> other = first_other_instruction(a.program, b.program);
   if (other && !same_layout(a.program, b.program)) settings.end = *other;

@@ -1,3 +1,5 @@
+// Comparison of two runs in lockstep, and of their pictures.
+// Used by the command 'diff' and sim/viewer.
 #pragma once
 
 #include <cstdint>
@@ -10,48 +12,48 @@
 
 namespace csgsim::lockstep {
 
-/// One of two runs that are compared.
+/// One of the two runs to compare.
 struct Side {
   const isa::Program& program;
   const machines::Machine& machine;
   engine::Engine& engine;
 };
 
-/// What the run of a side left.
+/// The results of one side.
 struct SideResult {
   engine::RunResult result;
   observe::Frame frame;
   observe::Stats stats;
 };
 
-/// The first pixel, in row order, of which the finished pictures show different things.
+/// The first pixel, in row order, that differs between the finished pictures.
 struct PictureDifference {
   std::uint32_t x = 0;
   std::uint32_t y = 0;
-  std::uint64_t pixels = 0;  ///< that differ
+  std::uint64_t pixels = 0;  ///< number of differing pixels
 };
 
-/// How two runs compare.
+/// The result of comparing two runs.
 struct Comparison {
-  /// Number of the first instruction that is another one in the two Programs, or that only one of them has; none if all
-  /// are the same. Whom an instruction serves (isa::Origin) does not matter.
+  /// Number of the first instruction that differs between the Programs or exists in only one of them; empty if they are
+  /// equal. The origins of instructions (isa::Origin) are ignored.
   std::optional<std::uint64_t> other_instruction;
-  std::uint64_t compared = 0;  ///< instructions after which the states were compared and equal
-  /// After a different instruction the states are compared on if both Programs have as many for each region.
+  std::uint64_t compared = 0;  ///< number of instructions after which the states were compared and equal
+  /// Comparison continues past different instructions if both Programs have the same number for each region.
   std::optional<Divergence> divergence;
   std::optional<PictureDifference> picture;
   SideResult a;
   SideResult b;
 };
 
-/// Runs both at the same time, an instruction of each in turn. The pictures have to be equally large, and B's level one
-/// that can stop. Throws InputError where a machine cannot run its Program.
+/// Runs both sides in lockstep, alternating by instruction. The pictures must have the same size, and B's engine must
+/// be able to pause. Throws InputError if a machine cannot run its Program.
 Comparison compare(const Side& a, const Side& b);
 
-/// The first instruction that differs, as Comparison::other_instruction.
+/// The number of the first differing instruction, as in Comparison::other_instruction.
 std::optional<std::uint64_t> first_other_instruction(const isa::Program& a, const isa::Program& b);
 
-/// Where two pictures of one size differ.
+/// The first difference between two pictures of the same size.
 std::optional<PictureDifference> first_difference(const observe::Frame& a, const observe::Frame& b);
 
 }  // namespace csgsim::lockstep

@@ -56,7 +56,7 @@ void Lockstep::after_instruction(const engine::Step& step, const engine::PixelSt
 
 void Lockstep::after_segment(std::uint32_t segment, const engine::PixelState& state) {
   if (!compares_ || a_numbers_.first(segment + 1) > settings_.end) return;
-  // Segments without instructions are gone through when B goes on: they have nothing to compare.
+  // B passes segments without instructions when it continues: there is nothing to compare.
   if (a_numbers_.first(segment) == a_numbers_.first(segment + 1)) return;
   const engine::Place last{segment,
                            static_cast<std::uint32_t>(a_numbers_.first(segment + 1) - a_numbers_.first(segment) - 1)};

@@ -1,3 +1,5 @@
+// An observer that runs a second run in lockstep and compares the states.
+// Used by sim/lockstep and the lockstep tests.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +13,35 @@
 
 namespace csgsim::lockstep {
 
-/// Where two runs go apart.
+/// The point at which two runs diverge.
 struct Divergence {
-  engine::Place place;  ///< of the instruction after which they differ, in A's Program
+  engine::Place place;  ///< the last instruction before the difference, in A's Program
   std::optional<PixelDifference> pixel;
-  /// What else differs, if no pixel does: `clocks`, `enabled pixels`, or `instruction`, the number of the one that each
-  /// carries out.
+  /// The difference if no pixel differs: `clocks`, `enabled pixels`, or `instruction`, the numbers of the instructions
+  /// that each side executes.
   std::optional<TwoValues> otherwise;
 
   bool operator==(const Divergence&) const = default;
 };
 
 struct LockstepSettings {
-  /// Instructions from one comparison of all memory to the next. Between, what each can write is compared; what
-  /// changes elsewhere is found later.
+  /// Number of instructions between comparisons of all memory. In between, only what each instruction can write is
+  /// compared; other changes are found later.
   std::uint64_t whole_every = 1;
   /// Number of the first instruction after which states are compared.
   std::uint64_t begin = 0;
-  bool clocks = true;  ///< the clocks of each instruction are compared
-  /// Number of the first instruction that is not compared any more.
+  bool clocks = true;  ///< whether the clocks of each instruction are compared
+  /// Number of the first instruction that is no longer compared.
   std::uint64_t end = engine::Run::end;
 };
 
-/// Watches run A and has run B go along: after each instruction of A, B has carried out its one of that number, and
-/// both states are compared, until they differ. Their segments have to have the same regions as far as they are
-/// compared.
+/// Observes run A and advances run B with it: after each instruction of A, B has executed its instruction with the same
+/// number, and the states are compared until they differ. As far as they are compared, their segments must have the
+/// same regions.
 class Lockstep final : public engine::Observer {
  public:
-  /// Programs and run, which is at its beginning, have to outlive it. `b_observers` see all of B's run.
+  /// The Programs and `b_run`, which must be at its start, must outlive this object. `b_observers` observe all of B's
+  /// run.
   Lockstep(const isa::Program& a, const isa::Program& b, engine::Run& b_run, LockstepSettings settings,
            std::span<engine::Observer* const> b_observers = {});
 
@@ -46,17 +49,17 @@ class Lockstep final : public engine::Observer {
   void after_instruction(const engine::Step& step, const engine::PixelState& state) override;
   void after_segment(std::uint32_t segment, const engine::PixelState& state) override;
 
-  /// Has B go on to its end when A is there.
+  /// Runs B to its end after A has ended.
   void finish();
 
   [[nodiscard]] const std::optional<Divergence>& divergence() const { return divergence_; }
-  /// Number of the last instruction after which all of memory was equal, plus one; 0 if none was.
+  /// Number of the last instruction after which all of memory was equal, plus one; 0 if there was none.
   [[nodiscard]] std::uint64_t whole_until() const { return whole_until_; }
-  /// Instructions after which the states were compared and equal.
+  /// Number of instructions after which the states were compared and equal.
   [[nodiscard]] std::uint64_t compared() const { return compared_; }
 
  private:
-  /// What B's last instruction told.
+  /// Records the last step of B.
   class Last final : public engine::Observer {
    public:
     [[nodiscard]] bool reads_after(const isa::Instruction& /*instruction*/) const override { return false; }
@@ -72,7 +75,7 @@ class Lockstep final : public engine::Observer {
   };
 
   void differ(engine::Place place, std::optional<PixelDifference> pixel, std::optional<TwoValues> otherwise);
-  /// What the two steps tell differently, or nothing.
+  /// The difference between the two steps, if any.
   [[nodiscard]] std::optional<TwoValues> other_step(const engine::Step& step) const;
 
   const isa::Program& b_program_;

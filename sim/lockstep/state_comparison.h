@@ -1,3 +1,5 @@
+// Comparison of the pixel states of two engines.
+// Used by lockstep.
 #pragma once
 
 #include <cstdint>
@@ -10,35 +12,35 @@
 
 namespace csgsim::lockstep {
 
-/// What has two values.
+/// A named quantity with different values on the two sides.
 struct TwoValues {
-  std::string name;  ///< of the Program's field, its place where no name covers it, or E
+  std::string name;  ///< name of the Program's field, or its position if it has none, or E
   std::uint64_t a = 0;
   std::uint64_t b = 0;
 
   bool operator==(const TwoValues&) const = default;
 };
 
-/// What differs at the first pixel, in row order, that differs at all.
+/// The differences at the first differing pixel, in row order.
 struct PixelDifference {
-  std::uint32_t x = 0;  ///< of the picture
+  std::uint32_t x = 0;  ///< column in the picture
   std::uint32_t y = 0;
   std::vector<TwoValues> fields;  ///< E first, then in the order of the Program
-  std::uint64_t pixels = 0;       ///< that differ
+  std::uint64_t pixels = 0;       ///< number of differing pixels
 
   bool operator==(const PixelDifference&) const = default;
 };
 
-/// Compares states of the same segment. The fields' names are one Program's.
+/// Compares states of the same segment. Fields have the names of one Program.
 class StateComparison {
  public:
-  /// Of two Programs with pixels of different memory, what both have is compared.
+  /// For Programs with different numbers of memory bits, `memory_bits` is the number that both have.
   StateComparison(const isa::Program& names, std::uint32_t memory_bits);
 
-  /// E and all of memory.
+  /// Compares E and all of memory.
   std::optional<PixelDifference> whole(const engine::PixelState& a, const engine::PixelState& b);
 
-  /// E, and the fields of memory that an instruction can write.
+  /// Compares E and the fields of memory that an instruction can write.
   std::optional<PixelDifference> written(const isa::Instruction& instruction, const engine::PixelState& a,
                                          const engine::PixelState& b);
 
@@ -54,7 +56,7 @@ class StateComparison {
   void compare_part(const Part& part, const engine::PixelState& a, const engine::PixelState& b);
   void read(const Part& part, const engine::PixelState& a, const engine::PixelState& b);
 
-  std::vector<Part> parts_;  ///< which cover all of memory
+  std::vector<Part> parts_;  ///< together they cover all of memory
   std::vector<bool> differs_;
   std::vector<std::uint32_t> a_values_;
   std::vector<std::uint32_t> b_values_;

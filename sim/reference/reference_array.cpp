@@ -14,19 +14,19 @@ namespace {
 
 __extension__ using Wide = __int128;
 
-/// A*x + B*y + C, exactly.
+/// The exact value of A*x + B*y + C.
 Wide exact_sum(const isa::Linear& linear, std::uint32_t x, std::uint32_t y) {
   return static_cast<Wide>(linear.a) * x + static_cast<Wide>(linear.b) * y + linear.c;
 }
 
-/// A*x*x + B*x*y + C*y*y, exactly.
+/// The exact value of A*x*x + B*x*y + C*y*y.
 Wide exact_squares(const isa::Linear& squares, std::uint32_t x, std::uint32_t y) {
   return static_cast<Wide>(squares.a) * x * x + static_cast<Wide>(squares.b) * x * y +
          static_cast<Wide>(squares.c) * y * y;
 }
 
-/// The greatest number whose square is no more than that, which is below 2^60.
-std::uint64_t root_of(std::uint64_t square) {
+/// The greatest integer whose square is at most `square`, which must be below 2^60.
+std::uint64_t integer_root(std::uint64_t square) {
   std::uint64_t least = 0;
   std::uint64_t beyond = std::uint64_t{1} << 30U;
   while (beyond - least > 1) {
@@ -36,22 +36,22 @@ std::uint64_t root_of(std::uint64_t square) {
   return least;
 }
 
-/// What `root` makes of a field of 2w + 1 bits.
+/// The result of the instruction `root` for a field of 2w + 1 bits.
 std::uint64_t with_root(std::uint64_t field, unsigned w) {
   const std::uint64_t square = field & low_bits(2 * w);
-  const std::uint64_t root = root_of(square);
+  const std::uint64_t root = integer_root(square);
   const std::uint64_t odd = root | 1U;
   return root << (w + 1) | ((square - odd * odd) & low_bits(w + 1));
 }
 
-/// Does the number fit `width` bits of two's complement?
+/// Whether the number fits `width` bits of two's complement.
 bool fits_signed(Wide number, unsigned width) {
   const Wide half = static_cast<Wide>(1) << (width - 1);
   return -half <= number && number < half;
 }
 
 /// F: the low `width` bits as a two's complement number, shifted right with floor.
-std::int64_t value_of_f(Wide sum, const isa::Linear& linear) {
+std::int64_t extract_f(Wide sum, const isa::Linear& linear) {
   const unsigned beyond = 64U - linear.width;
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(sum) << beyond) >> beyond >> linear.shift;
 }
@@ -62,25 +62,25 @@ bool fits_unsigned(std::int64_t value, unsigned width) { return value >= 0 && va
 
 ReferenceArray::ReferenceArray(isa::Region region, std::uint32_t memory_bits)
     : region_(region),
-      words_a_pixel_(memory_bits / bits_a_word + 1),
-      memory_(static_cast<std::size_t>(region.width) * region.height * words_a_pixel_),
-      words_a_row_((region.width + bits_a_word - 1) / bits_a_word),
-      enable_(words_a_row_ * region.height) {}
+      words_per_pixel_(memory_bits / bits_per_word + 1),
+      memory_(static_cast<std::size_t>(region.width) * region.height * words_per_pixel_),
+      words_per_row_((region.width + bits_per_word - 1) / bits_per_word),
+      enable_(words_per_row_ * region.height) {}
 
 void ReferenceArray::put(std::size_t pixel, isa::Field field, std::uint64_t value) {
-  std::uint64_t* const words = &memory_[pixel * words_a_pixel_ + field.base / bits_a_word];
-  const unsigned begin = field.base % bits_a_word;
+  std::uint64_t* const words = &memory_[pixel * words_per_pixel_ + field.base / bits_per_word];
+  const unsigned begin = field.base % bits_per_word;
   const std::uint64_t mask = low_bits(field.width);
   words[0] = (words[0] & ~(mask << begin)) | (value & mask) << begin;
-  if (begin + field.width <= bits_a_word) return;
-  const unsigned done = bits_a_word - begin;
+  if (begin + field.width <= bits_per_word) return;
+  const unsigned done = bits_per_word - begin;
   words[1] = (words[1] & ~(mask >> done)) | (value & mask) >> done;
 }
 
 template <class Act>
 void ReferenceArray::at_enabled(const Act& act) {
   for (std::uint32_t y = 0; y < region_.height; ++y) {
-    for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_a_word) {
+    for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_per_word) {
       std::uint64_t& word = enable_[enable_word(x0, y)];
       std::uint64_t after = 0;
       for (std::uint64_t left = word; left != 0; left &= left - 1) {
@@ -101,16 +101,16 @@ void ReferenceArray::at_enabled_with_f(const isa::Instruction& instruction, cons
     Wide sum = exact_sum(linear, x, y);
     if (has_squares) sum += exact_squares(squares_, x, y);
     if (has_to_fit && !fits_signed(sum, linear.width)) ++overflows_;
-    return act(pixel, value_of_f(sum, linear));
+    return act(pixel, extract_f(sum, linear));
   });
 }
 
 template <class Becomes>
 void ReferenceArray::set_enable(const Becomes& becomes) {
   for (std::uint32_t y = 0; y < region_.height; ++y) {
-    for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_a_word) {
+    for (std::uint32_t x0 = 0; x0 < region_.width; x0 += bits_per_word) {
       std::uint64_t& word = enable_[enable_word(x0, y)];
-      const std::uint32_t pixels = std::min(bits_a_word, region_.width - x0);
+      const std::uint32_t pixels = std::min(bits_per_word, region_.width - x0);
       std::uint64_t after = 0;
       for (std::uint32_t bit = 0; bit < pixels; ++bit)
         after |= std::uint64_t{becomes(pixel_at(x0 + bit, y), (word >> bit & 1U) != 0)} << bit;
@@ -119,7 +119,7 @@ void ReferenceArray::set_enable(const Becomes& becomes) {
   }
 }
 
-void ReferenceArray::carry_out(const isa::Instruction& instruction) {
+void ReferenceArray::apply(const isa::Instruction& instruction) {
   using isa::Opcode;
   const isa::Field& first = instruction.fields[0];
   const isa::Field& second = instruction.fields[1];
@@ -200,7 +200,7 @@ void ReferenceArray::carry_out(const isa::Instruction& instruction) {
 }
 
 void ReferenceArray::execute(const isa::Instruction& instruction) {
-  carry_out(instruction);
+  apply(instruction);
   squares_ = instruction.opcode == isa::Opcode::squares ? instruction.linear : isa::Linear{};
 }
 
@@ -211,7 +211,7 @@ std::uint64_t ReferenceArray::enabled_pixels() const {
 
 void ReferenceArray::write_enable(std::uint32_t x, std::uint32_t y, bool value) {
   std::uint64_t& word = enable_[enable_word(x, y)];
-  const std::uint64_t bit = std::uint64_t{1} << x % bits_a_word;
+  const std::uint64_t bit = std::uint64_t{1} << x % bits_per_word;
   word = value ? word | bit : word & ~bit;
 }
 

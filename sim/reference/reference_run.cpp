@@ -18,13 +18,13 @@ constexpr std::uint32_t word_bits = 64;
 
 isa::Field bit_field(std::size_t bit) { return {static_cast<std::uint16_t>(bit), 1}; }
 
-/// Where a pixel is in a plane.
+/// The position of a pixel's bit in a plane.
 struct Bit {
   std::size_t word;
   unsigned shift;
 };
 
-Bit bit_of(std::uint32_t x, std::uint32_t y, std::uint32_t width) {
+Bit bit_position(std::uint32_t x, std::uint32_t y, std::uint32_t width) {
   const std::size_t words = (width + word_bits - 1) / word_bits;
   return {y * words + x / word_bits, x % word_bits};
 }
@@ -38,14 +38,14 @@ ReferenceRun::ReferenceRun(const isa::Program& program, const machines::Machine&
 }
 
 void ReferenceRun::begin_segment(std::uint32_t segment) {
-  so_far_.overflows += array_.overflows();
+  result_.overflows += array_.overflows();
   array_ = ReferenceArray(program_.segments[segment].region, program_.shape.memory_bits);
   place_ = {segment, 0};
-  told_end_ = false;
+  end_notified_ = false;
 }
 
 bool ReferenceRun::finished() const {
-  return program_.segments.empty() || (told_end_ && place_.segment + 1 == program_.segments.size());
+  return program_.segments.empty() || (end_notified_ && place_.segment + 1 == program_.segments.size());
 }
 
 void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* const> observers) {
@@ -57,9 +57,9 @@ void ReferenceRun::advance(std::uint64_t number, std::span<engine::Observer* con
       execute(observers);
       continue;
     }
-    if (!told_end_) {
+    if (!end_notified_) {
       for (engine::Observer* observer : observers) observer->after_segment(place_.segment, array_);
-      told_end_ = true;
+      end_notified_ = true;
     }
     if (finished() || next >= number) return;
     begin_segment(place_.segment + 1);
@@ -73,7 +73,7 @@ void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
   met_.before(place_, instruction, array_);
   array_.execute(instruction);
   met_.after(place_, instruction, array_);
-  if (instruction.opcode == isa::Opcode::global_or) so_far_.answers.push_back(enabled > 0);
+  if (instruction.opcode == isa::Opcode::global_or) result_.answers.push_back(enabled > 0);
   engine::Step step{place_.segment, place_.index, instruction, machines::clocks(instruction, machine_), enabled};
   if (met_.asks()) {
     step.at_pixels = machine_.kind->clocks_at_pixels(program_.segments[place_.segment], place_.index, machine_,
@@ -83,14 +83,14 @@ void ReferenceRun::execute(std::span<engine::Observer* const> observers) {
   if (instruction.opcode == isa::Opcode::skip_if_none && enabled == 0) {
     skips_.push_back({place_.segment, place_.index});
     place_.index += static_cast<std::uint32_t>(instruction.constant);
-    so_far_.skipped += instruction.constant;
+    result_.skipped += instruction.constant;
   }
   ++place_.index;
 }
 
 engine::RunState ReferenceRun::save() const {
-  engine::RunState state{place_, told_end_, so_far_.overflows + array_.overflows(), so_far_.skipped, so_far_.answers,
-                         skips_, {}};
+  engine::RunState state{
+      place_, end_notified_, result_.overflows + array_.overflows(), result_.skipped, result_.answers, skips_, {}};
   if (program_.segments.empty()) return state;
   const isa::Region region = array_.region();
   const std::size_t words = (region.width + word_bits - 1) / word_bits * static_cast<std::size_t>(region.height);
@@ -100,7 +100,7 @@ engine::RunState ReferenceRun::save() const {
     for (std::uint32_t y = 0; y < region.height; ++y) {
       for (std::uint32_t x = 0; x < region.width; ++x) {
         const bool one = plane == 0 ? array_.enabled(x, y) : array_.read(bit_field(plane - 1), x, y) != 0;
-        const Bit at = bit_of(x, y, region.width);
+        const Bit at = bit_position(x, y, region.width);
         bits[at.word] |= std::uint64_t{one} << at.shift;
         any = any || one;
       }
@@ -118,17 +118,17 @@ void ReferenceRun::restore(const engine::RunState& state) {
   place_ = state.place;
   if (const isa::Instruction* const squares = isa::pending_squares(program_.segments[place_.segment], place_.index))
     array_.execute(*squares);
-  told_end_ = state.told_end;
-  so_far_.overflows = state.overflows;
-  so_far_.skipped = state.skipped;
-  so_far_.answers = state.answers;
+  end_notified_ = state.told_end;
+  result_.overflows = state.overflows;
+  result_.skipped = state.skipped;
+  result_.answers = state.answers;
   skips_ = state.skips;
   const isa::Region region = array_.region();
   for (std::size_t plane = 0; plane < state.planes.size(); ++plane) {
     if (state.planes[plane].empty()) continue;
     for (std::uint32_t y = 0; y < region.height; ++y) {
       for (std::uint32_t x = 0; x < region.width; ++x) {
-        const Bit at = bit_of(x, y, region.width);
+        const Bit at = bit_position(x, y, region.width);
         const bool one = (state.planes[plane][at.word] >> at.shift & 1U) != 0;
         if (plane == 0) {
           array_.write_enable(x, y, one);
@@ -140,7 +140,7 @@ void ReferenceRun::restore(const engine::RunState& state) {
   }
 }
 
-/// A run that went on from elsewhere does not know what it has not seen.
+/// A run resumed from a saved state lacks the earlier part, so the whole Program is run again.
 std::vector<machines::MetPixels> ReferenceRun::met_pixels() const {
   if (const std::vector<machines::MetPixels>* const met = met_.met()) return *met;
   ReferenceRun whole(program_, machine_);
@@ -149,7 +149,7 @@ std::vector<machines::MetPixels> ReferenceRun::met_pixels() const {
 }
 
 engine::RunResult ReferenceRun::result() const {
-  engine::RunResult result = so_far_;
+  engine::RunResult result = result_;
   result.overflows += array_.overflows();
   result.skips = skips_;
   result.met = met_pixels();

@@ -1,3 +1,5 @@
+// Runs of the reference engine.
+// Used by the reference engine and tests.
 #pragma once
 
 #include "hw/machines/machine.h"
@@ -7,10 +9,10 @@
 
 namespace csgsim::reference {
 
-/// A run an instruction and a pixel at a time. The Program has to outlive it.
+/// A run that executes one instruction at a time, one pixel at a time. The Program must outlive it.
 class ReferenceRun final : public engine::Run {
  public:
-  /// Throws InputError if the machine lacks what the Program needs.
+  /// Throws InputError if the machine lacks a feature that the Program needs.
   ReferenceRun(const isa::Program& program, const machines::Machine& machine);
 
   [[nodiscard]] engine::Place place() const override { return place_; }
@@ -31,7 +33,7 @@ class ReferenceRun final : public engine::Run {
   [[nodiscard]] bool enabled(std::uint32_t x, std::uint32_t y) const override { return array_.enabled(x, y); }
 
  private:
-  /// Goes to the segment's first instruction, with pixels that are all 0.
+  /// Moves to the segment's first instruction and clears all pixels.
   void begin_segment(std::uint32_t segment);
   void execute(std::span<engine::Observer* const> observers);
   [[nodiscard]] std::vector<machines::MetPixels> met_pixels() const;
@@ -40,9 +42,9 @@ class ReferenceRun final : public engine::Run {
   machines::Machine machine_;
   engine::Numbers numbers_;
   engine::Place place_;
-  bool told_end_ = false;
+  bool end_notified_ = false;
   ReferenceArray array_{isa::Region{}, 0};
-  engine::RunResult so_far_;
+  engine::RunResult result_;
   std::vector<machines::Skip> skips_;
   engine::MetRecorder met_;
 };

@@ -45,7 +45,7 @@ TEST_CASE("studies of several machines draw curved surfaces where a machine can,
                 (folder / "e")));
   const auto one_of_two = json(folder / "e/sweep.json")["points"];
   CHECK(one_of_two[0]["halfspaces"] < 100);
-  CHECK(one_of_two[1]["reason"].get<std::string>().find("pixel-planes-4 evaluates linear expressions alone") !=
+  CHECK(one_of_two[1]["reason"].get<std::string>().find("pixel-planes-4 evaluates only linear expressions") !=
         std::string::npos);
 }
 

@@ -109,7 +109,7 @@ TEST_CASE("a near plane too near for any depth is refused with one that would do
   for (const std::string near : {"4.9e-324", "1e-300", "1e-17"}) {
     const Outcome outcome =
         run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", near}, folder.path());
-    fails(outcome, 1, {"put --near at "});
+    fails(outcome, 1, {"set --near to "});
     CHECK((outcome.out + outcome.err).find("nan") == std::string::npos);
   }
   succeeded(run_words({"render", "m.csg", "--size", "16x16", "--projection", "perspective", "--near", "1e-9"},

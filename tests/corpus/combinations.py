@@ -10,7 +10,7 @@ MACHINES = ("pixel-planes-4", "scan-line", "pixel-square", "pixel-planes-5", "mu
 FIRST = (MACHINES[0], "stack")
 # What a machine may refuse, by words of its message, and what it draws the model with then.
 HOST_DIVIDES, MORE_BITS = "+divider.kind=host", ("--memory-bits", "4096")
-REFUSALS = (("divides the model itself", HOST_DIVIDES), ("memory bits a pixel", MORE_BITS), ("multiplies out", None), ("the divider keeps", None))
+REFUSALS = (("divides the model itself", HOST_DIVIDES), ("memory bits a pixel", MORE_BITS), ("tree of this primitive expands", None), ("the divider keeps", None))
 
 
 def usual_strategies(csgsim):

@@ -33,7 +33,7 @@ TileShare execute(functional::Tile& tile, const functional::Stretch& stretch, st
   TileShare all;
   const auto begin = std::chrono::steady_clock::now();
   for (std::size_t i = 0;; ++i) {
-    if (tile.enabled() == 0) i = stretch.wakes_from(i);
+    if (tile.enabled() == 0) i = stretch.first_acting_from(i);
     if (i == stretch.size()) break;
     const std::uint64_t looked_at = looks_of(tile);
     tile.execute(stretch.instructions()[i]);

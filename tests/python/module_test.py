@@ -301,7 +301,7 @@ class Refused(unittest.TestCase):
     def test_a_process_clocks_one_machine_and_says_so(self):
         csgsim.render(FIGURE, size="16x16", level="cycle")
         csgsim.render(FIGURE, size="16x16", level="cycle")
-        self.refused(csgsim.Error, "a process of its own", csgsim.render, FIGURE, size="16x16", level="cycle", machine="scan-line")
+        self.refused(csgsim.Error, "a separate process", csgsim.render, FIGURE, size="16x16", level="cycle", machine="scan-line")
 
 
 class Long(unittest.TestCase):

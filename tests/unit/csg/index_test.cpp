@@ -223,7 +223,7 @@ TEST_CASE(
     const view::PixelRect region{x, y, *rc::gen::inRange(x, 64), *rc::gen::inRange(y, 64)};
     for (std::uint32_t primitive = 0; primitive < plain.scene.solids.size(); ++primitive) {
       const csg::ConvexSet set{primitive};
-      const csg::Block block = pruner.block_of(set, region);
+      const csg::Block block = pruner.surface_block(set, region);
       if (block.pixels.empty()) continue;
       const std::vector<std::uint32_t> meeting = pruner.meeting(set, block);
       RC_ASSERT(std::is_sorted(meeting.begin(), meeting.end()));

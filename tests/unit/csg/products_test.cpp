@@ -122,7 +122,7 @@ TEST_CASE("figure 6.2 of the thesis: what does not touch P is pruned from its tr
   const csg::PositiveTree positive = csg::make_positive(tree);
   const csg::Pruner pruner(scene, view, positive);
   const csg::ConvexSet set{P};
-  const csg::ActiveTree active = pruner.active_tree(set, pruner.block_of(set, {0, 0, 511, 511}));
+  const csg::ActiveTree active = pruner.active_tree(set, pruner.surface_block(set, {0, 0, 511, 511}));
   REQUIRE(active.operands.size() == 2);
   const auto union_of = [&](std::uint32_t operand) {
     const ActiveNode& at = active.nodes[operand];

@@ -133,8 +133,8 @@ TEST_CASE("a machine without a global OR over the whole picture is refused, and 
   const auto error = [&] { return testing::error_of([&] { testing::compile_text(cube, setup); }); };
   CHECK(error().empty());
   setup.has_global_or = false;
-  CHECK(error().find("by a global OR over the whole picture, which  does not have") != std::string::npos);
+  CHECK(error().find("with a global OR over the whole picture, which  does not have") != std::string::npos);
   setup.machine = "scan-line";
-  CHECK(error().find("which scan-line does not have; take a machine that does, such as pixel-planes-4") !=
+  CHECK(error().find("which scan-line does not have; take a machine that has one, such as pixel-planes-4") !=
         std::string::npos);
 }

@@ -293,7 +293,7 @@ TEST_CASE("textures are the same on lines, squares and the whole array, and howe
 TEST_CASE("a sphere that is named gets no texture but a message that says why") {
   const std::string sphere = "sphere($fn = 8, $fa = 12, $fs = 2, r = 5);";
   const std::string error = error_with("[[effects.textures]]\nfrom_line = 1\n", sphere);
-  CHECK(error.find("test:1:1: textures are for flat facets, and this is a sphere") != error.npos);
+  CHECK(error.find("test:1:1: textures are only for flat facets, and this is a sphere") != error.npos);
   CHECK(error_with("[[effects.textures]]\n", sphere).empty());
 }
 
@@ -310,7 +310,7 @@ TEST_CASE("too many texels in perspective are refused with the size that fits") 
 TEST_CASE("a table has 1, 2, 4 or 8 rows and columns, and nothing else has one") {
   const std::string cube = "cube(size = [30, 30, 30], center = true);";
   const auto error = [&](const std::string& keys) { return error_with("[[effects.textures]]\n" + keys, cube); };
-  CHECK(error("pattern = 'table'").find("without its colours") != std::string::npos);
+  CHECK(error("pattern = 'table'").find("needs colours") != std::string::npos);
   CHECK(error("pattern = 'table'\ntexels = [[[1,0,0],[1,0,0],[1,0,0]]]").find("1 rows of 3 colours") !=
         std::string::npos);
   CHECK(error("pattern = 'table'\ntexels = [[[1,0,0]],[[1,0,0],[0,0,0]]]").find("equally long") != std::string::npos);

@@ -275,7 +275,7 @@ TEST_CASE("too few bits are refused with what they are for and what to do") {
 
 TEST_CASE("a screen door is open at as many pixels of every 4 x 4 as its opacity says, and holds the sparser ones") {
   std::set<std::size_t> before;
-  for (unsigned pixels = 0; pixels <= effects::most_pixels; ++pixels) {
+  for (unsigned pixels = 0; pixels <= effects::max_pattern_pixels; ++pixels) {
     CAPTURE(pixels);
     const std::string pane = tinted({1, 1, 1}, pixels / 16.0, box_text({-1, 0, -9}, {9, 1, 1}));
     const observe::Frame frame = drawn(pane, {"effects.transparency.method=screen-door"});
@@ -304,7 +304,7 @@ TEST_CASE("rectangles that have a pixel in common are counted as one by one") {
         for (int column = all.back().x0; column <= all.back().x1; ++column)
           ++covered.at(static_cast<std::size_t>(8 * row + column));
     }
-    RC_ASSERT(effects::most_overlapping(all) == *std::max_element(covered.begin(), covered.end()));
+    RC_ASSERT(effects::max_overlap(all) == *std::max_element(covered.begin(), covered.end()));
   });
   CHECK(holds);
 }

@@ -163,7 +163,7 @@ TEST_CASE("surfaces of which each is one product are not counted as products, ho
   how.sampling.width = 512;
   how.sampling.height = 512;
   for (const unsigned bits : {3U, 4U}) {
-    CHECK(compiled(text + "}}", how).facts->compile.rendered > emit::most_products);
+    CHECK(compiled(text + "}}", how).facts->compile.rendered > emit::max_products);
     how.options.strategy = emit::Strategy::bits;
     how.options.stack_bits = bits;
   }

@@ -120,7 +120,7 @@ TEST_CASE("a machine that divides has prunings of its own") {
   options.pruning.sets = false;
   CHECK(error_of([&] {
           divided(machine_with(1), options);
-        }).starts_with("the machine divides the model itself, with prunings of its own;"));
+        }).starts_with("the machine divides the model itself, with fixed prunings;"));
 }
 
 TEST_CASE("a machine that divides has one strategy") {
@@ -128,7 +128,7 @@ TEST_CASE("a machine that divides has one strategy") {
   options.strategy = emit::Strategy::list;
   CHECK(error_of([&] {
           divided(machine_with(1), options);
-        }).starts_with("the machine divides the model itself, by the strategy stack alone, not list"));
+        }).starts_with("the machine divides the model itself, and its divider supports only --strategy stack, not list"));
   options.strategy = emit::Strategy::automatic;
   options.colouring = emit::Colouring::automatic;
   CHECK(divided(machine_with(1), options).facts->compile.strategy == "stack");

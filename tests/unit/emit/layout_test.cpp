@@ -71,7 +71,7 @@ TEST_CASE("a machine's second buffer is told beside the rest, and what would mak
   CHECK(emit::named_fields(emit::plan_layout(fits, 72)).back() ==
         isa::NamedField{"shown", {57, 15}, isa::FieldRole::shown});
   const std::string wide = refusal({20, 24, false, {1, 0, 0}, {48, 24}}, 72);
-  CHECK(says(wide, "needs 90 memory bits a pixel (2 x 20 depth, 24 colour, 1 mask, 1 stack, 24 colour that is shown)"));
+  CHECK(says(wide, "needs 90 memory bits a pixel (2 x 20 depth, 24 colour, 1 mask, 1 stack, 24 displayed colour)"));
   CHECK(says(wide, "--colour-bits 15"));
   CHECK(says(wide, "take a machine whose scan_out.buffers is 1"));
   CHECK(says(wide, "--memory-bits 90"));

@@ -98,7 +98,7 @@ TEST_CASE("where blocks are constant or far apart no lane is looked at, unless e
   const functional::TileShape shape(64, 64);
   auto left = std::make_unique<Lanes>();
   auto right = std::make_unique<Lanes>();
-  for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
+  for (unsigned block = 0; block < functional::blocks_per_tile; ++block) {
     left->set_constant(block, block);
     right->set_constant(block, 32);
   }

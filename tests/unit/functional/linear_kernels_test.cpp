@@ -72,7 +72,7 @@ struct Tile {
     if (expression.field_width == 0) return;
     set_any(*lanes, expression.field_width, shape);
     // Blocks that F equals at some pixels.
-    for (unsigned block = 0; block < functional::blocks_a_tile; block += between(1U, 4U)) {
+    for (unsigned block = 0; block < functional::blocks_per_tile; block += between(1U, 4U)) {
       if (lanes->is_constant(block)) functional::fill_block(*lanes, block);
       for (unsigned bit = 0; bit < functional::block_pixels; bit += 2) {
         const std::int64_t f = expression.f(block % 8 * 8 + bit % 8, block / 8 * 8 + bit / 8);

@@ -25,7 +25,7 @@ functional::TileShape any_shape() {
 
 Bits bits_of(const functional::TileBits& bits, const functional::TileShape& shape) {
   Bits pixels(shape);
-  for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
+  for (unsigned block = 0; block < functional::blocks_per_tile; ++block) {
     const std::uint64_t word = bits.word(block, shape);
     RC_ASSERT((word & ~shape.pixels(block)) == 0U);
     RC_ASSERT((bits.any() >> block & 1U) == (word != 0 ? 1U : 0U));
@@ -41,7 +41,7 @@ Bits set_any(functional::TileBits& bits, const functional::TileShape& shape) {
   bits.clear();
   const std::uint64_t mixed = any_word() & shape.blocks();
   bits.fill_blocks(any_word() & shape.blocks());
-  for (unsigned block = 0; block < functional::blocks_a_tile; ++block)
+  for (unsigned block = 0; block < functional::blocks_per_tile; ++block)
     if ((mixed >> block & 1U) != 0) bits.set_word(block, any_word() & shape.pixels(block), shape);
   return bits_of(bits, shape);
 }
@@ -69,7 +69,7 @@ Numbers set_any(functional::Lanes& lanes, unsigned bits, const functional::TileS
     return choice % 8 < some.size() ? some[choice % 8] : static_cast<std::uint32_t>(choice >> 3U) & most;
   };
   lanes.field = {0, static_cast<std::uint16_t>(bits)};
-  for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
+  for (unsigned block = 0; block < functional::blocks_per_tile; ++block) {
     if ((constant >> block & 1U) != 0) {
       lanes.set_constant(block, next());
       continue;

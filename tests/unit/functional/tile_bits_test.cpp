@@ -67,7 +67,7 @@ TEST_CASE("a tile has the pixels of its sides, each in one block") {
   CHECK(rc::check([] {
     const TileShape shape = any_shape();
     std::uint32_t area = 0;
-    for (unsigned block = 0; block < functional::blocks_a_tile; ++block) {
+    for (unsigned block = 0; block < functional::blocks_per_tile; ++block) {
       const auto count = static_cast<std::uint32_t>(std::popcount(shape.pixels(block)));
       RC_ASSERT((shape.blocks() >> block & 1U) == (count > 0 ? 1U : 0U));
       RC_ASSERT((shape.whole() >> block & 1U) == (count == functional::block_pixels ? 1U : 0U));

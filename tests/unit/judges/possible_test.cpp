@@ -18,7 +18,7 @@ model::Tree pair(model::Operator op) {
 }
 
 /// Between planes `first` and `first + 1`, without edges.
-Chance between(std::uint32_t primitive, std::uint32_t first, judges::Steps front, judges::Steps back) {
+Candidate between(std::uint32_t primitive, std::uint32_t first, judges::Steps front, judges::Steps back) {
   return {primitive, {}, {{first, front}}, {{first + 1, back}}, false};
 }
 
@@ -62,8 +62,8 @@ TEST_CASE("two fronts on one plane have the same depth, whatever it is: the firs
 }
 
 TEST_CASE("the farthest of several fronts is behind each of them, whichever it is") {
-  const Chance corner{0, {}, {{0, {10, 12}}, {1, {11, 13}}}, {{2, {80, 80}}}, false};
-  const Chance wall{1, {}, {{1, {11, 13}}}, {{3, {80, 80}}}, false};
+  const Candidate corner{0, {}, {{0, {10, 12}}, {1, {11, 13}}}, {{2, {80, 80}}}, false};
+  const Candidate wall{1, {}, {{1, {11, 13}}}, {{3, {80, 80}}}, false};
   CHECK_FALSE(can_show(pair(model::Operator::intersect), {{corner, wall}, {}}, nothing, 0));
 }
 
@@ -84,8 +84,8 @@ TEST_CASE("solids that touch have nothing in common") {
 }
 
 TEST_CASE("of solids on both sides of an undecided edge exactly one is there") {
-  Chance left = between(0, 0, {10, 10}, {20, 20});
-  Chance right = between(1, 0, {10, 10}, {20, 20});
+  Candidate left = between(0, 0, {10, 10}, {20, 20});
+  Candidate right = between(1, 0, {10, 10}, {20, 20});
   left.edges = {{5, true}};
   right.edges = {{5, false}};
   const Ray ray{{left, right}, {5}};
@@ -98,7 +98,7 @@ TEST_CASE("of solids on both sides of an undecided edge exactly one is there") {
 }
 
 TEST_CASE("a doubtful primitive may be shown and may be missing, but hides nothing") {
-  Chance doubtful = between(0, 0, {10, 10}, {20, 20});
+  Candidate doubtful = between(0, 0, {10, 10}, {20, 20});
   doubtful.doubtful = true;
   const Ray ray{{doubtful, between(1, 2, {15, 15}, {30, 30})}, {}};
   const model::Tree tree = pair(model::Operator::unite);

@@ -130,7 +130,7 @@ TEST_CASE("a surface shows where its side of the primitive is there and no opera
     const auto held = *rc::gen::container<std::vector<bool>>(tree.primitives.size(), rc::gen::arbitrary<bool>());
     for (std::uint32_t i = 0; i < held.size(); ++i) on_ray.set(i, held[i]);
     for (std::uint32_t i = 0; i < held.size(); ++i) {
-      RC_ASSERT(on_ray.taken_away(i) == rules.taken_away(i));
+      RC_ASSERT(on_ray.subtracted(i) == rules.taken_away(i));
       RC_ASSERT(on_ray.shows(i) == (held[i] != rules.taken_away(i) && rules.shows(i, held)));
     }
   }));

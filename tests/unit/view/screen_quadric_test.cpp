@@ -153,7 +153,7 @@ TEST_CASE("a cylinder seen from a slant of pixels is two roots again, to a unit 
     const double slope = std::ldexp(std::hypot(quadric.middle.a, quadric.middle.b), -12);
     CHECK(std::ldexp(1.0, static_cast<int>(quadric.unit)) <= std::max(1.0, slope * sampling.edge_on_fraction));
     const view::RootRanges ranges = view::ranges_over(quadric, 12, quadric.pixels);
-    if (quadric.unit > 0) CHECK(ranges.most_root < std::int64_t{1} << 23U);
+    if (quadric.unit > 0) CHECK(ranges.max_root < std::int64_t{1} << 23U);
     coarse += quadric.unit > 0 ? 1 : 0;
   }
   CHECK(coarse > 0);
@@ -220,7 +220,7 @@ TEST_CASE("an extent's depths hold the back of a solid too, whose depth is no lo
     const view::View view = view::make_view(scene, tree, {{1, 2, 16}, {0, 0, 0}, projection}, sampling);
     const view::Extent& extent = view.extents[0];
     const view::RootRanges ranges = view::ranges_over(view.quadrics[0], sampling.fraction_bits, extent.pixels);
-    CHECK(ranges.most_root > 10);
+    CHECK(ranges.max_root > 10);
     CHECK(extent.z_high >= ranges.far.high);
     CHECK(extent.z_low <= std::max<std::int64_t>(ranges.near.low, 0));
   }

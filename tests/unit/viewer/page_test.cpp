@@ -92,7 +92,7 @@ TEST_CASE(
   CHECK(bits["allowed"] == "integer, 1 to 6");
   CHECK(bits["unit"] == "bits");
   CHECK(bits["usual"] == "5");
-  CHECK(bits["meaning"] == "of the part that has faded: 2^bits steps");
+  CHECK(bits["meaning"] == "resolution of the fading: 2^bits steps");
   CHECK_FALSE(bits.contains("choices"));
   CHECK(named_in(named_in(form, "antialias")["keys"], "adaptive")["choices"] == Json{"true", "false"});
   CHECK(named_in(named_in(form, "transparency")["keys"], "method")["choices"].size() > 1);
