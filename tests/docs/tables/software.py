@@ -161,7 +161,7 @@ CLOSED = " --methods standard,positional,status --coherences all-points --proces
 def closed(figures):
     """The vehicle as it is, and closed, in a low tree and in the tree as written: ms a ray for all points. The last row divides ours by the thesis's."""
     methods = ("standard", "positional", "status")
-    commands = figures.shown("docs/software.md", "  sed -E").replace("classify closed.csg", "classify $MODEL")
+    commands = figures.shown("docs/reproduction.md", "sed -E").replace("classify closed.csg", "classify $MODEL")
     rows = []
     for name, file in (("open", "tests/models/terrain_vehicle.csg"), ("closed", "closed.csg")):
         points = figures.runs.run(f"ln -s $PWD/tests $OUT/tests; cd $OUT; MODEL={file}; {commands}{CLOSED}").json("closed/classify.json").points
