@@ -1,4 +1,4 @@
-"""docs/advise.md: the commands that it shows, run, and what they print."""
+"""docs/design-space.md: the commands that it shows, run, and what they print."""
 
 PAGE = "docs/design-space.md"
 RECOMMENDATION = "fewest bits"

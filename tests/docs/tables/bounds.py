@@ -1,4 +1,4 @@
-"""docs/machines/bounds.md, and what bounds the scan-line array."""
+"""docs/machines/comparison.md, and what bounds the scan-line array."""
 
 from figures import THESIS_MODELS, ruled
 

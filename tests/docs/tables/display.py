@@ -1,4 +1,4 @@
-"""docs/display.md: table 5.1 of the thesis, whose own figures stand in italics, its rivals, and the pixels that come out wrong."""
+"""docs/software.md: table 5.1 of the thesis, whose own figures stand in italics, its rivals, and the pixels that come out wrong."""
 
 from figures import ruled
 from tables.software import italic, three_digits, whole

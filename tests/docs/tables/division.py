@@ -1,4 +1,4 @@
-"""docs/division.md, from what bench_division prints."""
+"""docs/machines/pixel-square.md, from what bench_division prints."""
 
 import re
 

@@ -1,4 +1,4 @@
-"""docs/explore.md: the processes that come with csgsim, from their files."""
+"""docs/design-space.md: the processes that come with csgsim, from their files."""
 
 import tomllib
 

@@ -1,4 +1,4 @@
-"""docs/memory-bits.md."""
+"""docs/accuracy.md."""
 
 from figures import PERSPECTIVE, point, ruled
 

@@ -1,4 +1,4 @@
-"""docs/machines/pixel-planes-4.md: what a second buffer is worth."""
+"""docs/machines/pixel-planes.md: what a second buffer is worth."""
 
 import re
 

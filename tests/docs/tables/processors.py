@@ -1,4 +1,4 @@
-"""docs/processors.md: what operations cost on the processors that come with csgsim, from their files."""
+"""docs/host.md: what operations cost on the processors that come with csgsim, from their files."""
 
 import re
 import tomllib

@@ -1,4 +1,4 @@
-"""docs/machines/thesis-tables.md: tables 7.2 and 7.3 of the thesis, whose own figures stand in italics."""
+"""docs/reproduction.md: tables 7.2 and 7.3 of the thesis, whose own figures stand in italics."""
 
 from figures import ruled
 

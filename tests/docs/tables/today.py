@@ -1,4 +1,4 @@
-"""docs/machines/today.md: Pixel-planes beside the memories of today. All rows of a table that are of one model come from one call
+"""docs/machines/bit-serial-memory.md: Pixel-planes beside the memories of today. All rows of a table that are of one model come from one call
 of `csgsim compare`, so that every machine draws the same facets, and a picture that differs is an error."""
 
 from figures import THESIS_MODELS, row, ruled
