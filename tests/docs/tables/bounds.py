@@ -38,7 +38,7 @@ def scan_line(figures):
               ("`evaluator.network` trees", "evaluator.network=trees"),
               ("trees, `evaluator.bits` 8", "evaluator.network=trees", "evaluator.bits=8"),
               ("trees, `evaluator.bits` 1", "evaluator.network=trees", "evaluator.bits=1"),
-              ("all that may be ideal", *(f"{key}=ideal" for key in (
+              ("everything ideal", *(f"{key}=ideal" for key in (
                   "link.width", "cells.ports", "cells.alu_bits", "cells.shift_bits", "memory.clear_clocks", "link.fifo_depth", "link.latency", "host.bucket_clocks",
                   "host.active_clocks"))),
               ("`host.bucket_clocks` 400, `host.active_clocks` 160", "host.bucket_clocks=400", "host.active_clocks=160"),
