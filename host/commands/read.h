@@ -12,7 +12,7 @@
 
 namespace csgsim::commands {
 
-/// Reads a file of commands, in the language of the thesis (2.3; docs/sweeps.md), as a CSG tree. Throws InputError with
+/// Reads a file of commands, in the language of the thesis (2.3; docs/reproduction.md), as a CSG tree. Throws InputError with
 /// file:line:column. Of the options, only the limit on work applies.
 model::Tree read_text(std::string_view text, std::string_view name, const read::Options& options = {});
 

@@ -9,7 +9,7 @@
 
 namespace csgsim::emit {
 
-/// Number of cell tests of the divider for the half-spaces of one side over a rectangle of pixels (docs/division.md); a
+/// Number of cell tests of the divider for the half-spaces of one side over a rectangle of pixels (docs/machines/pixel-square.md); a
 /// cell takes one test for each half-space left in it. `sign` is 1 for fronts and -1 for backs, `step` a whole depth
 /// step. With `quarters`, cells are subdivided until every half-space is known to be kept or dropped; else only the
 /// rectangle is tested.

@@ -16,7 +16,7 @@
 
 namespace csgsim::emit {
 
-// The host computes these counts with its own data structures and the rules of docs/division.md.
+// The host computes these counts with its own data structures and the rules of docs/machines/pixel-square.md.
 
 /// The divider's work for a surface, whether it is drawn or not, including the boxes since the surface before. The
 /// compiled Program holds its number of instructions. The last entry of a square has the remaining boxes.

@@ -32,7 +32,7 @@ inline constexpr std::array strategies{CSGSIM_STRATEGIES(CSGSIM_OWN_ENUMERATOR) 
 #undef CSGSIM_ENUMERATOR
 
 /// The strategies that studies vary by default. `polygons` is not among them: it takes the bits of a stack and more
-/// clocks (docs/memory-bits.md).
+/// clocks (docs/accuracy.md).
 std::vector<Strategy> usual_strategies();
 
 /// The strategy's name on the command line and in the stats.

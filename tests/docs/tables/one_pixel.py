@@ -192,6 +192,8 @@ MACHINES = {
     "multi-processor": ("stack", "16 processors of 16-bit words share the pixels, and each divides its part of the picture"),
 }
 
+PAGES = {"pixel-planes-4": "pixel-planes.md", "pixel-powers": "pixel-planes.md#pixel-powers", "pixel-planes-5": "pixel-planes.md#pixel-planes-5"}
+
 
 def machines(figures):
     rows, drawn = [], set()
@@ -200,7 +202,7 @@ def machines(figures):
                                "-o $OUT/step.png --stats $OUT/stats.json")
         stats = run.json("stats.json")
         drawn.add((run.folder / "step.png").read_bytes())
-        rows.append((f"[`{name}`](machines/{name}.md)", f"`{strategy}`", f"{stats.clocks:,}",
+        rows.append((f"[`{name}`](machines/{PAGES.get(name, name + '.md')})", f"`{strategy}`", f"{stats.clocks:,}",
                      f"{stats.clocks / stats.machine.clock_hz * 1e6:,.1f}", words))
     if len(drawn) != 1:
         raise Differs("machines draw different pictures")
