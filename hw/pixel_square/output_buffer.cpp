@@ -9,7 +9,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// The colours of a row's pixels.
+/// Reads the colours of one row of pixels.
 void read(const pixel_planes::RefreshPort& memory, isa::Field colour, std::uint32_t row,
           std::vector<std::uint32_t>& colours) {
   for (std::uint32_t bit = 0; bit < colour.width; ++bit)

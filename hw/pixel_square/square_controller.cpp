@@ -57,11 +57,11 @@ std::string_view SquareController::state() const {
   return names.at(static_cast<std::size_t>(state_));
 }
 
-/// Since the machine was built.
+/// Clock edges since the machine was built.
 std::uint64_t SquareController::edges() const { return systemc::edges(period_); }
 
-/// At a clock edge; and when the last word of a square has left at one, which frees the pixels without a second buffer.
-/// Sleeps without a square, until a word comes.
+/// Runs at a clock edge, and when the last word of a square leaves at one, which frees the pixels without a second
+/// buffer. While idle, sleeps until a word arrives.
 void SquareController::act() {
   const bool was_idle = state_ == State::idle;
   if (clock.posedge()) {
@@ -78,7 +78,7 @@ void SquareController::act() {
   sleep();
 }
 
-/// The clocks that have gone by, which it returns.
+/// Accounts for the elapsed clocks and returns their number.
 std::uint64_t SquareController::count() {
   const std::uint64_t now = edges();
   const std::uint64_t clocks = now - std::exchange(acted_at_, now);
@@ -122,7 +122,7 @@ void SquareController::finish() {
   finished.write(++finished_count_);
 }
 
-/// For the clock that begins now.
+/// Issues the control word of the clock that begins now.
 void SquareController::put_control_word() {
   if ((state_ == State::idle || state_ == State::drawing) && !is_issuing()) take_command();
   switch (state_) {
@@ -190,7 +190,7 @@ void SquareController::issue() {
   accounts.nb_write({.kind = CommandAccount::Kind::instruction, .clocks = instruction_clocks_});
 }
 
-/// A word without a step goes behind the last one.
+/// A word without a step follows the last step.
 void SquareController::drain() {
   if (clocks_left_ <= latency_) return rest();
   put({.last = true, .ordinal = ordinal_});
@@ -203,8 +203,8 @@ void SquareController::rest() {
   resting_ = true;
 }
 
-/// Until something is to be done, if nothing is before the next edge. A word that comes when there is room for it is
-/// taken at the next edge.
+/// Sleeps past the next edge if nothing is to be done at it. A word that arrives while there is room for it is received
+/// at the next edge.
 void SquareController::sleep() {
   const bool holds = receiver_.holds();
   if (!holds && link.num_available() > 0) return;
@@ -234,7 +234,7 @@ void SquareController::sleep(std::uint64_t clocks) {
   next_trigger(time, link.data_written_event());
 }
 
-/// What follows, but for the last word of it. Returns in how many clocks that is to be put.
+/// Issues all remaining clearing words but the last. Returns the number of clocks until the last one is due.
 std::uint64_t SquareController::clear_ahead() {
   while (clocks_left_ > 1) {
     ++put_at_;
@@ -243,7 +243,7 @@ std::uint64_t SquareController::clear_ahead() {
   return put_at_ + 1 - acted_at_;
 }
 
-/// The same.
+/// Issues all remaining steps but the last, which it keeps. Returns the number of clocks until the last one is due.
 std::uint64_t SquareController::issue_ahead() {
   array::BitStep step = sequencer_.issue();
   for (; !step.last; step = sequencer_.issue()) {

@@ -9,7 +9,7 @@ namespace csgsim::pixel_square {
 
 namespace {
 
-/// For products of two rates.
+/// Holds products of two rates.
 __extension__ using Wide = unsigned __int128;
 
 }  // namespace
@@ -26,7 +26,7 @@ ScreenTiming::ScreenTiming(const isa::Program& program, const machines::Machine&
   banks_ = figures.banks;
 }
 
-/// That have begun.
+/// Number of turns that have begun.
 std::uint64_t ScreenTiming::turns_until(Time now) const {
   return static_cast<std::uint64_t>(Wide{now} * turns_a_second_ / clock_hz_);
 }
