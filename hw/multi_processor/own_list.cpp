@@ -11,7 +11,7 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// Divides from the records in the node's memory, and tells in which clock each instruction is begun.
+/// Divides from the records in the node's memory, and records the clock in which each instruction begins.
 class TimedDatapath final : public division::Datapath {
  public:
   TimedDatapath(const division::DisplayModel& model, const TestClocks& each, const ListForm& form,
@@ -21,7 +21,7 @@ class TimedDatapath final : public division::Datapath {
   [[nodiscard]] std::uint64_t now() const { return now_; }
   [[nodiscard]] const std::vector<std::uint64_t>& begun() const { return begun_; }
   [[nodiscard]] std::uint64_t clocks_to_put(const isa::Instruction& instruction) const {
-    return is_named(instruction, form_) ? number_clocks_ : each_.instruction;
+    return uses_index(instruction, form_) ? number_clocks_ : each_.instruction;
   }
 
  private:
@@ -54,7 +54,7 @@ void OwnList::begin(const isa::Region& part, const RecordReader& records, const 
   begin(room);
   form_ = form;
   TimedDatapath path(records.model(), with_unpacking(records.format(), figures_), form, figures_.number_clocks);
-  const division::Divided divided = division::Divider(records.model()).divide(part, records.left(), path);
+  const division::Divided divided = division::Divider(records.model()).divide(part, records.survivors(), path);
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});
   for (std::size_t i = 0; i < divided.instructions.size(); ++i) {
@@ -73,24 +73,24 @@ void OwnList::begin(std::uint64_t room) {
 void OwnList::put(const isa::Command& command) {
   commands_.push_back({command});
   words_ += words_of(command);
-  ++made_;
+  ++built_;
 }
 
 void OwnList::clear() {
   commands_.clear();
   counts_ = {};
-  made_ = sent_ = 0;
+  built_ = sent_ = 0;
   words_ = now_ = 0;
 }
 
-std::uint64_t OwnList::make() {
+std::uint64_t OwnList::build() {
   const std::uint64_t before = now_;
-  for (; made_ < commands_.size(); ++made_) {
-    const Timed& next = commands_[made_];
+  for (; built_ < commands_.size(); ++built_) {
+    const Timed& next = commands_[built_];
     now_ = next.begun;
     if (!has_room_for(next.command)) break;
     words_ += words_of(next.command);
-    now_ = next.made;
+    now_ = next.built;
   }
   return now_ - before;
 }

@@ -67,7 +67,7 @@ TEST_CASE("a screen that takes all clocks of the nodes is refused") {
   CHECK_NOTHROW(machines::check_runs_on(program, machine));
   ++figures(machine).refresh.clocks;
   CHECK_THROWS_WITH_AS(machines::check_runs_on(program, machine),
-                       "the screen takes 3200 turns a second of 313 clocks each, and the memories of four have 1000000 "
-                       "clocks a second: nothing could be drawn; give refresh.bits more",
+                       "the screen takes 3200 turns a second of 313 clocks each, but the memories of four have 1000000 "
+                       "clocks a second, which leaves none for drawing; increase refresh.bits",
                        InputError);
 }
