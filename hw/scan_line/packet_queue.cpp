@@ -79,7 +79,7 @@ void PacketQueue::take_packet(const Packet& packet) {
   beat_ = {.packet = &taken, .number = 0};
 }
 
-/// A mark has to be so late that its last beat keeps the distance.
+/// A mark must be late enough that its last beat keeps the required distance.
 bool PacketQueue::may_enter() const {
   if (beat_->packet->kind != PacketKind::mark || !marked_) return true;
   return mark_clocks_ + beat_->packet->beats - beat_->number > mark_spacing(frame_.pixels());
@@ -96,7 +96,7 @@ void PacketQueue::end_packet() {
 }
 
 void PacketQueue::end_line() {
-  counts_.most_packets = std::max<std::uint64_t>(counts_.most_packets, index_);
+  counts_.max_packets = std::max<std::uint64_t>(counts_.max_packets, index_);
   if (line_clocks_ > budget_) ++counts_.late_lines;
   line_clocks_ = 0;
   mark_clocks_ = 0;

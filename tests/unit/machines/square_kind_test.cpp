@@ -225,7 +225,7 @@ TEST_CASE("a Program for a machine with dividers is what they compute from its m
     // The slab is in the left half.
     REQUIRE(!program.segments[0].instructions.empty());
     program.segments[0].instructions.pop_back();
-    CHECK(refused() == "segment 0 is not what its display model is divided into; compile the model again");
+    CHECK(refused() == "segment 0 does not match the division of its display model; compile the model again");
     machines::own<Figures>(machine).divider = pixel_square::DividerKind::host;
     CHECK(refused() == "");
   }
