@@ -8,7 +8,7 @@ namespace csgsim::division {
 
 namespace {
 
-/// Narrows the depths to those between the fronts and backs at the corners; none, if an edge holds nothing.
+/// Narrows the depths to those between fronts and backs at the corners; empty if an edge contains nothing.
 void narrow(Box& box, const std::vector<Tested>& tested) {
   bool nothing = false;
   for (const Tested& one : tested) {
@@ -24,8 +24,8 @@ void narrow(Box& box, const std::vector<Tested>& tested) {
 
 }  // namespace
 
-Surface look_at_boxes(Datapath& path, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
-                      const Rectangle& square) {
+Surface intersect_boxes(Datapath& path, const Candidates& candidates, std::uint32_t first, std::uint32_t count,
+                        const Rectangle& square) {
   Surface surface{first, count, false, 0, {square, 0, path.header().farthest()}, {}};
   bool nothing = false;
   for (std::uint32_t i = first; i < first + count; ++i) {
@@ -33,7 +33,7 @@ Surface look_at_boxes(Datapath& path, const Candidates& candidates, std::uint32_
       nothing = true;
       continue;
     }
-    const PrimitiveHead primitive = path.look_at(i);
+    const PrimitiveHead primitive = path.visit_primitive(i);
     nothing = nothing || primitive.box.empty();
     surface.box.pixels = overlap(surface.box.pixels, primitive.box.pixels);
     surface.box.z_low = std::max(surface.box.z_low, primitive.box.z_low);
