@@ -38,7 +38,7 @@ enum class Chain : std::uint8_t { sum, difference };
 
 /// Translates operations on all columns to the row commands of a design. Targets are rows; an operand may be the
 /// target. E denotes the enable bit of each column. Between two calls, intermediate results stay in the design's
-/// storage; each instruction starts with `begin` and finishes with `end`.
+/// storage; each instruction finishes with `end`.
 class ColumnLogic {
  public:
   ColumnLogic(const RowMap& map, bool enable_latch, RowCommands& commands)

@@ -93,11 +93,11 @@ void Controller::refresh_idle() {
 
 void Controller::begin(const isa::SegmentStart& /*start*/) {
   state_ = "clearing";
-  const std::uint64_t begun = edge();
+  const std::uint64_t start_clock = edge();
   const std::uint64_t refreshing = account_.refreshing;
   squares_ = {};
   carry_out(clear_program(map_, micro_design(figures_)));
-  account_.clearing += edge() - begun - (account_.refreshing - refreshing);
+  account_.clearing += edge() - start_clock - (account_.refreshing - refreshing);
   cleared_ = true;
   progress->after_clear();
 }
@@ -105,21 +105,22 @@ void Controller::begin(const isa::SegmentStart& /*start*/) {
 void Controller::begin(const isa::Instruction& instruction) {
   state_ = "issuing";
   ordinal_ = next_ordinal_++;
-  const std::uint64_t begun = edge();
+  const std::uint64_t start_clock = edge();
   const std::uint64_t refreshing = account_.refreshing;
   progress->before_instruction();
   expression->begin(instruction.linear, squares_);
   const bool is_squares = isa::has_operand(isa::operands_of(instruction.opcode), isa::OperandKind::squares);
   squares_ = is_squares ? instruction.linear : isa::Linear{};
   carry_out(micro_program(instruction, map_, micro_design(figures_)));
-  if (isa::is_question(instruction.opcode)) return answer_question(instruction, begun, refreshing);
-  const std::uint64_t clocks = edge() - begun - (account_.refreshing - refreshing);
+  if (isa::is_question(instruction.opcode)) return answer_question(instruction, start_clock, refreshing);
+  const std::uint64_t clocks = edge() - start_clock - (account_.refreshing - refreshing);
   account_.issuing += clocks;
   progress->after_instruction(clocks, std::nullopt, 0);
 }
 
-void Controller::answer_question(const isa::Instruction& question, std::uint64_t begun, std::uint64_t refreshing) {
-  const std::uint64_t clocks = edge() - begun - (account_.refreshing - refreshing);
+void Controller::answer_question(const isa::Instruction& question, std::uint64_t start_clock,
+                                 std::uint64_t refreshing) {
+  const std::uint64_t clocks = edge() - start_clock - (account_.refreshing - refreshing);
   account_.answering += clocks;
   const bool any = answer_();
   const std::uint64_t skipped = isa::skipped_after(question, any ? 1 : 0);
@@ -187,12 +188,12 @@ sc_core::sc_time Controller::all_closed() const {
 void Controller::refresh_before(const RowCommand& command) {
   if (figures_.rank.refresh_interval == 0 || !begins_closed(command.op)) return;
   wait_until(std::max(banks[0]->free(), guard_.allowed()));
-  const sc_core::sc_time begun = systemc::now();
-  if (begun < due_) return;
+  const sc_core::sc_time start_time = systemc::now();
+  if (start_time < due_) return;
   const std::string_view before = std::exchange(state_, "refreshing");
   wait_until(all_closed());
   while (due_ <= sc_core::sc_time_stamp()) refresh();
-  const sc_core::sc_time taken = sc_core::sc_time_stamp() - begun;
+  const sc_core::sc_time taken = sc_core::sc_time_stamp() - start_time;
   for (std::uint32_t bank = 0; bank < slots_.used_banks(); ++bank) banks[static_cast<int>(bank)]->delay(taken);
   guard_.delay(taken);
   bus_ += taken;

@@ -75,7 +75,7 @@ class Controller final : public sc_core::sc_module {
   void begin(const isa::SegmentEnd& /*end*/) {}
   void begin(const isa::FrameEnd& end);
   void begin(const isa::Instruction& instruction);
-  void answer_question(const isa::Instruction& question, std::uint64_t begun, std::uint64_t refreshing);
+  void answer_question(const isa::Instruction& question, std::uint64_t start_clock, std::uint64_t refreshing);
   void scan_out(isa::Field colour);
 
   void carry_out(const RowCommands& commands);

@@ -61,9 +61,9 @@ void HostLink::send_from(std::uint64_t instruction) {
     state_ = "blocked";
     if (!await_room()) return;
     state_ = "sending";
-    const sc_core::sc_time begun = systemc::now();
+    const sc_core::sc_time start_time = systemc::now();
     const bool whole = wait_clocks(commands_[i].size() * std::uint64_t{link_.word_clocks});
-    sending_ += (sc_core::sc_time_stamp() - begun).value() / period_.value();
+    sending_ += (sc_core::sc_time_stamp() - start_time).value() / period_.value();
     if (!whole) return;
     queue->put({commands_[i], sc_core::sc_time_stamp()}, requests_taken_ - 1);
   }

@@ -1,3 +1,5 @@
+// The bit-serial-memory kind of machine.
+// Used by the machine's modules, and by the disasm command to recognize such machines.
 #pragma once
 
 #include "hw/bit_serial_memory/figures.h"

@@ -1,3 +1,5 @@
+// Text form of a Program's row commands.
+// Used by the disasm command.
 #pragma once
 
 #include <ostream>

@@ -82,7 +82,7 @@ class FrameModel {
     for (std::size_t i = 0; i < tasks_.size(); i += 1 + tasks_[i].jumps_over) {
       begin(tasks_[i]);
       carry_out(tasks_[i]);
-      spans_[i] = {begun_, free_};
+      spans_[i] = {task_start_, free_};
       if (tasks_[i].jumps_over > 0) jump(i);
     }
     const std::uint64_t clocks = free_;
@@ -102,12 +102,12 @@ class FrameModel {
   void begin(const Task& task) {
     const std::uint64_t ready = link_.arrival(task.link_clocks) + 1;
     const std::uint64_t refreshed = rank_.refreshing();
-    begun_ = rank_.begin(free_, ready);
-    link_.begin(begun_);
+    task_start_ = rank_.begin(free_, ready);
+    link_.begin(task_start_);
     std::uint64_t& waiting = jumped_ ? account_.controller.jumping : account_.controller.starved;
-    waiting += begun_ - free_ - (rank_.refreshing() - refreshed);
+    waiting += task_start_ - free_ - (rank_.refreshing() - refreshed);
     jumped_ = false;
-    free_ = begun_;
+    free_ = task_start_;
   }
 
   void carry_out(const Task& task) {
@@ -123,8 +123,8 @@ class FrameModel {
 
   void spend(const RowCommands& commands, std::uint64_t& activity) {
     const std::uint64_t refreshed = rank_.refreshing();
-    free_ = rank_.carry_out(commands, begun_ + taking_clocks);
-    activity += free_ - begun_ - (rank_.refreshing() - refreshed);
+    free_ = rank_.carry_out(commands, task_start_ + taking_clocks);
+    activity += free_ - task_start_ - (rank_.refreshing() - refreshed);
     count(commands);
   }
 
@@ -157,7 +157,7 @@ class FrameModel {
   RankTiming rank_;
   LinkTiming link_;
   std::vector<ClockSpan> spans_;
-  std::uint64_t begun_ = 0;
+  std::uint64_t task_start_ = 0;
   std::uint64_t free_ = 0;
   bool jumped_ = false;
   FrameAccount account_;

@@ -11,7 +11,7 @@ class LinkTiming {
  public:
   /// `places`: capacity of the queue. `latency`: clocks from a request, the first at clock 0, to the first word.
   LinkTiming(std::uint32_t places, std::uint32_t latency)
-      : places_(places), latency_(latency), host_free_(latency), begun_(places) {}
+      : places_(places), latency_(latency), host_free_(latency), start_clocks_(places) {}
 
   /// Clock at which the last word of the next command arrives, if it occupies the link for `clocks` clocks.
   std::uint64_t arrival(std::uint64_t clocks) {
@@ -23,7 +23,7 @@ class LinkTiming {
   }
 
   /// Records that the oldest command in the queue begins.
-  void begin(std::uint64_t clock) { begun_[taken_++ % places_] = clock; }
+  void begin(std::uint64_t clock) { start_clocks_[taken_++ % places_] = clock; }
 
   /// Whether the queue has room for another command; next_start() is the clock at which its transmission begins.
   [[nodiscard]] bool has_room() const { return sent_ - taken_ < places_; }
@@ -41,15 +41,15 @@ class LinkTiming {
 
  private:
   [[nodiscard]] std::uint64_t start() const {
-    return sent_ < places_ ? host_free_ : std::max(host_free_, begun_[sent_ % places_]);
+    return sent_ < places_ ? host_free_ : std::max(host_free_, start_clocks_[sent_ % places_]);
   }
 
   std::uint32_t places_;
   std::uint32_t latency_;
   std::uint64_t host_free_;
-  std::uint64_t sent_ = 0;            ///< commands sent since the last request
-  std::uint64_t taken_ = 0;           ///< number of these that were taken
-  std::vector<std::uint64_t> begun_;  ///< start clocks of the last commands, a ring
+  std::uint64_t sent_ = 0;                   ///< commands sent since the last request
+  std::uint64_t taken_ = 0;                  ///< number of these that were taken
+  std::vector<std::uint64_t> start_clocks_;  ///< start clocks of the last commands, a ring
   std::uint64_t sending_ = 0;
 };
 

@@ -20,7 +20,7 @@ class Pruner {
       : path_(path), tree_(tree), candidates_(candidates), surface_(surface) {}
 
   ActiveTree run() {
-    bool nothing = false;
+    bool is_empty = false;
     std::uint32_t below = tree_.leaf_of[surface_.first];
     for (std::uint32_t at = tree_.nodes[below].parent; at != no_node; below = at, at = tree_.nodes[at].parent) {
       path_.visit_node();
@@ -29,11 +29,11 @@ class Pruner {
       for (const std::uint32_t sibling : node.operands) {
         if (sibling == below) continue;
         const Outcome outcome = prune(sibling);
-        nothing = nothing || outcome.known == Known::out;
+        is_empty = is_empty || outcome.known == Known::out;
         if (outcome.known == Known::depends) add_operand(active_.operands, outcome.term, Operator::intersect);
       }
     }
-    if (nothing) return {true, {}, {}};
+    if (is_empty) return {true, {}, {}};
     join(active_.operands, Operator::intersect);
     return std::move(active_);
   }

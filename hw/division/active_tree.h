@@ -32,7 +32,7 @@ struct Term {
 /// Conditions for a surface to be visible: it must be inside all operands of the intersections between it and the root
 /// that are not decided at the corners (thesis 6.2).
 struct ActiveTree {
-  bool nothing = false;  ///< the surface is outside everywhere
+  bool is_empty = false;  ///< the surface is outside everywhere
   std::vector<Term> terms;
   std::vector<std::uint32_t> operands;
 };

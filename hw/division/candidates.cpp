@@ -20,14 +20,14 @@ void append(std::vector<std::uint32_t>& into, const std::vector<Tested>& from) {
 bool prune_halfspaces(Datapath& path, std::uint32_t index, const Rectangle& pixels,
                       std::vector<std::uint32_t>& halfspaces) {
   std::vector<Tested> undecided;
-  bool nothing = false;
+  bool is_empty = false;
   for (const Tested& tested : path.test(index, halfspaces, pixels)) {
     const Known known = known_between(tested, 0, path.header().farthest());
-    nothing = nothing || known == Known::out;
+    is_empty = is_empty || known == Known::out;
     if (known == Known::depends) undecided.push_back(tested);
   }
   halfspaces.clear();
-  if (nothing) return false;
+  if (is_empty) return false;
   const auto survivors_of_side = [&](Side side) {
     std::vector<Tested> on_side;
     std::copy_if(undecided.begin(), undecided.end(), std::back_inserter(on_side),

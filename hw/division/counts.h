@@ -1,3 +1,5 @@
+// Operation counts of the divider, and the memory that it needs at a time.
+// Used by the divider, the host's division counts, and the multi-processor's nodes.
 #pragma once
 
 #include <algorithm>

@@ -1,3 +1,5 @@
+// The display model: planes, primitives and tree of the picture, which the divider divides.
+// Used by the divider, the host that creates the model, and the multi-processor's records and lists.
 #pragma once
 
 #include <cstddef>

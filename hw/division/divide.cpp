@@ -26,7 +26,7 @@ void write_setup(Writer& out, const ModelHeader& model) {
 void write_visible(Writer& out, Datapath& path, const Surface& surface, const ActiveTree& active,
                    const Rectangle& square) {
   const Rendering rendering(path, surface);
-  if (rendering.nothing()) return;
+  if (rendering.is_empty()) return;
   rendering.write_surface(out, square);
   rendering.write_depth_test(out);
   if (!active.operands.empty()) {
@@ -67,7 +67,7 @@ Divided Divider::divide(const isa::Region& square, const Candidates& from, Datap
     if (surface.box.empty()) continue;
     if (test(path, from, surface)) {
       const ActiveTree active = active_tree_of(path, tree_, from, surface);
-      if (!active.nothing) write_visible(out, path, surface, active, pixels);
+      if (!active.is_empty) write_visible(out, path, surface, active, pixels);
     }
     if (out.written().size() > setup) {
       write(std::span(out.written()).subspan(done), path);

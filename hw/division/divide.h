@@ -1,3 +1,5 @@
+// The divider: computes the instructions of a square, or of a group of squares, from a display model.
+// Used by the dividers of the pixel-square machine and by the processors of the multi-processor.
 #pragma once
 
 #include <cstdint>

@@ -1,3 +1,5 @@
+// Checks that the segments of a Program match the division of its display model.
+// Used by the pixel-square machine and the multi-processor before a run.
 #pragma once
 
 #include <cstdint>

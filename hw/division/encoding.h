@@ -1,3 +1,5 @@
+// Binary encoding of a display model, as sent over a link.
+// Used by the host, the pixel-square machine's dividers, and the multi-processor.
 #pragma once
 
 #include <span>

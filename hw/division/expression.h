@@ -1,3 +1,5 @@
+// Linear expressions of planes, as encoded in instructions.
+// Used by the divider's instruction writer and by the multi-processor's lists.
 #pragma once
 
 #include "hw/division/display_model.h"

@@ -1,3 +1,5 @@
+// Memory of a divider that holds the records of a display model.
+// Used by the dividers of the pixel-square machine.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,5 @@
+// Counts and widths from the header of an encoded display model.
+// Used by the timing models and storage checks of the pixel-square machine and the multi-processor.
 #pragma once
 
 #include <cstdint>

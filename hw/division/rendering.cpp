@@ -17,7 +17,7 @@ Rendering::Rendering(Datapath& path, const Surface& surface)
   Extremes fronts = extremes_of(path, surface.tested, Side::front, column);
   Extremes backs = extremes_of(path, surface.tested, Side::back, column);
   const Extremes& own = complemented_ ? backs : fronts;
-  nothing_ = fronts.nothing || backs.nothing || (complemented_ && own.facets.empty());
+  is_empty_ = fronts.is_empty || backs.is_empty || (complemented_ && own.facets.empty());
   // If a front is behind depth 0 at all corners, the surface does not reach depth 0: its box begins behind it.
   const bool reaches_zero = fronts.facets.empty() || surface.box.z_low == 0;
   if (!complemented_ && reaches_zero) {

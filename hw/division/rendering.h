@@ -12,7 +12,7 @@ class Rendering {
   Rendering(Datapath& path, const Surface& surface);
 
   /// Whether no pixel can show the surface; then nothing may be written.
-  [[nodiscard]] bool nothing() const { return nothing_; }
+  [[nodiscard]] bool is_empty() const { return is_empty_; }
 
   /// Z1 := the surface, and its colour if there is a field for it. Leaves E = 1 where the surface is.
   void write_surface(Writer& out, const Rectangle& square) const;
@@ -48,7 +48,7 @@ class Rendering {
   const ModelHeader& model_;
   const Surface& surface_;
   bool complemented_;
-  bool nothing_ = false;
+  bool is_empty_ = false;
   std::vector<Facet> facets_;   ///< facets of the visible side, in order; the first may be at depth 0
   std::vector<Tested> others_;  ///< facets of the other side
   std::size_t start_ = 0;       ///< facet with which Z1 starts; the number of facets for the end of the depth range

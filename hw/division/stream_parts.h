@@ -1,9 +1,10 @@
+// Common parts of the streams that encode a display model.
+// Used by the encoding of display models and by the records on the multi-processor's bus.
 #pragma once
 
 #include "hw/division/bit_stream.h"
 #include "hw/division/display_model.h"
 
-/// Common parts of the streams that encode a model: the host's, and the records between processors.
 namespace csgsim::division {
 
 /// Size of the picture, and bits of depth, fraction and colour.

@@ -34,7 +34,7 @@ bool test(Datapath& path, const Candidates& candidates, Surface& surface);
 /// Facets of one side that form the surface over all depths.
 struct Extremes {
   std::vector<Tested> facets;
-  bool nothing = false;  ///< one of them contains nothing
+  bool is_empty = false;  ///< one of them contains nothing
 };
 
 /// Extremes of a surface over all depths, or of a primitive within the depths of the surface that it is compared with.

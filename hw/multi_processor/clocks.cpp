@@ -78,13 +78,13 @@ class PlaneCounts {
 };
 
 std::uint64_t at_enabled(std::uint64_t enabled, std::uint64_t chosen, const PixelCosts& costs) {
-  return (enabled - chosen) * costs.unselected + chosen * costs.whole;
+  return (enabled - chosen) * costs.unselected + chosen * costs.full;
 }
 
 }  // namespace
 
 std::uint64_t pixel_clocks(const isa::Instruction& instruction, const Machine& machine) {
-  return pixel_costs(instruction, machines::own<Figures>(machine)).whole;
+  return pixel_costs(instruction, machines::own<Figures>(machine)).full;
 }
 
 machines::PixelClocks all_pixel_clocks(const isa::Segment& segment, std::size_t index, const Machine& machine,
@@ -125,7 +125,7 @@ void RenderingClocks::compute_weights() {
     const machines::MetPixels::Planes planes = part_.met->instructions[part_.first + i];
     const PixelCosts& costs = costs_[i].at_pixel;
     weights[planes.enabled] += costs.unselected - costs.disabled;
-    weights[planes.chosen] += costs.whole - costs.unselected;
+    weights[planes.chosen] += costs.full - costs.unselected;
   }
   for (std::uint32_t plane = 0; plane < weights.size(); ++plane) {
     if (weights[plane] != 0) weights_.push_back({plane, weights[plane]});

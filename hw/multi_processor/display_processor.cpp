@@ -84,7 +84,7 @@ void DisplayProcessor::draw() {
 }
 
 void DisplayProcessor::receive_model() {
-  const std::uint64_t begun = time_.now();
+  const std::uint64_t start_clock = time_.now();
   wait(model_received_);
   model_ = division::display_model_of(memory_);
   divider_.emplace(model_);
@@ -92,17 +92,17 @@ void DisplayProcessor::receive_model() {
   const std::uint64_t plane_bits = model_.planes.size() * std::uint64_t{division::widths_of(model_).plane_record()};
   has_planes_ = quotient_up(bits, figures_.word_bits) <= figures_.display_memory_words;
   model_words_ = quotient_up(has_planes_ ? bits : bits - plane_bits, figures_.word_bits);
-  counted_.stages.reception = time_.now() - begun;
+  counted_.stages.reception = time_.now() - start_clock;
   activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
 }
 
 void DisplayProcessor::spend(DisplayActivity activity, std::uint64_t clocks) {
-  const std::uint64_t begun = time_.now();
-  activities_.change(activity, begun);
+  const std::uint64_t start_clock = time_.now();
+  activities_.change(activity, start_clock);
   if (clocks > 0) wait(time_.of(clocks));
   activities_.change(DisplayActivity::waiting_for_nodes, time_.now());
   (activity == DisplayActivity::dividing ? counted_.stages.first_pruning : counted_.stages.transformation) +=
-      time_.now() - begun;
+      time_.now() - start_clock;
 }
 
 void DisplayProcessor::draw_segment(const isa::Region& segment) {

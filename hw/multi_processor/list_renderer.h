@@ -55,7 +55,7 @@ class ListRenderer {
 
   /// State when an instruction begins at a pixel: elapsed clocks, and the clocks that would have elapsed without taken
   /// branches.
-  struct Begun {
+  struct PixelStart {
     std::uint64_t clocks = 0;
     std::uint64_t unbranched_clocks = 0;
     bool is_enabled = false;
@@ -70,9 +70,9 @@ class ListRenderer {
   void by_scan_line();
   void by_pixel();
   void fetch(const isa::Instruction& instruction);
-  Begun begin(std::size_t index, std::size_t pixel);
+  PixelStart begin(std::size_t index, std::size_t pixel);
   void act(std::size_t index, std::size_t pixel, std::uint64_t sum);
-  void end(std::size_t index, std::size_t pixel, const Begun& begun);
+  void end(std::size_t index, std::size_t pixel, const PixelStart& pixel_start);
   void execute_row(std::size_t index, std::uint32_t row, std::uint64_t sum, std::uint64_t step);
 
   [[nodiscard]] std::uint32_t x_of(std::uint32_t column) const { return own_.first_x + column * nodes_.width; }

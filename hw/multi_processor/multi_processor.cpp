@@ -81,14 +81,14 @@ void MultiProcessor::on_done() { sc_core::sc_pause(); }
 systemc::RunReport MultiProcessor::run(const isa::Program& program, systemc::RunListener& listener) {
   systemc::elaborate();
   division::check_division(program);
-  const std::uint64_t begun = time_.now();
+  const std::uint64_t start_clock = time_.now();
   const std::uint64_t before = frames_.read();
   begin(program, listener);
   systemc::run();
   retirement_.rethrow();
   if (frames_.read() == before && !systemc::is_stopped())
     throw std::logic_error("the multi-processor is deadlocked in the middle of a frame");
-  return {.clocks = time_.now() - begun,
+  return {.clocks = time_.now() - start_clock,
           .answers = {},
           .account = account(counted(), machine_.array),
           .picture = picture_of(program)};

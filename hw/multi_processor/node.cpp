@@ -39,7 +39,7 @@ void Node::begin() {
   tests_ = {};
   passes_ = turn_dividing_clocks_ = 0;
   rendering_ = {};
-  frame_begun_ = time_.now();
+  frame_start_ = time_.now();
   activities_.begin(NodeActivity::waiting, time_.now());
 }
 
@@ -161,7 +161,7 @@ void Node::begin_frame() {
   activities_.change(NodeActivity::waiting, time_.now());
   const NodePixels max_words = pixels_of({0, 0, records_.model().width, records_.model().height}, nodes_, 0, 0);
   image_columns_ = max_words.columns;
-  screen_.begin(frame_begun_, max_words.count(), records_.model().fields.colour.width);
+  screen_.begin(frame_start_, max_words.count(), records_.model().fields.colour.width);
   image_.assign(std::size_t{max_words.columns} * max_words.rows, 0);
 }
 

@@ -45,7 +45,7 @@ struct SavedPixels {
 /// State of a node while it renders.
 struct Rendering {
   const List* list = nullptr;           ///< null if it renders no list
-  std::uint64_t begun = 0;              ///< clock since the simulation began
+  std::uint64_t start_clock = 0;        ///< clock since the simulation began
   const PixelMemory* before = nullptr;  ///< state of its pixels; empty at the start of a list
 };
 
@@ -112,7 +112,7 @@ class Node final : public sc_core::sc_module {
   void append_command(const isa::Command& command);
   void send_built();
   ReadHalfspace read_halfspace(const HalfspaceId& name);
-  [[nodiscard]] std::uint64_t screen_turn_clocks(std::uint64_t begun);
+  [[nodiscard]] std::uint64_t screen_turn_clocks(std::uint64_t start_clock);
   void take_answer(const BusRequest& sent);
   void send_word(WordKind kind, const isa::LinkWord& word, bool last);
   void send(const isa::Command& command, bool last);
@@ -172,7 +172,7 @@ class Node final : public sc_core::sc_module {
   bool is_working_ = false;          ///< working, not stalled by a turn of the screen
   std::uint64_t work_done_ = 0;      ///< clocks of the current work before it last resumed
   std::uint64_t working_since_ = 0;  ///< clock, since the simulation began, in which it resumed
-  std::uint64_t frame_begun_ = 0;    ///< clock in which the frame began
+  std::uint64_t frame_start_ = 0;    ///< clock in which the frame began
 
   std::uint64_t words_ = 0;     ///< words sent, over all frames
   std::uint64_t arrivals_ = 0;  ///< arrivals at the barrier, over all frames

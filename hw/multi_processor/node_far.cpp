@@ -77,18 +77,18 @@ void Node::send_built() {
 ReadHalfspace Node::read_halfspace(const HalfspaceId& name) {
   const std::vector<isa::LinkWord> words = division::to_link(records_.encode_request(name), bus_width_);
   awaiting_answer_ = true;
-  const std::uint64_t begun = time_.now();
+  const std::uint64_t start_clock = time_.now();
   for (std::size_t i = 0; i < words.size(); ++i) send_word(WordKind::request, words[i], i + 1 == words.size());
   while (awaiting_answer_) wait(answered_);
   dividing_since_ = time_.now();
-  advance(screen_turn_clocks(begun));
+  advance(screen_turn_clocks(start_clock));
   return records_.decode_halfspace(std::exchange(answer_, {}).take());
 }
 
-/// Clocks of turns of the screen since `begun`, in which the node stalled but the bus continued.
-std::uint64_t Node::screen_turn_clocks(std::uint64_t begun) {
+/// Clocks of turns of the screen since `start_clock`, in which the node stalled but the bus continued.
+std::uint64_t Node::screen_turn_clocks(std::uint64_t start_clock) {
   std::uint64_t clocks = 0;
-  for (std::uint64_t at = begun; at < time_.now();) {
+  for (std::uint64_t at = start_clock; at < time_.now();) {
     const std::uint64_t left = time_.now() - at;
     const std::uint64_t free = screen_.free_from(at, left);
     const std::uint64_t turn = free > 0 ? 0 : std::min(left, screen_.left_from(at));

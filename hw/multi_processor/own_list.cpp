@@ -19,7 +19,7 @@ class TimedDatapath final : public division::Datapath {
       : Datapath(model), model_(model), each_(each), form_(form), number_clocks_(number_clocks) {}
 
   [[nodiscard]] std::uint64_t now() const { return now_; }
-  [[nodiscard]] const std::vector<std::uint64_t>& begun() const { return begun_; }
+  [[nodiscard]] const std::vector<std::uint64_t>& start_clocks() const { return start_clocks_; }
   [[nodiscard]] std::uint64_t clocks_to_put(const isa::Instruction& instruction) const {
     return uses_index(instruction, form_) ? number_clocks_ : each_.instruction;
   }
@@ -36,7 +36,7 @@ class TimedDatapath final : public division::Datapath {
   void on_cell(std::uint64_t halfspaces) override { now_ += halfspaces * each_.cell; }
   void on_node() override { now_ += each_.tree_node; }
   void on_instruction(const isa::Instruction& instruction) override {
-    begun_.push_back(now_);
+    start_clocks_.push_back(now_);
     now_ += clocks_to_put(instruction);
   }
 
@@ -45,7 +45,7 @@ class TimedDatapath final : public division::Datapath {
   const ListForm form_;
   const std::uint32_t number_clocks_;
   std::uint64_t now_ = 0;
-  std::vector<std::uint64_t> begun_;
+  std::vector<std::uint64_t> start_clocks_;
 };
 
 }  // namespace
@@ -58,8 +58,9 @@ void OwnList::begin(const isa::Region& part, const RecordReader& records, const 
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});
   for (std::size_t i = 0; i < divided.instructions.size(); ++i) {
-    const std::uint64_t begun = path.begun()[i];
-    commands_.push_back({divided.instructions[i], begun, begun + path.clocks_to_put(divided.instructions[i])});
+    const std::uint64_t start_clock = path.start_clocks()[i];
+    commands_.push_back(
+        {divided.instructions[i], start_clock, start_clock + path.clocks_to_put(divided.instructions[i])});
   }
   commands_.push_back({isa::SegmentEnd{}, path.now(), path.now()});
 }
@@ -87,7 +88,7 @@ std::uint64_t OwnList::build() {
   const std::uint64_t before = now_;
   for (; built_ < commands_.size(); ++built_) {
     const Timed& next = commands_[built_];
-    now_ = next.begun;
+    now_ = next.start_clock;
     if (!has_room_for(next.command)) break;
     words_ += words_of(next.command);
     now_ = next.built;

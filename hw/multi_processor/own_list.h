@@ -47,7 +47,7 @@ class OwnList {
  private:
   struct Timed {
     isa::Command command;
-    std::uint64_t begun = 0;  ///< clock of dividing after all tests that lead to the command
+    std::uint64_t start_clock = 0;  ///< clock of dividing after all tests that lead to the command
     std::uint64_t built = 0;
   };
 

@@ -200,17 +200,17 @@ PixelCosts pixel_costs(const isa::Instruction& instruction, const Figures& figur
   const std::uint64_t start = by_pixel ? sum_clocks(instruction, 0, figures) : 0;
   const std::uint64_t increment = by_pixel ? 0 : add_clocks(instruction, figures);
   const std::uint64_t reads = work.reads * operations.read;
-  const std::uint64_t whole = test_e + start + reads + work.writes * operations.write +
-                              work.compares * operations.compare + work.combines * operations.logic +
-                              work.adds * operations.add + work.shifts + shift + increment;
-  if (branches.over == Branches::none || isa::acts_on_disabled(instruction.opcode)) return {whole, whole, whole};
+  const std::uint64_t full = test_e + start + reads + work.writes * operations.write +
+                             work.compares * operations.compare + work.combines * operations.logic +
+                             work.adds * operations.add + work.shifts + shift + increment;
+  if (branches.over == Branches::none || isa::acts_on_disabled(instruction.opcode)) return {full, full, full};
   const std::uint64_t disabled = test_e + branches.taken + increment;
   const bool selects = instruction.opcode == Opcode::keep_max || instruction.opcode == Opcode::keep_min;
-  if (!selects) return {disabled, whole + branches.passed, whole + branches.passed};
+  if (!selects) return {disabled, full + branches.passed, full + branches.passed};
   const std::uint64_t wider = words_of(std::max<std::uint64_t>(linear.width, instruction.fields[0].width), figures);
   return {disabled,
           test_e + branches.passed + start + reads + wider * operations.compare + shift + branches.taken + increment,
-          whole + 2 * std::uint64_t{branches.passed}};
+          full + 2 * std::uint64_t{branches.passed}};
 }
 
 InstructionCosts instruction_costs(const isa::Instruction& instruction, const ListForm& form, const Figures& figures) {

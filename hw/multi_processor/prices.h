@@ -23,9 +23,9 @@ std::uint64_t unpacking_clocks(std::span<const std::uint8_t> widths, const Figur
 struct PixelCosts {
   std::uint64_t disabled = 0;    ///< E is 0 and the instruction has no effect
   std::uint64_t unselected = 0;  ///< E is 1 and the stored value is kept
-  std::uint64_t whole = 0;       ///< full execution, with no branch taken
+  std::uint64_t full = 0;        ///< full execution, with no branch taken
 
-  [[nodiscard]] constexpr std::uint64_t maximum() const { return std::max({disabled, unselected, whole}); }
+  [[nodiscard]] constexpr std::uint64_t maximum() const { return std::max({disabled, unselected, full}); }
 };
 
 /// Clocks without the surrounding loops and the work at the start of a row.

@@ -78,7 +78,7 @@ class RecordReader {
   RecordReader(unsigned word_bits, unsigned memory_word_bits)
       : word_bits_(word_bits), memory_word_bits_(memory_word_bits) {}
 
-  /// Expects the records of a frame, or of a segment of the received frame. `brings_halfspaces`: the half-spaces are
+  /// Expects the records of a frame, or of a segment of the received frame. `with_halfspaces`: the half-spaces are
   /// sent with the records and do not stay with the display processor.
   void begin_frame();
   void begin_segment(bool with_halfspaces = true);

@@ -21,7 +21,7 @@ class ScreenTurns {
     if (rate_ > 0) next();
   }
 
-  /// Number of free clocks, at most `most`, from `clock` to the next turn; 0 during a turn. `clock` must not decrease.
+  /// Number of free clocks, at most `limit`, from `clock` to the next turn; 0 during a turn. `clock` must not decrease.
   [[nodiscard]] std::uint64_t free_from(std::uint64_t clock, std::uint64_t limit) {
     if (rate_ == 0) return limit;
     while (first() + figures_.clocks <= clock) next();

@@ -75,7 +75,7 @@ class PixelStory {
   bool renders() {
     const Rendering& now = node_.rendering();
     if (now.list == nullptr || !(now.list->region == region_)) return false;
-    if (now.list == replayed_.list && now.begun == replayed_.begun) return true;
+    if (now.list == replayed_.list && now.start_clock == replayed_.start_clock) return true;
     replayed_ = now;
     moments_.clear();
     const std::vector<systemc::Keep> keeps(now.list->instructions.size(), systemc::Keep::nothing);

@@ -29,7 +29,7 @@ using machines::Machine;
 struct Requested {
   machines::Timeline* timeline = nullptr;  ///< blank timeline to fill, or null
   std::uint32_t segment = 0;               ///< segment of the Program whose parts are requested
-  std::vector<BegunPart>* parts = nullptr;
+  std::vector<StartedPart>* parts = nullptr;
 };
 
 using Met = std::span<const machines::MetPixels>;
@@ -113,9 +113,9 @@ class FrameModel {
       ++counted_.list_passes;
       for (const Piece& piece : received) {
         const isa::Segment& part = parts[piece.subsegment];
-        const std::uint64_t begun = now;
-        now = render(part_of(part, piece), part.region, begun);
-        record(part, piece, begun, now - figures_.barrier_clocks);
+        const std::uint64_t start_clock = now;
+        now = render(part_of(part, piece), part.region, start_clock);
+        record(part, piece, start_clock, now - figures_.barrier_clocks);
       }
       received.clear();
     }
@@ -325,9 +325,9 @@ FrameClocks time_stages(const isa::Program& program, const Machine& machine, Met
   return FrameModel(program, machine, met, {}).run();
 }
 
-std::vector<BegunPart> begun_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment,
-                                   Met met) {
-  std::vector<BegunPart> parts;
+std::vector<StartedPart> started_parts(const isa::Program& program, const Machine& machine, std::uint32_t segment,
+                                       Met met) {
+  std::vector<StartedPart> parts;
   FrameModel(program, machine, met, {.segment = segment, .parts = &parts}).run();
   return parts;
 }
@@ -356,17 +356,17 @@ std::vector<machines::ClockSpan> Kind::at_pixel(const machines::Timeline& timeli
   const std::uint32_t column = (x - part.region.x - own.first_x) / nodes.width;
   const std::uint32_t row = (y - part.region.y - own.first_y) / nodes.height;
   const Refresh refresh(isa::frame_header(program), machine);
-  std::vector<BegunPart> parts;
+  std::vector<StartedPart> parts;
   if (const std::optional<ListForm> form = form_of_whole(program, machine, segment)) {
     // The timeline holds the first clock in which a node executes the list.
     const machines::MetPixels* const met = timeline.met.empty() ? nullptr : &timeline.met[segment];
     parts.push_back(
         {{.instructions = part.instructions, .met = met, .form = *form}, timeline.cleared[segment].begin + 1, 0});
   } else {
-    parts = begun_parts(program, machine, segment, timeline.met);
+    parts = started_parts(program, machine, segment, timeline.met);
   }
   std::vector<ClockSpan> all;
-  for (const BegunPart& one : parts) {
+  for (const StartedPart& one : parts) {
     const RenderingClocks rendering(one.part, machine);
     for (const ClockSpan& span : rendering.spans_at(own, column, row))
       all.push_back(to_timeline(span, one.begin, refresh));

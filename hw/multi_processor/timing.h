@@ -28,14 +28,14 @@ FrameClocks time_stages(const isa::Program& program, const machines::Machine& ma
 
 /// Part of a subsegment's list, and the clocks of the frame from its start on the nodes until the slowest node has
 /// rendered it.
-struct BegunPart {
+struct StartedPart {
   ListPart part;
   std::uint64_t begin = 0;
   std::uint64_t end = 0;
 };
 
 /// Parts of a subsegment, in order. `met`: as in time_stages; it must outlive the result.
-std::vector<BegunPart> begun_parts(const isa::Program& program, const machines::Machine& machine, std::uint32_t segment,
-                                   std::span<const machines::MetPixels> met = {});
+std::vector<StartedPart> started_parts(const isa::Program& program, const machines::Machine& machine,
+                                       std::uint32_t segment, std::span<const machines::MetPixels> met = {});
 
 }  // namespace csgsim::multi_processor

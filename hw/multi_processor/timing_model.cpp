@@ -6,7 +6,7 @@ namespace csgsim::multi_processor {
 
 namespace {
 
-/// Bits to represent the numbers from 0 to `most`, at least one.
+/// Bits to represent the numbers from 0 to `maximum`, at least one.
 std::uint64_t bits_for(std::uint64_t maximum) {
   std::uint64_t bits = 1;
   while (maximum >> bits > 0) ++bits;

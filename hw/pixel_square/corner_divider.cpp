@@ -163,10 +163,10 @@ void CornerDivider::store(const StoredWord& word) {
   wait_spent();
   while (!store_.has_room()) {
     const std::string_view before = std::exchange(state_, name_of(SquareActivity::waiting_for_renderer));
-    const std::uint64_t begun = systemc::edges(period_);
+    const std::uint64_t start_clock = systemc::edges(period_);
     if (!store_.room_follows()) wait(store_.freed());
     wait(period_);
-    clocks_.add(SquareActivity::waiting_for_renderer, systemc::edges(period_) - begun);
+    clocks_.add(SquareActivity::waiting_for_renderer, systemc::edges(period_) - start_clock);
     state_ = before;
   }
   store_.write(word);

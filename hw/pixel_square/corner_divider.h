@@ -31,8 +31,8 @@ class CornerDivider final : public sc_core::sc_module {
  public:
   CornerDivider(sc_core::sc_module_name name, const machines::Machine& machine, const ModelReceiver& receiver);
 
-  /// Begins a frame with a picture of that size. The divider divides the squares with the indices `own`, in this order.
-  /// `squares` must outlive the frame.
+  /// Begins a frame with a picture of that size. The divider divides the squares with the indices `assigned`, in this
+  /// order. `squares` must outlive the frame.
   void begin(const machines::Size& picture, std::span<const isa::Region> squares, std::vector<std::size_t> assigned);
 
   /// Whether both squares lie in one group, so that the same divider divides them.

@@ -43,7 +43,7 @@ inline constexpr std::uint32_t not_shown = 0;
 /// Parameters that only this kind of machine has.
 struct Figures {
   std::uint32_t renderers = 1;
-  std::uint32_t buffers = 1;             ///< buffers per renderer; with 2, a finished square moves out while the next is drawn
+  std::uint32_t buffers = 1;  ///< buffers per renderer; with 2, a finished square moves out while the next is drawn
   std::uint32_t move_bits = all_planes;  ///< bit planes moved from the pixels to the second buffer per clock
   /// Bits of each pixel of a row latched per clock before the row's colours leave; used with one buffer only.
   std::uint32_t latch_bits = no_latch;
@@ -58,7 +58,7 @@ struct Figures {
   std::uint32_t refresh_bits = 1;          ///< bits that the screen reads per turn
   std::uint32_t refresh_clocks = 1;        ///< clocks for which a turn occupies a bank
   SquareOrder order = SquareOrder::rows;
-  bool has_global_or = false;   ///< a global OR tells a renderer's controller whether any of its pixels is enabled
+  bool has_global_or = false;   ///< a global OR reports to a renderer's controller whether any of its pixels is enabled
   std::uint32_t or_fan_in = 0;  ///< inputs of one gate of that OR; 0: a single gate, which settles within the clock
 
   DividerKind divider = DividerKind::host;

@@ -162,11 +162,11 @@ void PixelSquareMachine::on_done() { sc_core::sc_pause(); }
 systemc::RunReport PixelSquareMachine::run(const isa::Program& program, systemc::RunListener& listener) {
   systemc::elaborate();
   check_division(program, machine_);
-  const std::uint64_t begun = edges();
+  const std::uint64_t start_clock = edges();
   begin(program, listener);
   if (!program.segments.empty()) systemc::run();
   retirement_.rethrow();
-  const std::uint64_t clocks = edges() - begun;
+  const std::uint64_t clocks = edges() - start_clock;
   std::uint64_t skipped = 0;
   std::for_each(renderers_.begin(), renderers_.end(), [&](const Renderer& one) { skipped += one.skipped(); });
   return {.clocks = clocks,

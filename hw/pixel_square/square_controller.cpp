@@ -126,19 +126,19 @@ void SquareController::finish() {
 void SquareController::put_control_word() {
   if ((state_ == State::idle || state_ == State::drawing) && !is_issuing()) take_command();
   switch (state_) {
-    case State::idle: activity_ = SquareActivity::waiting_for_divider; return rest();
+    case State::idle: activity_ = SquareActivity::waiting_for_divider; return put_idle_word();
     case State::clearing: activity_ = SquareActivity::working; return clear();
     case State::drawing:
       activity_ = is_issuing() ? SquareActivity::working : SquareActivity::waiting_for_divider;
-      return is_issuing() ? issue() : rest();
+      return is_issuing() ? issue() : put_idle_word();
     case State::asking:
       activity_ = SquareActivity::working;
       ++instruction_clocks_;
-      return rest();
+      return put_idle_word();
     case State::draining: activity_ = SquareActivity::working; return drain();
-    case State::moving: activity_ = SquareActivity::working; return rest();
+    case State::moving: activity_ = SquareActivity::working; return put_idle_word();
     case State::drawn:
-    case State::leaving: activity_ = SquareActivity::waiting_for_frame_buffer; return rest();
+    case State::leaving: activity_ = SquareActivity::waiting_for_frame_buffer; return put_idle_word();
   }
 }
 
@@ -192,15 +192,15 @@ void SquareController::issue() {
 
 /// A word without a step follows the last step.
 void SquareController::drain() {
-  if (clocks_left_ <= latency_) return rest();
+  if (clocks_left_ <= latency_) return put_idle_word();
   put({.last = true, .ordinal = ordinal_});
   accounts.nb_write({.kind = CommandAccount::Kind::end});
 }
 
-void SquareController::rest() {
-  if (resting_) return;
+void SquareController::put_idle_word() {
+  if (wires_idle_) return;
   put({});
-  resting_ = true;
+  wires_idle_ = true;
 }
 
 /// Sleeps past the next edge if nothing is to be done at it. A word that arrives while there is room for it is received
@@ -216,10 +216,10 @@ void SquareController::sleep() {
       return;
     case State::drawing:
       if (holds && sequencer_.busy()) return sleep(issue_ahead());
-      if (!holds && resting_) next_trigger(link.data_written_event());
+      if (!holds && wires_idle_) next_trigger(link.data_written_event());
       return;
     case State::draining:
-      if (resting_) sleep(clocks_left_);
+      if (wires_idle_) sleep(clocks_left_);
       return;
     case State::moving: return sleep(clocks_left_);
     case State::drawn:
@@ -256,7 +256,7 @@ std::uint64_t SquareController::issue_ahead() {
 
 void SquareController::put(const ControlWord& word, const array::RootBits& bits) {
   wires->put(put_at_, word, bits);
-  resting_ = false;
+  wires_idle_ = false;
 }
 
 void SquareController::put_step(const array::BitStep& step) {

@@ -34,9 +34,9 @@ class SquareController final : public sc_core::sc_module {
   sc_core::sc_in<pixel_planes::Answer> answer{"answer"};
   sc_core::sc_in<std::uint64_t> left{"left"};  ///< squares whose last word has left for the frame buffer
   sc_core::sc_port<pixel_planes::PixelWires> wires{"wires"};
-  sc_core::sc_out<std::uint64_t> begun{"begun"};        ///< squares that have begun to move or to leave
-  sc_core::sc_out<std::uint64_t> header{"header"};      ///< header of the last of these
-  sc_core::sc_out<bool> moving{"moving"};               ///< whether that square is still incomplete in the output buffer
+  sc_core::sc_out<std::uint64_t> begun{"begun"};    ///< squares that have begun to move or to leave
+  sc_core::sc_out<std::uint64_t> header{"header"};  ///< header of the last of these
+  sc_core::sc_out<bool> moving{"moving"};           ///< whether that square is still incomplete in the output buffer
   sc_core::sc_out<std::uint64_t> finished{"finished"};  ///< squares that have left, or are in the output buffer
   sc_core::sc_fifo_out<CommandAccount> accounts{"accounts"};
 
@@ -84,7 +84,7 @@ class SquareController final : public sc_core::sc_module {
   void clear();
   void issue();
   void drain();
-  void rest();
+  void put_idle_word();
   void sleep();
   void sleep(std::uint64_t clocks);
   std::uint64_t clear_ahead();
@@ -113,7 +113,7 @@ class SquareController final : public sc_core::sc_module {
   std::uint64_t instruction_clocks_ = 0;                           ///< clocks of the current instruction
   std::uint64_t skips_left_ = 0;                                   ///< instructions still to be dropped
   std::uint64_t ordinal_ = 0;                                      ///< index of the next instruction within the square
-  bool resting_ = true;                                            ///< the wires carry no step
+  bool wires_idle_ = true;                                         ///< the wires carry no step
   std::uint64_t acted_at_ = 0;                                     ///< clock edge
   std::uint64_t put_at_ = 0;                                       ///< edge from which the wires carry the next word
   std::optional<array::BitStep> last_step_;  ///< last step of the current instruction, after the others have been

@@ -52,7 +52,8 @@ class LeavingSquare {
 class RowLatch {
  public:
   /// `clocks`: clocks to latch a row.
-  RowLatch(std::uint64_t clocks, Time begun) : clocks_(clocks), latched_(begun + 1 + clocks), needed_(begun + 1) {}
+  RowLatch(std::uint64_t clocks, Time start_clock)
+      : clocks_(clocks), latched_(start_clock + 1 + clocks), needed_(start_clock + 1) {}
 
   /// Edge at which `row`, part of the next word of colours, is transferred.
   [[nodiscard]] Time transfer_edge(std::uint32_t row);

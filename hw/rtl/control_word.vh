@@ -37,8 +37,7 @@ localparam CW_W = CW_Y + ADDRESS;                          // address to write, 
 localparam CW_COUNT = CW_W + ADDRESS;                      // number of memory bits to clear
 localparam CW_COLUMNS = CW_COUNT + ADDRESS + 1;            // for a clear: pixels right of this column
 localparam CW_ROWS = CW_COLUMNS + SIDE;                    // or below this row take no part
-localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0: a root subtracts
-                                                           // there
+localparam CW_X_BY_FLAG = CW_ROWS + SIDE;                  // 1: operand x is inverted where G is 0 (root subtraction)
 localparam CW_SET_FLAG = CW_X_BY_FLAG + 1;                 // 1: G := inverted result
 localparam CW_REFRESH = CW_SET_FLAG + 1;                   // 1: the scan-out latches the bit at x of the row in CW_ROWS
 localparam CONTROL_BITS = CW_REFRESH + 1;

@@ -203,10 +203,10 @@ HWY_ATTR HWY_INLINE std::uint64_t combine_enable(const Packet& packet, const Lan
                        [&](Place at, Vector before) HWY_ATTR { return enable(before, spread(any(source.at(at)))); });
 }
 
-/// Keeps cells enabled where F is negative (`wanted`) or not negative.
-std::uint64_t keep_where_sign(const Packet& packet, bool wanted, const Lanes& lanes, CellRange range) {
+/// Keeps cells enabled where F is negative (`negative`) or not negative.
+std::uint64_t keep_where_sign(const Packet& packet, bool negative, const Lanes& lanes, CellRange range) {
   Expression f(packet, range.first);
-  const Vector other = wanted ? hn::Zero(Tag()) : set(~std::uint64_t{0});
+  const Vector other = negative ? hn::Zero(Tag()) : set(~std::uint64_t{0});
   return change_enable(lanes, range, [&](Place, Vector before) HWY_ATTR {
     return hn::And(before, hn::Xor(spread(bit<lane_bits - 1>(f.next())), other));
   });

@@ -175,10 +175,10 @@ HWY_INLINE void blend(std::uint64_t* words, Vector value, Vector mask, Place at)
 HWY_INLINE void put_bits(const Lanes& lanes, isa::Field bits, Vector value, Vector mask, Place at) {
   std::uint64_t* const words = lanes.memory + bits.base / lane_bits * lanes.stride;
   const std::uint32_t shift = bits.base % lane_bits;
-  const Vector wanted = hn::And(mask, set(ones(bits.width)));
-  blend(words, left(value, shift), left(wanted, shift), at);
+  const Vector required = hn::And(mask, set(ones(bits.width)));
+  blend(words, left(value, shift), left(required, shift), at);
   if (shift + bits.width > lane_bits)
-    blend(words + lanes.stride, right(value, lane_bits - shift), right(wanted, lane_bits - shift), at);
+    blend(words + lanes.stride, right(value, lane_bits - shift), right(required, lane_bits - shift), at);
 }
 
 }  // namespace

@@ -86,8 +86,8 @@ AluFunction function_of(isa::Opcode opcode) {
 
 /// Alignment of `bits` bits of an operand that begins at bit `begins` of a word with the field's position in its word.
 Move move_to(isa::Field field, std::uint32_t begins, std::uint32_t bits, const CellShape& cell) {
-  const std::uint32_t wanted = field.base % cell.word_bits;
-  return {quotient_up(wanted + bits, cell.word_bits), begins > wanted ? begins - wanted : wanted - begins};
+  const std::uint32_t required = field.base % cell.word_bits;
+  return {quotient_up(required + bits, cell.word_bits), begins > required ? begins - required : required - begins};
 }
 
 /// Operands are aligned with the first field, which is the target if present. F is sign-extended as far as it is
@@ -101,8 +101,8 @@ CellWork work_of(const isa::Instruction& instruction, const CellShape& cell) {
   const bool sums = instruction.opcode == isa::Opcode::linear_plus || instruction.opcode == isa::Opcode::linear_minus;
   std::size_t moves = 0;
   if (is_linear) {
-    const std::uint32_t wanted = sums ? std::min<std::uint32_t>(f_bits, place.width) : f_bits;
-    work.moves.at(moves++) = move_to(place, instruction.linear.shift % cell.word_bits, wanted, cell);
+    const std::uint32_t required = sums ? std::min<std::uint32_t>(f_bits, place.width) : f_bits;
+    work.moves.at(moves++) = move_to(place, instruction.linear.shift % cell.word_bits, required, cell);
   }
   for (std::size_t i = 1; i < operands.size(); ++i) {
     const isa::Field& field = instruction.fields[i];

@@ -154,10 +154,10 @@ std::vector<systemc::RunReport> ScanLineArray::run_sequence(std::span<const isa:
       clear(frame.pixels());
       pixels = frame.pixels();
     }
-    const std::uint64_t begun = edges();
+    const std::uint64_t start_clock = edges();
     begin(frame, guarded.emplace_back(*listeners[i]));
     run_until_entered();
-    reports[i].interval_clocks = edges() - begun;
+    reports[i].interval_clocks = edges() - start_clock;
     showing_.push_back({&programs[i], &reports[i], entered()});
     collect();
   }

@@ -65,8 +65,7 @@ localparam CC_TRY_PLACE = CC_TRY_LAST + 1;                     // position of th
 localparam CC_CONSTANT = CC_TRY_PLACE + PLACE;                 // 1: words of x come from the constant, not from memory
 localparam CC_PORT = CC_CONSTANT + 1;
 localparam PORT_X = 0;                                         // 1: reads a word of x
-localparam PORT_Y = 1;                                         // 1: reads a word of y; with PORT_X, y comes from the
-                                                               // constant
+localparam PORT_Y = 1;                                         // 1: reads a word of y; with PORT_X, of the constant
 localparam PORT_WRITE = 2;                                     // 1: writes a word
 localparam PORT_INDEX = 3;                                     // index of the word in its operand
 localparam PORT_ADDRESS = PORT_INDEX + INDEX;                  // address of the word in memory
