@@ -190,7 +190,7 @@ void Node::advance(std::uint64_t clocks) {
     const std::uint64_t now = time_.now();
     const std::uint64_t free = screen_.free_from(now, clocks - work_done_);
     if (free == 0) {
-      wait(time_.of(screen_.left_from(now)));
+      wait(time_.of(screen_.turn_clocks_left(now)));
       continue;
     }
     working_since_ = now;

@@ -15,7 +15,7 @@ namespace csgsim::multi_processor {
 class Node::FarDatapath final : public division::Datapath {
  public:
   explicit FarDatapath(Node& node)
-      : Datapath(node.records_.model()), node_(node), each_(with_unpacking(node.records_.format(), node.figures_)) {}
+      : Datapath(node.records_.model()), node_(node), each_(node_test_costs(node.records_.format(), node.figures_)) {}
 
  private:
   division::PrimitiveHead read_primitive(std::uint32_t primitive) override {
@@ -91,7 +91,7 @@ std::uint64_t Node::screen_turn_clocks(std::uint64_t start_clock) {
   for (std::uint64_t at = start_clock; at < time_.now();) {
     const std::uint64_t left = time_.now() - at;
     const std::uint64_t free = screen_.free_from(at, left);
-    const std::uint64_t turn = free > 0 ? 0 : std::min(left, screen_.left_from(at));
+    const std::uint64_t turn = free > 0 ? 0 : std::min(left, screen_.turn_clocks_left(at));
     clocks += turn;
     at += free + turn;
   }

@@ -53,7 +53,7 @@ class TimedDatapath final : public division::Datapath {
 void OwnList::begin(const isa::Region& part, const RecordReader& records, const ListForm& form, std::uint64_t room) {
   begin(room);
   form_ = form;
-  TimedDatapath path(records.model(), with_unpacking(records.format(), figures_), form, figures_.number_clocks);
+  TimedDatapath path(records.model(), node_test_costs(records.format(), figures_), form, figures_.number_clocks);
   const division::Divided divided = division::Divider(records.model()).divide(part, records.survivors(), path);
   counts_ = divided.counts();
   commands_.push_back({isa::SegmentStart{part}});

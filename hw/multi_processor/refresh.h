@@ -15,8 +15,8 @@ class Refresh {
   /// Turns for the picture of the node with the most pixels.
   Refresh(const isa::FrameHeader& header, const machines::Machine& machine);
 
-  [[nodiscard]] bool takes_turns() const { return turns_a_second_ > 0; }
-  [[nodiscard]] std::uint64_t turns_a_second() const { return turns_a_second_; }
+  [[nodiscard]] bool takes_turns() const { return turns_per_second_ > 0; }
+  [[nodiscard]] std::uint64_t turns_per_second() const { return turns_per_second_; }
 
   /// Clock in which a node finishes `clocks` clocks of work that start at clock `begin`; `begin` if there is no work.
   [[nodiscard]] std::uint64_t end_of(std::uint64_t begin, std::uint64_t clocks) const;
@@ -24,7 +24,7 @@ class Refresh {
  private:
   [[nodiscard]] std::uint64_t free_until(std::uint64_t clock) const;
 
-  std::uint64_t turns_a_second_ = 0;
+  std::uint64_t turns_per_second_ = 0;
   std::uint64_t clock_hz_;
   std::uint64_t turn_clocks_;
 };

@@ -34,7 +34,7 @@ class ScreenTurns {
   }
 
   /// Clocks left of the turn that contains `clock`.
-  [[nodiscard]] std::uint64_t left_from(std::uint64_t clock) const { return first() + figures_.clocks - clock; }
+  [[nodiscard]] std::uint64_t turn_clocks_left(std::uint64_t clock) const { return first() + figures_.clocks - clock; }
 
  private:
   [[nodiscard]] std::uint64_t first() const { return whole_clocks_ + (fraction_ > 0 ? 1 : 0); }

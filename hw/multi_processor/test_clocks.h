@@ -17,7 +17,7 @@ constexpr std::uint64_t clocks_of(const division::Counts& counts, const TestCloc
 }
 
 /// Clocks of a node's tests, including unpacking of the tested numbers.
-inline TestClocks with_unpacking(const RecordFormat& format, const Figures& figures) {
+inline TestClocks node_test_costs(const RecordFormat& format, const Figures& figures) {
   const auto unpacking = [&](const auto& numbers) {
     WordProcessor processor(figures);
     processor.unpack(std::span<const unsigned>(numbers));

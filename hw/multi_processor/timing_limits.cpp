@@ -87,7 +87,7 @@ void check_time(const isa::Program& program, const ModelSizes& sizes, const Mach
   }
   // Upper bound of the slowdown by the screen's turns.
   const Refresh refresh(isa::frame_header(program), machine);
-  const double taken = static_cast<double>(refresh.turns_a_second()) * figures.refresh.clocks;
+  const double taken = static_cast<double>(refresh.turns_per_second()) * figures.refresh.clocks;
   clocks *= static_cast<double>(machine.clock_hz) / (static_cast<double>(machine.clock_hz) - taken);
   if (clocks <= max_reported_clocks && clocks <= max_seconds * static_cast<double>(machine.clock_hz)) return;
   throw InputError(

@@ -164,7 +164,7 @@ void CornerDivider::store(const StoredWord& word) {
   while (!store_.has_room()) {
     const std::string_view before = std::exchange(state_, name_of(SquareActivity::waiting_for_renderer));
     const std::uint64_t start_clock = systemc::edges(period_);
-    if (!store_.room_follows()) wait(store_.freed());
+    if (!store_.has_room_next()) wait(store_.freed());
     wait(period_);
     clocks_.add(SquareActivity::waiting_for_renderer, systemc::edges(period_) - start_clock);
     state_ = before;

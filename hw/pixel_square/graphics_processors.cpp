@@ -35,7 +35,7 @@ void GraphicsProcessors::begin(std::span<const isa::Segment> segments) {
   begun_.notify(sc_core::SC_ZERO_TIME);
 }
 
-bool GraphicsProcessors::are_done() const {
+bool GraphicsProcessors::all_done() const {
   return next_ == segments_.size() &&
          std::ranges::none_of(processors_, [](const Processor& processor) { return processor.square.has_value(); });
 }
@@ -47,7 +47,7 @@ void GraphicsProcessors::end_of_elaboration() {
 }
 
 /// Whether every processor is stalled or done; only the ring taking a word can end a stall.
-bool GraphicsProcessors::all_wait() const {
+bool GraphicsProcessors::all_stalled() const {
   using enum SquareActivity;
   return std::ranges::all_of(processors_, [](const Processor& one) {
     return one.activity == waiting_for_ring || one.activity == waiting_for_renderer || one.activity == done;
@@ -56,7 +56,7 @@ bool GraphicsProcessors::all_wait() const {
 
 /// Sleeps while every processor is stalled, and when all are done.
 void GraphicsProcessors::on_clock() {
-  if (are_done()) return next_trigger(begun_);
+  if (all_done()) return next_trigger(begun_);
   if (!clock.posedge()) return;
   const std::uint64_t now = systemc::edges(period_);
   const std::uint64_t slept = now - std::exchange(acted_at_, now) - 1;
@@ -64,7 +64,7 @@ void GraphicsProcessors::on_clock() {
   for (std::size_t i = 0; i < processors_.size(); ++i) release(i);
   for (std::size_t i = 0; i < processors_.size(); ++i) record(i, act(i));
   if (latency_left_ > 0) --latency_left_;
-  if (all_wait()) next_trigger(words_taken_);
+  if (all_stalled()) next_trigger(words_taken_);
 }
 
 /// Releases the square and the renderer of a processor whose words have all left.

@@ -63,8 +63,8 @@ class GraphicsProcessors final : public systemc::ClockedModule {
 
   void end_of_elaboration() override;
   void on_clock() override;
-  [[nodiscard]] bool all_wait() const;
-  [[nodiscard]] bool are_done() const;
+  [[nodiscard]] bool all_stalled() const;
+  [[nodiscard]] bool all_done() const;
   void release(std::size_t number);
   SquareActivity act(std::size_t number);
   bool take_square(Processor& processor);

@@ -18,7 +18,7 @@ void read(const pixel_planes::RefreshPort& memory, isa::Field colour, std::uint3
 
 }  // namespace
 
-bool OutputBuffer::wants_row() const {
+bool OutputBuffer::needs_row() const {
   const std::uint64_t header = std::uint64_t{quotient_up(header_bits, port_bits_)} * port_bits_;
   return filled_ < size_ && std::max(first_, header) + port_bits_ > filled_;
 }

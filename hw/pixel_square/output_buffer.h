@@ -31,7 +31,7 @@ class OutputBuffer {
   [[nodiscard]] bool has_word() const { return first_ + port_bits_ <= filled_ || filled_ == size_; }
 
   /// Whether some bits of the next word of colours are not loaded.
-  [[nodiscard]] bool wants_row() const;
+  [[nodiscard]] bool needs_row() const;
   [[nodiscard]] PortWord word() const { return {slice_of(bits_, first_, port_bits_)}; }
 
   /// Advances past the word that has left.

@@ -29,7 +29,7 @@ class Store {
   // Interface to the divider.
   [[nodiscard]] bool has_room() const { return words_.size() + (taken_at_ == edge() ? 1U : 0U) < depth_; }
   /// Valid without room at this edge: whether room at the next edge is guaranteed.
-  [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
+  [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
   /// Writes a word that is visible after this edge.
   void write(const StoredWord& word) { write(word, edge()); }
   /// Writes a word that becomes visible after the later edge `edge`; room for it must be guaranteed.

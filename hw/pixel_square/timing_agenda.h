@@ -156,8 +156,8 @@ class Fifo {
   [[nodiscard]] bool has_room(Time now) const { return words_.size() + (read_ == now ? 1U : 0U) < depth_; }
 
   /// Valid without a word (or room) at this edge: whether there is one at the next.
-  [[nodiscard]] bool word_follows() const { return !words_.empty(); }
-  [[nodiscard]] bool room_follows() const { return words_.size() < depth_; }
+  [[nodiscard]] bool has_word_next() const { return !words_.empty(); }
+  [[nodiscard]] bool has_room_next() const { return words_.size() < depth_; }
 
   [[nodiscard]] const Word& oldest() const { return words_.front().first; }
 

@@ -77,7 +77,7 @@ void DividerTiming::next(Time now) {
 void DividerTiming::act(Time now) {
   if (pieces_.empty()) return;
   if (!store_.has_room(now)) {
-    if (store_.room_follows()) agenda_->put(part_, now + 1);
+    if (store_.has_room_next()) agenda_->put(part_, now + 1);
     return;
   }
   clocks_.wait(SquareActivity::waiting_for_renderer, now + 1);

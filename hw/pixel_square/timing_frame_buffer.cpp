@@ -28,7 +28,7 @@ void FrameBufferTiming::store(Time now) {
   if (shown) taken_.push_back(*shown);
   const std::size_t turns = banks_ - taken_.size();
   std::size_t served = 0;
-  bool word_follows = false;
+  bool has_word_next = false;
   ready_ports_.for_each_from(turn_, [&](std::size_t port) {
     const std::optional<TimedPortWord> word = waiting(port, now);
     if (word && served < turns && take_bank(*word)) {
@@ -36,7 +36,7 @@ void FrameBufferTiming::store(Time now) {
       ++served;
       turn_ = next_in_turn(port, ports);
     }
-    word_follows = word_follows || word || ports_[port]->word_follows();
+    has_word_next = has_word_next || word || ports_[port]->has_word_next();
     return true;
   });
   if (served > 0) {
@@ -44,7 +44,7 @@ void FrameBufferTiming::store(Time now) {
     clocks_.work(1);
     if (shown) ++shared_;
   }
-  if (served > 0 || word_follows) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
+  if (served > 0 || has_word_next) agenda_.put(PartNumbers{renderers_}.frame_buffer(), now + 1);
 }
 
 /// The word that a port could deliver at this edge.
@@ -73,7 +73,7 @@ void FrameBufferTiming::take(std::size_t port, const TimedPortWord& word, Time n
     ports_[port]->read(now);
     if (port >= renderers_ && word.last) clears_[port - renderers_] = background_of(word.cleared);
   }
-  has_something(port) ? ready_ports_.add(port) : ready_ports_.remove(port);
+  has_pending(port) ? ready_ports_.add(port) : ready_ports_.remove(port);
   if (word.last && !clears_now(port) && ++stored_ == program_.segments.size()) end_ = now;
 }
 

@@ -29,7 +29,7 @@ class FrameBufferTiming {
     return port >= renderers_ && clears_[port - renderers_].words_left() > 0;
   }
   [[nodiscard]] std::optional<TimedPortWord> waiting(std::size_t port, Time now);
-  [[nodiscard]] bool has_something(std::size_t port) const { return clears_now(port) || ports_[port]->word_follows(); }
+  [[nodiscard]] bool has_pending(std::size_t port) const { return clears_now(port) || ports_[port]->has_word_next(); }
   [[nodiscard]] LeavingSquare background_of(std::size_t square) const;
   bool take_bank(const TimedPortWord& word);
   void take(std::size_t port, const TimedPortWord& word, Time now);

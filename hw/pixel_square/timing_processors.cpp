@@ -36,7 +36,7 @@ void ProcessorsTiming::act(std::size_t number, Time now) {
   if (!processor.commands.empty() && !processor.renderer && !request_renderer(processor, now))
     return sleep(processor, SquareActivity::waiting_for_renderer);
   if (!processor.words.has_room(now)) {
-    if (processor.words.room_follows()) agenda_.put(processor.part, now + 1);
+    if (processor.words.has_room_next()) agenda_.put(processor.part, now + 1);
     return sleep(processor, SquareActivity::waiting_for_ring);
   }
   send(processor, now);

@@ -62,7 +62,7 @@ RendererTiming::RendererTiming(const machines::Machine& machine, std::uint32_t c
 void RendererTiming::decode(Time now) {
   if (command_) return;
   if (!link_.has_word(now)) {
-    if (link_.word_follows()) agenda_->put(decoder_, now + 1);
+    if (link_.has_word_next()) agenda_->put(decoder_, now + 1);
     return;
   }
   command_ = link_.read(now).whole;
@@ -137,7 +137,7 @@ void RendererTiming::leave(Time now) {
     if (edge > now) return agenda_->put(output_, edge);
   }
   if (!colours_.has_room(now)) {
-    if (colours_.room_follows()) agenda_->put(output_, now + 1);
+    if (colours_.has_room_next()) agenda_->put(output_, now + 1);
     return;
   }
   colours_.write(now, {.last = square.words_left() == 1, .row = square.picture_row()});

@@ -63,7 +63,7 @@ bool passes(const Fifo<From>& from, const Fifo<To>& to, Time now) {
 
 template <class From, class To>
 bool will_pass(const Fifo<From>& from, const Fifo<To>& to) {
-  return from.word_follows() && to.room_follows();
+  return from.has_word_next() && to.has_room_next();
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ class ScreenTiming {
 
  private:
   [[nodiscard]] std::uint64_t turns_until(Time now) const;
-  [[nodiscard]] Time begin_of(std::uint64_t turn) const;
+  [[nodiscard]] Time turn_start(std::uint64_t turn) const;
   void go_to(std::uint64_t turn);
 
-  std::uint64_t turns_a_picture_;
-  std::uint64_t turns_a_second_;
+  std::uint64_t turns_per_picture_;
+  std::uint64_t turns_per_second_;
   std::uint64_t clock_hz_;
   std::uint64_t turn_clocks_;
   std::uint64_t turn_bits_;

@@ -42,7 +42,7 @@ void SenderTiming::begin_host_square() {
 /// Returns false if the sender has to wait.
 bool SenderTiming::begin_square(Time now) {
   if (!store().may_begin(now)) {
-    sleep(SquareActivity::waiting_for_divider, store().word_follows(), now);
+    sleep(SquareActivity::waiting_for_divider, store().has_word_next(), now);
     return false;
   }
   begun_ = true;
@@ -64,7 +64,7 @@ void SenderTiming::send(Time now) {
 }
 
 void SenderTiming::send_header(Time now) {
-  if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.room_follows(), now);
+  if (!clears_.has_room(now)) return sleep(SquareActivity::waiting_for_frame_buffer, clears_.has_room_next(), now);
   const bool last = sent_ + 1 == header_words(machines::own<Figures>(machine_).port_bits);
   clears_.write(now, {.last = last, .row = std::nullopt, .cleared = square_});
   clocks_.work(1);
@@ -76,13 +76,13 @@ void SenderTiming::send_header(Time now) {
 
 void SenderTiming::send_word(Time now) {
   if (!is_host() && !store().has_word(now))
-    return sleep(SquareActivity::waiting_for_divider, store().word_follows(), now);
+    return sleep(SquareActivity::waiting_for_divider, store().has_word_next(), now);
   if (!target_) {
     target_ = least_busy(now);
     renderers_[*target_].assign();
   }
   Fifo<TimedLinkWord>& link = renderers_[*target_].link();
-  if (!link.has_room(now)) return sleep(SquareActivity::waiting_for_renderer, link.room_follows(), now);
+  if (!link.has_room(now)) return sleep(SquareActivity::waiting_for_renderer, link.has_room_next(), now);
   const TimedStored word = take_word(now);
   link.write(now, {word.whole});
   clocks_.work(1);

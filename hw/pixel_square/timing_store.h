@@ -34,9 +34,9 @@ class StoreTiming {
   }
 
   [[nodiscard]] bool has_room(Time now) const { return words_.has_room(now); }
-  [[nodiscard]] bool room_follows() const { return words_.room_follows(); }
+  [[nodiscard]] bool has_room_next() const { return words_.has_room_next(); }
   [[nodiscard]] bool has_word(Time now) const { return words_.has_word(now); }
-  [[nodiscard]] bool word_follows() const { return words_.word_follows(); }
+  [[nodiscard]] bool has_word_next() const { return words_.has_word_next(); }
 
   /// Whether sending of a square can begin: the square is complete, or the store is full.
   [[nodiscard]] bool may_begin(Time now) const {

@@ -30,7 +30,7 @@ void PacketQueue::begin(const PictureLines& frame) {
 }
 
 void PacketQueue::on_clock() {
-  busy.write(!is_through());
+  busy.write(!all_marks_entered());
   ++line_clocks_;
   ++mark_clocks_;
   if (!beat_ && receiver_.holds()) take(receiver_.take());
@@ -42,7 +42,7 @@ LineActivity PacketQueue::act() {
   if (!beat_ || !may_enter()) {
     entry.write({});
     if (beat_) return LineActivity::waiting_for_refresh;
-    return is_through() ? LineActivity::done : LineActivity::waiting_for_link;
+    return all_marks_entered() ? LineActivity::done : LineActivity::waiting_for_link;
   }
   entry.write(*beat_);
   if (beat_->last()) {
@@ -103,7 +103,7 @@ void PacketQueue::end_line() {
   marked_ = true;
   index_ = 0;
   line_ += figures_.chains;
-  if (is_through()) through.write(++frames_through_);
+  if (all_marks_entered()) through.write(++frames_through_);
 }
 
 }  // namespace csgsim::scan_line

@@ -50,7 +50,7 @@ class PacketQueue final : public systemc::ClockedModule {
   void begin(const PictureLines& frame);
 
   /// Whether all marks of the frame have entered.
-  [[nodiscard]] bool is_through() const { return line_ >= frame_.lines.size(); }
+  [[nodiscard]] bool all_marks_entered() const { return line_ >= frame_.lines.size(); }
 
   [[nodiscard]] const EntryCounts& counts() const { return counts_; }
   [[nodiscard]] const ActivityCounter& counter() const { return counter_; }   ///< counter of the frame that began last

@@ -45,9 +45,9 @@ void RefreshCollector::on_clock() {
 void RefreshCollector::count(PendingFrame& frame, bool is_last) {
   frame.periods.edge();
   if (is_last) {
-    frame.enters = any_enters();
-    if (frame.periods.count() > 0 && !frame.enters) ++frame.shown.drain_clocks;
-  } else if (std::exchange(frame.enters, false)) {
+    frame.entering_marks = any_entering();
+    if (frame.periods.count() > 0 && !frame.entering_marks) ++frame.shown.drain_clocks;
+  } else if (std::exchange(frame.entering_marks, false)) {
     return;
   } else {
     ++frame.shown.drain_clocks;
@@ -81,7 +81,7 @@ void RefreshCollector::collect(PendingFrame& frame, std::size_t chain, std::uint
   frame.last_pixel = frame.periods.count();
 }
 
-bool RefreshCollector::any_enters() const {
+bool RefreshCollector::any_entering() const {
   return std::any_of(entering.begin(), entering.end(), [](const auto& one) { return one.read(); });
 }
 

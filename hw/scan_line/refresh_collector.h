@@ -50,14 +50,14 @@ class RefreshCollector final : public systemc::ClockedModule {
     std::vector<std::size_t> line_of_chain;  ///< line of each chain whose pixels come next
     std::size_t missing_lines = 0;
     std::uint64_t last_pixel = 0;  ///< clock in which it arrived
-    bool enters = true;            ///< marks of the frame were still to enter at the last edge
+    bool entering_marks = true;    ///< marks of the frame were still to enter at the last edge
   };
 
   void on_clock() override;
   void count(PendingFrame& frame, bool is_last);
   void poll(std::size_t chain);
   void collect(PendingFrame& frame, std::size_t chain, std::uint32_t colour);
-  [[nodiscard]] bool any_enters() const;
+  [[nodiscard]] bool any_entering() const;
 
   std::deque<PendingFrame> pending_;  ///< frames that have begun, the oldest first
   std::deque<ShownFrame> complete_;   ///< complete frames that have not been taken

@@ -128,7 +128,7 @@ void ScanLineArray::on_shown() { sc_core::sc_pause(); }
 
 bool ScanLineArray::all_entered() const {
   bool all = true;
-  for_each(queues_, [&](const PacketQueue& queue) { all = all && queue.is_through(); });
+  for_each(queues_, [&](const PacketQueue& queue) { all = all && queue.all_marks_entered(); });
   return all;
 }
 

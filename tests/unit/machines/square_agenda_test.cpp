@@ -141,27 +141,27 @@ TEST_CASE("a word is there at the edge after the one at which it was written, an
   Agenda agenda(2);
   Fifo<int> fifo(2, 0, 1, agenda);
   CHECK_FALSE(fifo.has_word(0));
-  CHECK_FALSE(fifo.word_follows());
+  CHECK_FALSE(fifo.has_word_next());
   CHECK(fifo.has_room(1));
   fifo.write(1, 7);
   CHECK(agenda.next() == std::pair<Time, std::size_t>{2, 1});  // the reader looks
   CHECK_FALSE(fifo.has_word(1));
-  CHECK(fifo.word_follows());
+  CHECK(fifo.has_word_next());
   CHECK(fifo.has_word(2));
   CHECK(fifo.oldest() == 7);
   CHECK(fifo.has_room(2));
   fifo.write(2, 8);
   CHECK_FALSE(fifo.has_room(3));
-  CHECK_FALSE(fifo.room_follows());
+  CHECK_FALSE(fifo.has_room_next());
   CHECK(agenda.next() == std::pair<Time, std::size_t>{3, 1});
   CHECK(fifo.read(3) == 7);
   CHECK_FALSE(fifo.has_room(3));
-  CHECK(fifo.room_follows());
+  CHECK(fifo.has_room_next());
   CHECK(fifo.has_room(4));
   CHECK(agenda.next() == std::pair<Time, std::size_t>{4, 0});  // the writer looks
   CHECK(fifo.has_word(3));
   CHECK(fifo.read(4) == 8);
-  CHECK_FALSE(fifo.word_follows());
+  CHECK_FALSE(fifo.has_word_next());
 }
 
 TEST_CASE("words come out in the order in which they went in, however many there are") {

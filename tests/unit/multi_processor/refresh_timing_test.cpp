@@ -42,16 +42,16 @@ TEST_CASE("what a screen leaves of the clocks is what is left when each turn is 
     const isa::Program program = any_program(machine);
     const isa::FrameHeader header = isa::frame_header(program);
     const multi_processor::Refresh refresh(header, machine);
-    if (refresh.turns_a_second() * figures(machine).refresh.clocks >= machine.clock_hz) return;
+    if (refresh.turns_per_second() * figures(machine).refresh.clocks >= machine.clock_hz) return;
     const auto begin = *rc::gen::inRange<std::uint64_t>(0, 3000);
     const auto clocks = *rc::gen::inRange<std::uint64_t>(0, 300);
     std::uint64_t left = clocks;
     std::uint64_t now = begin;
     while (left > 0) {
       // Of the turns that have begun the last.
-      const std::uint64_t turn = now * refresh.turns_a_second() / machine.clock_hz;
+      const std::uint64_t turn = now * refresh.turns_per_second() / machine.clock_hz;
       std::uint64_t first = 0;
-      while (first * refresh.turns_a_second() < turn * machine.clock_hz) ++first;
+      while (first * refresh.turns_per_second() < turn * machine.clock_hz) ++first;
       if (turn == 0 || now >= first + figures(machine).refresh.clocks) --left;
       ++now;
     }
